@@ -1,0 +1,35 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+
+// The scene and its rays, joined; fragments that no ray reaches are left alone.
+
+in vec2 texCoord;
+
+//VTK::GodRays::Types
+//VTK::GodRays::Functions
+
+uniform sampler2D scene;
+uniform sampler2D rays;
+uniform float intensity;
+uniform float sceneGain;
+uniform bool linearLight; // whether rays are linear light, or shown values as the scene's colours
+uniform bool screen;      // SCREEN rather than ADD
+uniform bool showRays;    // the rays alone
+
+void main()
+{
+  vec3 light = intensity * texture(rays, texCoord).rgb;
+  if (showRays)
+  {
+    gl_FragData[0] = vec4(linearLight ? EncodeDisplay(light) : light, 1.0);
+    return;
+  }
+  if (!any(greaterThan(light, vec3(0.0))) && sceneGain == 1.0)
+  {
+    discard;
+  }
+  vec3 shown = texture(scene, texCoord).rgb;
+  vec3 base = sceneGain * (linearLight ? DecodeDisplay(shown) : shown);
+  vec3 sum = screen ? BlendScreen(base, light) : BlendAdd(base, light);
+  gl_FragData[0] = vec4(linearLight ? EncodeDisplay(sum) : sum, 1.0);
+}

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysBlendPass
+ * @brief   the third stage: join the rays and the picture
+ *
+ * Writes the sum over the colour of the framebuffer that the scene was drawn into, at the
+ * viewport's place in it: the only stage that knows the viewport's origin. Depth and alpha are not
+ * written, nor is any pixel that no ray reaches, so anti-aliased samples stay as they are there.
+ * Rays are added in linear light: the picture's colours are decoded from and encoded to the sRGB
+ * display transfer (IEC 61966-2-1).
+ *
+ * @sa vtkGodRaysPass
+ */
+
+#ifndef vtkGodRaysBlendPass_h
+#define vtkGodRaysBlendPass_h
+
+#include "vtkGodRaysRenderingModule.h" // For export macro
+#include "vtkObject.h"
+
+#include <memory> // For std::unique_ptr
+
+class vtkOpenGLRenderWindow;
+class vtkTextureObject;
+class vtkWindow;
+
+class VTKGODRAYSRENDERING_EXPORT vtkGodRaysBlendPass : public vtkObject
+{
+public:
+  static vtkGodRaysBlendPass* New();
+  vtkTypeMacro(vtkGodRaysBlendPass, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// What to join, and how.
+  struct Request
+  {
+    vtkOpenGLRenderWindow* Window;
+    int Viewport[4];               ///< origin and size in the bound framebuffer [pixels]
+    vtkTextureObject* Scene;       ///< colours of the viewport; not read when ShowRays
+    vtkTextureObject* Rays;
+    double Intensity = 1.0;
+    double SceneGain = 1.0;
+    bool LinearLight = true;
+    bool Screen = false;
+    bool ShowRays = false;
+    bool Accumulate = false;       ///< add to what the framebuffer holds
+  };
+
+  /**
+   * Write into the framebuffer that is bound. Returns false, after an error, if that failed.
+   */
+  VTK_WRAPEXCLUDE bool Draw(const Request& request);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+protected:
+  vtkGodRaysBlendPass();
+  ~vtkGodRaysBlendPass() override;
+
+private:
+  vtkGodRaysBlendPass(const vtkGodRaysBlendPass&) = delete;
+  void operator=(const vtkGodRaysBlendPass&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

@@ -1,0 +1,334 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysOcclusionPass.h"
+
+#include "vtkActor2D.h"
+#include "vtkCamera.h"
+#include "vtkGodRaysOcclusionFS.h"
+#include "vtkGodRaysPass.h"
+#include "vtkGodRaysQuad.h"
+#include "vtkGodRaysSource.h"
+#include "vtkGodRaysTarget.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
+#include "vtkTextureObject.h"
+#include "vtk_glew.h"
+
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+vtkStandardNewMacro(vtkGodRaysOcclusionPass);
+
+namespace
+{
+/// The visible three-dimensional props of a renderer, in or out of its frustum, by what they do.
+struct Sorted
+{
+  std::vector<vtkProp*> Blocking; // opaque parts; lights block the light of others
+  std::vector<vtkProp*> Dimming;  // translucent parts and volumes
+  int NotBlocking = 0;
+};
+
+bool HasVolume(vtkProp* prop)
+{
+  vtkNew<vtkPropCollection> volumes;
+  prop->GetVolumes(volumes);
+  return volumes->GetNumberOfItems() > 0;
+}
+
+Sorted Sort(vtkRenderer* renderer, bool untaggedPropsOcclude)
+{
+  Sorted sorted;
+  vtkCollectionSimpleIterator iterator;
+  vtkPropCollection* props = renderer->GetViewProps();
+  props->InitTraversal(iterator);
+  while (vtkProp* prop = props->GetNextProp(iterator))
+  {
+    if (!prop->GetVisibility() || vtkActor2D::SafeDownCast(prop))
+    {
+      continue;
+    }
+    const int role = vtkGodRaysPass::GetRole(prop);
+    if (role == vtkGodRaysPass::IGNORED ||
+      (role == vtkGodRaysPass::AUTOMATIC && !untaggedPropsOcclude))
+    {
+      ++sorted.NotBlocking;
+      continue;
+    }
+    sorted.Blocking.push_back(prop);
+    if (role != vtkGodRaysPass::LIGHT &&
+      (prop->HasTranslucentPolygonalGeometry() || HasVolume(prop)))
+    {
+      sorted.Dimming.push_back(prop);
+    }
+  }
+  return sorted;
+}
+
+/// While it lives, the renderer looks through a camera whose picture includes the margin.
+class MarginCamera
+{
+public:
+  MarginCamera(
+    vtkRenderer* renderer, const vtkGodRaysView& view, vtkSmartPointer<vtkCamera>& wide)
+    : Renderer(view.ViewScale < 1.0 ? renderer : nullptr)
+  {
+    if (this->Renderer)
+    {
+      if (!wide)
+      {
+        wide = vtkSmartPointer<vtkCamera>::New();
+      }
+      this->Camera = renderer->GetActiveCamera();
+      vtkNew<vtkMatrix4x4> projection;
+      projection->DeepCopy(view.ViewToClip);
+      wide->DeepCopy(this->Camera);
+      wide->SetExplicitProjectionTransformMatrix(projection);
+      wide->UseExplicitProjectionTransformMatrixOn();
+      renderer->SetActiveCamera(wide);
+    }
+  }
+  ~MarginCamera()
+  {
+    if (this->Renderer)
+    {
+      this->Renderer->SetActiveCamera(this->Camera);
+    }
+  }
+  MarginCamera(const MarginCamera&) = delete;
+  void operator=(const MarginCamera&) = delete;
+
+private:
+  vtkRenderer* Renderer;
+  vtkSmartPointer<vtkCamera> Camera;
+};
+
+void SetVector(vtkShaderProgram* program, const char* name, const double value[3])
+{
+  const float v[3] = { static_cast<float>(value[0]), static_cast<float>(value[1]),
+    static_cast<float>(value[2]) };
+  program->SetUniform3f(name, v);
+}
+}
+
+//------------------------------------------------------------------------------
+struct vtkGodRaysOcclusionPass::Internals
+{
+  vtkGodRaysQuad Quad{ "vtkGodRaysOcclusionFS", vtkGodRaysOcclusionFS };
+  vtkGodRaysTarget Occluders; // depth, when the scene's will not do
+  vtkGodRaysTarget Dimming;   // opacity, over the depth of what blocks
+  vtkGodRaysTarget Shining;   // a prop tagged LIGHT
+  vtkGodRaysTarget Layer;
+  vtkSmartPointer<vtkCamera> WideCamera;
+  Request Frame;
+  vtkTextureObject* Depth = nullptr; // of what blocks
+  bool Dimmed = false;
+};
+
+//------------------------------------------------------------------------------
+vtkGodRaysOcclusionPass::vtkGodRaysOcclusionPass()
+  : Internal(new Internals)
+{
+  this->SetActiveDrawBuffers(1); // volume mappers ask for it
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysOcclusionPass::~vtkGodRaysOcclusionPass() = default;
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysOcclusionPass::SceneDepthServes(const Request& request)
+{
+  return request.Margin == 0.0 &&
+    Sort(request.Renderer, request.UntaggedPropsOcclude).NotBlocking == 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysOcclusionPass::Begin(const Request& request)
+{
+  Internals& self = *this->Internal;
+  self.Frame = request;
+  const Sorted sorted = Sort(request.Renderer, request.UntaggedPropsOcclude);
+  const auto enlarged = [&request](unsigned int size) {
+    return static_cast<int>(std::lround(size * (1.0 + 2.0 * request.Margin)));
+  };
+  const int width = enlarged(request.SceneDepth->GetWidth());
+  const int height = enlarged(request.SceneDepth->GetHeight());
+
+  vtkOpenGLState* state = request.Window->GetState();
+  state->vtkglClearDepth(1.0);
+  state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(
+    GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  MarginCamera camera(request.Renderer, *request.View, self.WideCamera);
+
+  self.Depth = request.SceneDepth;
+  this->RenderedOccluders = sorted.NotBlocking > 0 || request.Margin > 0.0;
+  if (this->RenderedOccluders)
+  {
+    self.Occluders.Prepare(request.Window, width, height, { GL_RGBA8, request.DepthFormat });
+    if (!self.Occluders.Bind())
+    {
+      return false;
+    }
+    state->vtkglClear(GL_DEPTH_BUFFER_BIT);
+    state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    for (vtkProp* prop : sorted.Blocking)
+    {
+      prop->RenderOpaqueGeometry(request.Renderer);
+    }
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    self.Depth = self.Occluders.GetDepth();
+  }
+
+  this->NumberOfTranslucentProps = static_cast<int>(sorted.Dimming.size());
+  self.Dimmed = !sorted.Dimming.empty();
+  if (self.Dimmed)
+  {
+    self.Dimming.Prepare(request.Window, GL_RGBA8, self.Depth);
+    if (!self.Dimming.Bind())
+    {
+      return false;
+    }
+    state->vtkglClear(GL_COLOR_BUFFER_BIT);
+    std::vector<vtkProp*> volumes;
+    for (vtkProp* prop : sorted.Dimming)
+    {
+      prop->RenderTranslucentPolygonalGeometry(request.Renderer);
+      if (HasVolume(prop))
+      {
+        volumes.push_back(prop);
+      }
+    }
+    vtkRenderState volumetric(request.Renderer);
+    volumetric.SetPropArrayAndCount(volumes.data(), static_cast<int>(volumes.size()));
+    this->Render(&volumetric);
+  }
+
+  self.Layer.Prepare(request.Window, width, height, { request.ColorFormat, 0 });
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysOcclusionPass::Render(const vtkRenderState* s)
+{
+  this->PreRender(s);
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    s->GetPropArray()[i]->RenderVolumetricGeometry(s->GetRenderer());
+  }
+  this->PostRender(s);
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysSource& source)
+{
+  Internals& self = *this->Internal;
+  const Request& frame = self.Frame;
+  vtkOpenGLState* state = frame.Window->GetState();
+  if (source.Prop)
+  {
+    self.Shining.Prepare(frame.Window, self.Layer.GetWidth(), self.Layer.GetHeight(),
+      { frame.ColorFormat, frame.DepthFormat });
+    if (!self.Shining.Bind())
+    {
+      return false;
+    }
+    state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    state->vtkglClearDepth(1.0);
+    state->vtkglDepthMask(GL_TRUE);
+    state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(
+      GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    MarginCamera camera(frame.Renderer, *frame.View, self.WideCamera);
+    source.Prop->RenderOpaqueGeometry(frame.Renderer);
+    if (source.Prop->HasTranslucentPolygonalGeometry())
+    {
+      source.Prop->RenderTranslucentPolygonalGeometry(frame.Renderer);
+    }
+  }
+
+  vtkShaderProgram* program = self.Quad.Begin(frame.Window);
+  if (!program || !self.Layer.Bind())
+  {
+    return false;
+  }
+  state->vtkglDisable(GL_BLEND);
+  vtkNew<vtkMatrix4x4> clipToView;
+  clipToView->DeepCopy(frame.View->ClipToView);
+  clipToView->Transpose(); // OpenGL matrices are column-major
+  program->SetUniformMatrix("clipToView", clipToView);
+  program->SetUniformi("planar", source.Planar);
+  SetVector(program, "lightPosition", source.Position);
+  SetVector(program, "lightDirection", source.Direction);
+  SetVector(program, "lightColor", source.Color);
+  program->SetUniformf("lightDepth", static_cast<float>(source.Depth));
+  program->SetUniformf("lightRadius", static_cast<float>(source.Radius));
+  program->SetUniformf("fade", static_cast<float>(source.Fade));
+  program->SetUniformf("glow", static_cast<float>(frame.Glow));
+  program->SetUniformf("glowRadius", static_cast<float>(source.GlowRadius));
+  program->SetUniformf("glowFalloff", static_cast<float>(source.GlowFalloff));
+  program->SetUniformi("linearLight", frame.LinearLight);
+  program->SetUniformf("maximum", frame.ColorFormat == GL_RGBA16F ? 65504.0f : 1e30f);
+  program->SetUniformi("dimmed", self.Dimmed);
+  program->SetUniformi("prop", source.Prop != nullptr);
+  self.Quad.SetTexture("occluderDepth", self.Depth);
+  self.Quad.SetTexture("translucency", self.Dimmed ? self.Dimming.GetColor() : self.Depth);
+  self.Quad.SetTexture("propColor", source.Prop ? self.Shining.GetColor() : self.Depth);
+  self.Quad.SetTexture("propDepth", source.Prop ? self.Shining.GetDepth() : self.Depth);
+  self.Quad.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysTarget& vtkGodRaysOcclusionPass::GetLayer()
+{
+  return this->Internal->Layer;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysOcclusionPass::Describe() const
+{
+  std::ostringstream text;
+  text << (this->RenderedOccluders ? "occluders rendered into the layer, a second time"
+                                   : "depth of the scene, no second rendering of geometry");
+  if (this->NumberOfTranslucentProps)
+  {
+    text << "; opacity of " << this->NumberOfTranslucentProps << " translucent props or volumes";
+  }
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysOcclusionPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Superclass::ReleaseGraphicsResources(window);
+  this->Internal->Quad.Release();
+  this->Internal->Dimming.Release(window); // before the depth that it borrows
+  this->Internal->Occluders.Release(window);
+  this->Internal->Shining.Release(window);
+  this->Internal->Layer.Release(window);
+  this->Internal->Depth = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysOcclusionPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "RenderedOccluders: " << this->RenderedOccluders << "\n";
+  os << indent << "NumberOfTranslucentProps: " << this->NumberOfTranslucentProps << "\n";
+}

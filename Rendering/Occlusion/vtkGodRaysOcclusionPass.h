@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysOcclusionPass
+ * @brief   the first stage: for each light a layer of what shines, less what blocks it
+ *
+ * When every prop blocks light, the scene's own depth says what blocks it and no geometry is
+ * rendered again. Otherwise, or with a margin about the picture, the props that block are rendered
+ * into a depth of their own, each in its ordinary way, so that no shader is rebuilt. Translucent
+ * props and volumes that block are rendered once more, into an opacity by which the light is
+ * dimmed; they dim whatever is behind or, for a light at a finite distance, before them.
+ * Props tagged LIGHT are rendered in their own colours, as lit as in the scene.
+ *
+ * @sa vtkGodRaysPass
+ */
+
+#ifndef vtkGodRaysOcclusionPass_h
+#define vtkGodRaysOcclusionPass_h
+
+#include "vtkGodRaysRenderingModule.h" // For export macro
+#include "vtkOpenGLRenderPass.h"
+
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+
+class vtkGodRaysTarget;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkTextureObject;
+struct vtkGodRaysSource;
+struct vtkGodRaysView;
+
+class VTKGODRAYSRENDERING_EXPORT vtkGodRaysOcclusionPass : public vtkOpenGLRenderPass
+{
+public:
+  static vtkGodRaysOcclusionPass* New();
+  vtkTypeMacro(vtkGodRaysOcclusionPass, vtkOpenGLRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// What a frame is made of.
+  struct Request
+  {
+    vtkOpenGLRenderWindow* Window;
+    vtkRenderer* Renderer;
+    const vtkGodRaysView* View;
+    vtkTextureObject* SceneDepth;  ///< of the viewport
+    unsigned int DepthFormat;      ///< its internal format
+    unsigned int ColorFormat;      ///< internal format of the layer
+    double Margin = 0.0;           ///< fraction of the picture on each side
+    bool UntaggedPropsOcclude = true;
+    bool LinearLight = true;
+    double Glow = 0.0;
+  };
+
+  /**
+   * Whether the scene's own depth holds just the props that block light.
+   */
+  VTK_WRAPEXCLUDE static bool SceneDepthServes(const Request& request);
+
+  /**
+   * Find and, where need be, render what blocks light. Returns false if the driver refuses.
+   */
+  VTK_WRAPEXCLUDE bool Begin(const Request& request);
+
+  /**
+   * Draw the layer of one light. Returns false, after an error, if that failed.
+   */
+  VTK_WRAPEXCLUDE bool Compose(const vtkGodRaysSource& source);
+
+  /**
+   * The layer last composed.
+   */
+  VTK_WRAPEXCLUDE vtkGodRaysTarget& GetLayer();
+
+  /**
+   * Whether Begin() rendered the props that block light a second time.
+   */
+  bool GetRenderedOccluders() const { return this->RenderedOccluders; }
+
+  /**
+   * What Begin() did, in one line.
+   */
+  std::string Describe() const;
+
+  /**
+   * Render the props of a state as volumes, with this pass attached to them, which keeps the
+   * volume mapper from choosing a viewport of its own.
+   */
+  void Render(const vtkRenderState* s) override;
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkGodRaysOcclusionPass();
+  ~vtkGodRaysOcclusionPass() override;
+
+private:
+  vtkGodRaysOcclusionPass(const vtkGodRaysOcclusionPass&) = delete;
+  void operator=(const vtkGodRaysOcclusionPass&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+  bool RenderedOccluders = false;
+  int NumberOfTranslucentProps = 0;
+};
+
+#endif

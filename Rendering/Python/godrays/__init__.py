@@ -1,0 +1,230 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""God rays for VTK scenes.
+
+    import godrays
+    rays = godrays.enable(renderer, light=(1, 2, 1), occluders=[actor], density=0.9)
+    rays.SetIntensity(0.5)
+    godrays.disable(renderer)
+
+The classes are those of C++, vtkGodRaysPass first of all; their documentation is theirs.
+"""
+
+import numbers
+
+try:
+    import vtkmodules.vtkRenderingOpenGL2  # the OpenGL classes behind vtkRenderer and the like
+    from vtkmodules.vtkCommonCore import vtkObject
+    from vtkmodules.vtkRenderingCore import vtkLight, vtkProp, vtkRenderer, vtkRenderWindow
+    from vtkmodules.vtkRenderingOpenGL2 import vtkImageProcessingPass
+
+    from .vtkGodRaysRendering import *
+except ImportError as error:
+    raise ImportError(
+        f"godrays needs the VTK for which it was built, in the Python of that VTK: {error}. On "
+        "Debian 12 install python3-vtk9 and use /usr/bin/python3; leave other VTKs out of "
+        "PYTHONPATH."
+    ) from error
+
+_ROLES = {
+    "automatic": vtkGodRaysPass.AUTOMATIC,
+    "occluder": vtkGodRaysPass.OCCLUDER,
+    "light": vtkGodRaysPass.LIGHT,
+    "ignored": vtkGodRaysPass.IGNORED,
+}
+
+
+def enable(target, light=None, occluders=(), ignored=(), preset=None, **parameters):
+    """Put god rays into a scene and return their vtkGodRaysPass, attached to the renderer.
+
+    target: a vtkRenderer, a vtkRenderWindow (its first renderer counts), or a plotter with a
+        ``renderer``, such as PyVista's and vedo's.
+    light: what shines. A vtkLight; a prop, which shines in the colours in which it is drawn; three
+        numbers, the direction from which sunlight comes; or a list of these. None takes the props
+        tagged "light", or else the renderer's own lights that stand in the scene.
+    occluders, ignored: props to tag. Props without a tag block light unless
+        untagged_props_occlude=False.
+    preset: the name of a look, see vtkGodRaysRadialModel.GetPresetName.
+    parameters: every property of the pass, its model and its integrator, in the spelling
+        ``sun_angular_radius`` or ``SunAngularRadius``. Constants can be given by name:
+        output="occlusion". They come after the preset.
+
+    Enabling a renderer again changes the pass that it has; a light given then replaces the lights
+    and the tagged props that shone before.
+    """
+    renderer = _renderer(target)
+    rays = _find(renderer)
+    known = rays is not None
+    rays = rays or vtkGodRaysPass()
+
+    # Look at everything before anything is changed.
+    settings = _settings(rays, parameters)
+    lights = _lights(light)
+    occluders = [_prop(prop) for prop in _list(occluders)]
+    ignored = [_prop(prop) for prop in _list(ignored)]
+    presets = [
+        vtkGodRaysRadialModel.GetPresetName(i)
+        for i in range(vtkGodRaysRadialModel.GetNumberOfPresets())
+    ]
+    if preset is not None and preset not in presets:
+        raise ValueError(f"there is no preset {preset!r}; there are: {', '.join(presets)}")
+    tagged = _shining(renderer)
+    if not lights and not tagged and rays.GetNumberOfLights() == 0:
+        lights = [each for each in renderer.GetLights() if each.LightTypeIsSceneLight()]
+        if not lights:
+            raise ValueError(
+                "nothing shines: the renderer has no light that stands in the scene (headlights "
+                "and camera lights make no shafts) and no prop tagged \"light\". Give one, such as "
+                "light=(1, 2, 1) for a sun in that direction, light=actor, or light=vtkLight()."
+            )
+
+    if known and light is not None:
+        rays.RemoveAllLights()
+        for prop in tagged:
+            tag(prop, "automatic")
+    for each in lights:
+        if isinstance(each, vtkLight):
+            rays.AddLight(each)
+        else:
+            tag(each, "light")
+    for prop in occluders:
+        tag(prop, "occluder")
+    for prop in ignored:
+        tag(prop, "ignored")
+
+    for name in ("Model", "Integrator"):  # they hold what the others set
+        if name in settings:
+            getattr(rays, "Set" + name)(settings.pop(name))
+    if preset is not None:
+        rays.ApplyPreset(preset)
+    owners = (rays, rays.GetModel(), rays.GetIntegrator())
+    for name, value in settings.items():
+        owner = next(owner for owner in owners if name in _properties(owner))
+        if isinstance(value, str):
+            value = getattr(owner, value.upper(), value)
+        getattr(owner, "Set" + name)(value)
+
+    if not known:
+        rays.Attach(renderer)
+    return rays
+
+
+def disable(target):
+    """Take the god rays off a renderer, window or plotter; nothing happens if it has none."""
+    renderer = _renderer(target)
+    rays = _find(renderer)
+    if rays is not None:
+        rays.Detach(renderer)
+
+
+def tag(prop, role):
+    """Say what a prop does to light: "occluder", "light", "ignored" or "automatic"."""
+    if isinstance(role, str):
+        if role not in _ROLES:
+            raise ValueError(f"there is no role {role!r}; there are: {', '.join(_ROLES)}")
+        role = _ROLES[role]
+    vtkGodRaysPass.SetRole(_prop(prop), role)
+
+
+def _renderer(target):
+    if isinstance(target, vtkRenderWindow):
+        target = target.GetRenderers().GetFirstRenderer()
+        if target is None:
+            raise ValueError("the render window has no renderer; call AddRenderer() first")
+    if not isinstance(target, vtkRenderer):
+        target = getattr(target, "renderer", target)
+    if not isinstance(target, vtkRenderer):
+        raise TypeError(
+            "god rays need a vtkRenderer, a vtkRenderWindow or a plotter with a renderer, not "
+            f"{type(target).__name__}"
+        )
+    return target
+
+
+def _find(renderer):
+    """The vtkGodRaysPass among the renderer's passes, or None."""
+    each = renderer.GetPass()
+    while each is not None and not isinstance(each, vtkGodRaysPass):
+        each = each.GetDelegatePass() if hasattr(each, "GetDelegatePass") else None
+    return each
+
+
+def _shining(renderer):
+    """The renderer's props that are tagged "light"."""
+    props = renderer.GetViewProps()
+    return [prop for prop in props if vtkGodRaysPass.GetRole(prop) == vtkGodRaysPass.LIGHT]
+
+
+def _is_prop(thing):
+    return isinstance(thing, vtkProp) or isinstance(getattr(thing, "actor", None), vtkProp)
+
+
+def _is_list(thing):
+    return hasattr(thing, "__iter__") and not isinstance(thing, str) and not _is_prop(thing)
+
+
+def _list(things):
+    return list(things) if _is_list(things) else [things]
+
+
+def _prop(thing):
+    if not _is_prop(thing):
+        raise TypeError(f"a vtkProp, such as a vtkActor, is needed, not {type(thing).__name__}")
+    return thing if isinstance(thing, vtkProp) else thing.actor
+
+
+def _lights(light):
+    """What `light` of enable() means, as a list of vtkLights and props."""
+    if light is None:
+        return []
+    if _is_list(light):
+        light = list(light)
+        if len(light) == 3 and all(isinstance(number, numbers.Real) for number in light):
+            return [_sun(light)]
+        return [each for member in light for each in _lights(member)]
+    if isinstance(light, vtkLight):
+        return [light]
+    if _is_prop(light):
+        return [_prop(light)]
+    raise TypeError(
+        "a light is a vtkLight, a vtkProp, three numbers (the direction from which it comes) or a "
+        f"list of these, not {type(light).__name__}"
+    )
+
+
+def _sun(direction):
+    if not any(direction):
+        raise ValueError("light=(0, 0, 0) is no direction; say where the light comes from")
+    sun = vtkLight()
+    sun.SetPosition(*direction)
+    sun.SetFocalPoint(0, 0, 0)
+    return sun
+
+
+def _properties(owner):
+    """The names of an object's own properties, as in SetName and GetName."""
+    base = vtkImageProcessingPass if isinstance(owner, vtkGodRaysPass) else vtkObject
+    names = set(dir(owner)) - set(dir(base))
+    return {
+        name[3:] for name in names if name.startswith("Set") and "Get" + name[3:] in names
+    } - {"Role"}
+
+
+def _settings(rays, parameters):
+    """The parameters of enable() under their properties' names, or a TypeError."""
+    simple = {name.replace("_", "").lower(): value for name, value in parameters.items()}
+    owners = (
+        rays,
+        simple.get("model") or rays.GetModel(),
+        simple.get("integrator") or rays.GetIntegrator(),
+    )
+    names = {name.lower(): name for owner in owners for name in _properties(owner)}
+    unknown = [name for name in parameters if name.replace("_", "").lower() not in names]
+    if unknown:
+        valid = ", ".join(sorted(_snake(name) for name in names.values()))
+        raise TypeError(f"there is no parameter {', '.join(unknown)}; there are: {valid}")
+    return {names[name]: value for name, value in simple.items()}
+
+
+def _snake(name):
+    return "".join("_" + c.lower() if c.isupper() else c for c in name).lstrip("_")

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysTapsIntegrator.h"
+
+#include "vtkGodRaysMath.h"
+#include "vtkGodRaysQuad.h"
+#include "vtkGodRaysRadialModel.h"
+#include "vtkGodRaysTapsFS.h"
+#include "vtkGodRaysTarget.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtk_glew.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+vtkStandardNewMacro(vtkGodRaysTapsIntegrator);
+
+namespace
+{
+void SetTaps(vtkShaderProgram* program, const vtkGodRays::TapSum& taps)
+{
+  program->SetUniformi("taps.FirstTap", taps.FirstTap);
+  program->SetUniformi("taps.LastTap", taps.LastTap);
+  program->SetUniformi("taps.RedToGrey", taps.RedToGrey);
+  const auto set = [program](const char* name, double value) {
+    program->SetUniformf(name, static_cast<float>(value));
+  };
+  set("taps.TapOffset", taps.TapOffset);
+  set("taps.OriginWeight", taps.OriginWeight);
+  set("taps.FirstWeight", taps.FirstWeight);
+  set("taps.Decay", taps.Decay);
+  set("taps.Step", taps.Step);
+  set("taps.FixedLength", taps.FixedLength);
+  set("taps.InputBias", taps.InputBias);
+  set("taps.InputGain", taps.InputGain);
+  set("taps.OutputBias", taps.OutputBias);
+  set("taps.OutputGain", taps.OutputGain);
+  set("taps.Maximum", taps.Maximum);
+}
+
+void SetBorder(vtkTextureObject* texture, int border)
+{
+  const int wrap = border == vtkGodRaysRadialModel::EDGE_BORDER ? vtkTextureObject::ClampToEdge
+                                                         : vtkTextureObject::ClampToBorder;
+  texture->SetWrapS(wrap);
+  texture->SetWrapT(wrap);
+}
+}
+
+//------------------------------------------------------------------------------
+struct vtkGodRaysTapsIntegrator::Internals
+{
+  vtkGodRaysQuad Quad{ "vtkGodRaysTapsFS", vtkGodRaysTapsFS };
+  vtkGodRaysTarget Coarse;
+  vtkGodRaysTarget Between[2]; // results of all but the last of several passes
+
+  /// Draw one sum of taps of a layer into the bound framebuffer.
+  bool Draw(const Request& request, const vtkGodRays::TapSum& taps, vtkTextureObject* layer,
+    double viewScale, vtkTextureObject* coarse, double threshold)
+  {
+    vtkShaderProgram* program = this->Quad.Begin(request.Window);
+    if (!program)
+    {
+      return false;
+    }
+    SetTaps(program, taps);
+    const float clip[3] = { static_cast<float>(request.LightClip[0]),
+      static_cast<float>(request.LightClip[1]), static_cast<float>(request.LightClip[2]) };
+    program->SetUniform3f("lightClip", clip);
+    program->SetUniformf("marchScale", static_cast<float>(request.MarchScale));
+    program->SetUniformf("viewScale", static_cast<float>(viewScale));
+    program->SetUniformi("refine", coarse != nullptr);
+    program->SetUniformf("threshold", static_cast<float>(threshold));
+    this->Quad.SetTexture("layer", layer);
+    this->Quad.SetTexture("coarse", coarse ? coarse : layer);
+    this->Quad.End();
+    return true;
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkGodRaysTapsIntegrator::vtkGodRaysTapsIntegrator()
+  : Internal(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysTapsIntegrator::~vtkGodRaysTapsIntegrator() = default;
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysTapsIntegrator::Supports(vtkGodRaysModel* model)
+{
+  return vtkGodRaysRadialModel::SafeDownCast(model) != nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysTapsIntegrator::Integrate(const Request& request)
+{
+  auto model = vtkGodRaysRadialModel::SafeDownCast(request.Model);
+  std::vector<vtkGodRays::TapSum> passes;
+  model->GetTapSums(passes, this->NumberOfTaps);
+
+  vtkOpenGLState* state = request.Window->GetState();
+  state->vtkglDisable(GL_BLEND);
+  SetBorder(request.Layer, model->GetBorder());
+
+  // all passes but the last cover the whole layer, margin included
+  vtkTextureObject* layer = request.Layer;
+  for (std::size_t i = 0; i + 1 < passes.size(); ++i)
+  {
+    vtkGodRaysTarget& target = this->Internal->Between[i % 2];
+    target.Prepare(request.Window, static_cast<int>(layer->GetWidth()),
+      static_cast<int>(layer->GetHeight()), { request.Result->GetColorFormat(), 0 });
+    if (!target.Bind() ||
+      !this->Internal->Draw(request, passes[i], layer, 1.0, nullptr, 0.0))
+    {
+      return false;
+    }
+    layer = target.GetColor();
+    SetBorder(layer, model->GetBorder());
+  }
+
+  vtkTextureObject* coarse = nullptr;
+  if (request.ResolutionScale < 1.0 && passes.size() == 1)
+  {
+    const auto scaled = [&request](int size) {
+      return std::max(1, static_cast<int>(std::lround(size * request.ResolutionScale)));
+    };
+    vtkGodRaysTarget& target = this->Internal->Coarse;
+    target.Prepare(request.Window, scaled(request.Result->GetWidth()),
+      scaled(request.Result->GetHeight()), { request.Result->GetColorFormat(), 0 });
+    if (!target.Bind() ||
+      !this->Internal->Draw(request, passes.back(), layer, request.ViewScale, nullptr, 0.0))
+    {
+      return false;
+    }
+    coarse = target.GetColor();
+  }
+
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+  const double threshold = request.ErrorTolerance * model->GetFlatGain() * request.Peak;
+  return request.Result->Bind() &&
+    this->Internal->Draw(request, passes.back(), layer, request.ViewScale, coarse, threshold);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysTapsIntegrator::Describe(vtkGodRaysModel* model, double resolutionScale)
+{
+  auto radial = vtkGodRaysRadialModel::SafeDownCast(model);
+  std::vector<vtkGodRays::TapSum> passes;
+  radial->GetTapSums(passes, this->NumberOfTaps);
+  std::ostringstream text;
+  text << "taps: ";
+  for (std::size_t i = 0; i < passes.size(); ++i)
+  {
+    const int origin = passes[i].OriginWeight != 0.0 ? 1 : 0;
+    text << (i ? " + " : "") << passes[i].LastTap - passes[i].FirstTap + 1 + origin;
+  }
+  text << " a pixel";
+  if (resolutionScale < 1.0)
+  {
+    text << (passes.size() == 1
+        ? ", on a coarser grid and, where neighbours differ, at full size"
+        : ", at full size: a formulation of several passes has no coarser grid");
+  }
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysTapsIntegrator::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internal->Quad.Release();
+  this->Internal->Coarse.Release(window);
+  this->Internal->Between[0].Release(window);
+  this->Internal->Between[1].Release(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysTapsIntegrator::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfTaps: " << this->NumberOfTaps << "\n";
+}

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysModel.h"
+
+//------------------------------------------------------------------------------
+void vtkGodRaysModel::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "CanScatter: " << this->CanScatter() << "\n";
+  os << indent << "FlatGain: " << this->GetFlatGain() << "\n";
+  os << indent << "LinearLight: " << this->GetLinearLight() << "\n";
+  os << indent << "Blend: " << this->GetBlend() << "\n";
+  os << indent << "SceneGain: " << this->GetSceneGain() << "\n";
+}

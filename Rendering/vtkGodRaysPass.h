@@ -1,0 +1,368 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysPass
+ * @brief   put god rays (light shafts through occluders) into a VTK scene
+ *
+ * Draws the scene where it would have been drawn without it, then adds the light that the medium
+ * between the scene and the eye scatters towards the viewer:
+ *
+ * 1. Occlusion: for each light, a layer of what shines (the light's own disc, or the props tagged
+ *    LIGHT, and the open background about it) less what blocks it. See vtkGodRaysOcclusionPass.
+ * 2. Scattering: a vtkGodRaysModel says what is summed, a vtkGodRaysIntegrator how.
+ * 3. Blend: the sum is added to the picture in linear light. See vtkGodRaysBlendPass.
+ *
+ * The usual way to use it is three lines:
+ * @code
+ * vtkNew<vtkGodRaysPass> rays;
+ * rays->AddLight(sun); // a vtkLight; or vtkGodRaysPass::SetRole(actor, vtkGodRaysPass::LIGHT)
+ * rays->Attach(renderer);
+ * @endcode
+ *
+ * Depth, alpha, anti-aliasing, volumes, depth peeling, SSAO, FXAA, layers and later passes stay as
+ * they were, and pixels that no ray reaches keep their bytes. When no light can reach the picture,
+ * or Intensity or the model's density is 0, the scene is drawn straight through: GetPlan() says so.
+ * 2-D props (text, scalar bars) neither block light nor receive rays: they are drawn last, over them.
+ *
+ * The pass belongs to one renderer at a time, and that renderer's window must be an OpenGL one;
+ * with any other window the scene is drawn without rays, after one warning.
+ *
+ * Setting the environment variable GODRAYS_DISABLE to anything but 0 draws every scene straight
+ * through, to compare a picture with and without rays.
+ *
+ * @sa vtkGodRaysRadialModel vtkGodRaysTapsIntegrator vtkImageProcessingPass
+ */
+
+#ifndef vtkGodRaysPass_h
+#define vtkGodRaysPass_h
+
+#include "vtkGodRaysRenderingModule.h" // For export macro
+#include "vtkImageProcessingPass.h"
+
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+#include <vector> // For std::vector
+
+class vtkGodRaysIntegrator;
+class vtkGodRaysModel;
+class vtkGodRaysTarget;
+class vtkImageData;
+class vtkInformationIntegerKey;
+class vtkLight;
+class vtkOpenGLRenderWindow;
+class vtkProp;
+class vtkRenderer;
+struct vtkGodRaysSource;
+struct vtkGodRaysView;
+
+class VTKGODRAYSRENDERING_EXPORT vtkGodRaysPass : public vtkImageProcessingPass
+{
+public:
+  static vtkGodRaysPass* New();
+  vtkTypeMacro(vtkGodRaysPass, vtkImageProcessingPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// What a prop does to the light.
+  enum Role
+  {
+    AUTOMATIC = 0, ///< blocks light if UntaggedPropsOcclude is on; the role of every prop at first
+    OCCLUDER = 1,  ///< blocks light
+    LIGHT = 2,     ///< shines, in the colours in which it is drawn
+    IGNORED = 3    ///< neither blocks nor shines
+  };
+
+  ///@{
+  /**
+   * Set/Get what a prop does to the light, one of Role. Any vtkProp can be tagged: actors,
+   * assemblies (as a whole), LOD actors, volumes. The role is stored under ROLE() in the prop's
+   * property keys; its other keys stay, also those that it shares with other props. A change is
+   * seen in the next frame. Any other role, or a null prop, is an error and changes nothing.
+   */
+  static void SetRole(vtkProp* prop, int role);
+  static int GetRole(vtkProp* prop);
+  ///@}
+
+  /**
+   * The key under which a prop's role is stored; absent means AUTOMATIC.
+   */
+  static vtkInformationIntegerKey* ROLE();
+
+  ///@{
+  /**
+   * Add or remove a light that shafts come from, any number, each with its own colour and
+   * intensity. Positional lights are spheres of SourceRadius, directional ones suns of
+   * SunAngularRadius. Camera lights and headlights count by their transformed position. A light
+   * that is switched off, or has intensity 0, makes no shafts. The light need not be one of the
+   * renderer's. Adding null, or a light twice, changes nothing.
+   */
+  void AddLight(vtkLight* light);
+  void RemoveLight(vtkLight* light);
+  void RemoveAllLights();
+  int GetNumberOfLights();
+  vtkLight* GetLight(int index);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get what is summed. Null restores the default, a vtkGodRaysRadialModel.
+   */
+  void SetModel(vtkGodRaysModel* model);
+  vtkGodRaysModel* GetModel();
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how the sum is evaluated. Null restores the default, a vtkGodRaysTapsIntegrator.
+   */
+  void SetIntegrator(vtkGodRaysIntegrator* integrator);
+  vtkGodRaysIntegrator* GetIntegrator();
+  ///@}
+
+  /**
+   * Set the model's parameters to a named look, see vtkGodRaysRadialModel::ApplyPreset(); the model
+   * must be a vtkGodRaysRadialModel. Returns false, with an error that lists the names, for a name
+   * that is none of them.
+   */
+  bool ApplyPreset(const char* name);
+
+  ///@{
+  /**
+   * Set/Get the factor on all rays [no unit]. 0 draws the scene straight through.
+   * Valid range: [0, 1e4]. Default is 1.
+   */
+  void SetIntensity(double intensity);
+  vtkGetMacro(Intensity, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the error that the rays may have, as a fraction of the brightest possible result
+   * [no unit]; the integrator chooses its work by it. Valid range: [1e-6, 0.1].
+   * Default is 1/255, half of a step of an 8-bit picture to either side.
+   */
+  void SetErrorTolerance(double tolerance);
+  vtkGetMacro(ErrorTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the size of the picture on which rays are evaluated, as a fraction of the viewport's
+   * [no unit]. Below 1 the result is interpolated where it is smooth and evaluated anew, at full
+   * size, where neighbours differ by more than ErrorTolerance. Parity formulations of more than
+   * one pass are always evaluated at full size. Valid range: [0.125, 1]. Default is 1.
+   */
+  void SetResolutionScale(double scale);
+  vtkGetMacro(ResolutionScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether props without a tag block light. Default is on.
+   */
+  vtkSetMacro(UntaggedPropsOcclude, bool);
+  vtkGetMacro(UntaggedPropsOcclude, bool);
+  vtkBooleanMacro(UntaggedPropsOcclude, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the radius of a positional light's sphere [world units]. 0 takes one fiftieth of the
+   * diagonal of the visible props' bounds. Valid range: [0, 1e30]. Default is 0.
+   */
+  void SetSourceRadius(double radius);
+  vtkGetMacro(SourceRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the angular radius of a directional light [degrees].
+   * Valid range: [0.01, 90]. Default is 0.2678, the sun from the earth.
+   */
+  void SetSunAngularRadius(double degrees);
+  vtkGetMacro(SunAngularRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the radiance of the open background about a light, as a fraction of the light's own
+   * [no unit]. The open background is where no prop is drawn; its glow makes shafts also while the
+   * light itself is hidden or outside the picture. 0 switches it off. Valid range: [0, 1].
+   * Default is 0.5.
+   */
+  void SetBackgroundGlow(double glow);
+  vtkGetMacro(BackgroundGlow, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the angle about the light over which the glow is full, and the further angle over
+   * which it falls smoothly to 0 [degrees, seen from the eye]. In a parallel projection, which
+   * has no angles about a positional light, the picture's height counts as 30 degrees.
+   * Valid range: [0, 180] each. Defaults are 2 and 25.
+   */
+  void SetBackgroundGlowRadius(double degrees);
+  vtkGetMacro(BackgroundGlowRadius, double);
+  void SetBackgroundGlowFalloff(double degrees);
+  vtkGetMacro(BackgroundGlowFalloff, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how far the occlusion layer reaches beyond each edge of the picture, as a fraction of
+   * the picture's width and height [no unit], so that lights and occluders just outside act as
+   * they should. Above 0 the occluders are rendered a second time. Valid range: [0, 1].
+   * Default is 0.
+   */
+  void SetLayerMargin(double margin);
+  vtkGetMacro(LayerMargin, double);
+  ///@}
+
+  /// How rays join the picture.
+  enum BlendMode
+  {
+    MODEL_BLEND = 0, ///< as the model's formulation has it; ADD but for some parity formulations
+    ADD = 1,         ///< scene + rays
+    SCREEN = 2       ///< scene + rays - min(scene * rays, 1)
+  };
+
+  ///@{
+  /**
+   * Set/Get how rays join the picture, one of BlendMode. Default is MODEL_BLEND.
+   */
+  void SetBlend(int mode);
+  vtkGetMacro(Blend, int);
+  ///@}
+
+  /// What the picture shows.
+  enum OutputMode
+  {
+    COMPOSITE = 0,  ///< the scene with rays
+    OCCLUSION = 1,  ///< the occlusion layers of all lights, added
+    SCATTERING = 2  ///< the rays alone
+  };
+
+  ///@{
+  /**
+   * Set/Get what the picture shows, one of OutputMode. Default is COMPOSITE.
+   */
+  void SetOutput(int output);
+  vtkGetMacro(Output, int);
+  ///@}
+
+  /// Storage of the layers and the sum.
+  enum PrecisionMode
+  {
+    HALF = 0,  ///< 16-bit floats: values to 65504, relative error 5e-4
+    SINGLE = 1 ///< 32-bit floats
+  };
+
+  ///@{
+  /**
+   * Set/Get how the layers and the sum are stored, one of PrecisionMode. Default is HALF.
+   */
+  void SetPrecision(int precision);
+  vtkGetMacro(Precision, int);
+  ///@}
+
+  ///@{
+  /**
+   * Attach: set this pass on a renderer and keep how the renderer draws. A pass that the renderer
+   * has becomes the delegate; without one the renderer's own steps draw the scene, with its depth
+   * peeling, SSAO, FXAA, shadows and hidden-line removal.
+   * Detach: release everything on the graphics card and restore the renderer's former pass.
+   * Attaching to another renderer detaches from the one before.
+   */
+  void Attach(vtkRenderer* renderer);
+  void Detach(vtkRenderer* renderer);
+  ///@}
+
+  ///@{
+  /**
+   * Copy a layer of the last frame drawn: 32-bit float RGB, linear light (display-referred for
+   * formulations that sum shown colours), one value a pixel of the viewport (the occlusion layer:
+   * of the viewport and its margin), origin at the lower left. With several lights the occlusion
+   * layers are added, for which the window is rendered once more unless Output is OCCLUSION.
+   * Returns false, and empties the image, when the last frame had no rays.
+   */
+  bool GetOcclusionImage(vtkImageData* image);
+  bool GetScatteringImage(vtkImageData* image);
+  ///@}
+
+  /**
+   * What the last frame needed, as text: one line each for the scene, the lights, the occlusion
+   * layer, the model and integrator, and the blend; what was skipped, and why.
+   */
+  std::string GetPlan() const;
+
+  /**
+   * How often the last frame rendered the scene's geometry: 1 when the scene's own depth gave the
+   * occluders, 2 when tagged occluders were rendered into the layer.
+   */
+  vtkGetMacro(NumberOfGeometryPasses, int);
+
+  ///@{
+  /**
+   * Set/Get whether the stages are timed. Default is off.
+   */
+  vtkSetMacro(MeasureTimes, bool);
+  vtkGetMacro(MeasureTimes, bool);
+  vtkBooleanMacro(MeasureTimes, bool);
+  ///@}
+
+  /**
+   * The time that the last frame spent in the scene, the occlusion layers, the scattering and the
+   * blend [seconds on the graphics card]; waits for them to finish. All 0 unless MeasureTimes was
+   * on and the driver has timer queries.
+   */
+  void GetStageTimes(double seconds[4]);
+
+  void Render(const vtkRenderState* s) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkGodRaysPass();
+  ~vtkGodRaysPass() override;
+
+private:
+  vtkGodRaysPass(const vtkGodRaysPass&) = delete;
+  void operator=(const vtkGodRaysPass&) = delete;
+
+  // Render(), step by step. Reasons and plans are for GetPlan().
+  const char* FindReasonForNoRays(const vtkRenderState* s, vtkOpenGLRenderWindow* window);
+  void CollectSources(
+    vtkRenderer* renderer, const vtkGodRaysView& view, std::vector<vtkGodRaysSource>& sources);
+  double FindSourceRadius(vtkRenderer* renderer) const;
+  void GetViewport(const vtkRenderState* s, int viewport[4]) const;
+  void RenderScene(const vtkRenderState* s);
+  bool RenderRays(const vtkRenderState* s, const vtkGodRaysView& view,
+    const std::vector<vtkGodRaysSource>& sources);
+  bool AddToLayerSum(vtkGodRaysTarget& layer);
+  bool Scatter(
+    const vtkGodRaysView& view, const vtkGodRaysSource& source, vtkGodRaysTarget& layer);
+  bool DrawOutput(const int viewport[4], vtkGodRaysTarget& layer);
+  void DescribeStages(double margin);
+  void Complain(const std::string& complaint);
+  void SetMode(const char* name, int& mode, int value, int last);
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+
+  double Intensity = 1.0;
+  double ErrorTolerance = 1.0 / 255.0;
+  double ResolutionScale = 1.0;
+  bool UntaggedPropsOcclude = true;
+  double SourceRadius = 0.0;
+  double SunAngularRadius = 0.2678;
+  double BackgroundGlow = 0.5;
+  double BackgroundGlowRadius = 2.0;
+  double BackgroundGlowFalloff = 25.0;
+  double LayerMargin = 0.0;
+  int Blend = MODEL_BLEND;
+  int Output = COMPOSITE;
+  int Precision = HALF;
+  int NumberOfGeometryPasses = 0;
+  bool MeasureTimes = false;
+};
+
+#endif

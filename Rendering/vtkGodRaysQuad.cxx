@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysQuad.h"
+
+#include "vtkGodRaysFunctions.h"
+#include "vtkGodRaysTypes.h"
+#include "vtkObject.h"
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtk_glew.h"
+
+#include <string>
+
+//------------------------------------------------------------------------------
+vtkGodRaysQuad::vtkGodRaysQuad(const char* name, const char* source)
+  : Name(name)
+  , Source(source)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysQuad::~vtkGodRaysQuad() = default;
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* vtkGodRaysQuad::Begin(vtkOpenGLRenderWindow* window)
+{
+  if (this->Failed)
+  {
+    return nullptr;
+  }
+  this->Window = window;
+  if (!this->Helper)
+  {
+    std::string source = this->Source;
+    vtkShaderProgram::Substitute(source, "//VTK::GodRays::Types", vtkGodRaysTypes);
+    vtkShaderProgram::Substitute(source, "//VTK::GodRays::Functions", vtkGodRaysFunctions);
+    this->Helper =
+      std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, source.c_str(), nullptr);
+  }
+  else if (this->Helper->Program)
+  {
+    window->GetShaderCache()->ReadyShaderProgram(this->Helper->Program);
+  }
+  if (!this->Helper->Program || !this->Helper->Program->GetCompiled())
+  {
+    this->Failed = true;
+    this->Helper.reset();
+    vtkGenericWarningMacro("The shader " << this->Name
+                                         << " does not compile on this OpenGL driver, so the scene "
+                                            "is drawn without rays. Use a driver with OpenGL 3.2 "
+                                            "or later, or report the compiler's message above.");
+    return nullptr;
+  }
+  return this->Helper->Program;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysQuad::SetTexture(const char* sampler, vtkTextureObject* texture)
+{
+  texture->Activate();
+  this->Helper->Program->SetUniformi(sampler, texture->GetTextureUnit());
+  this->Textures.emplace_back(texture);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysQuad::End()
+{
+  this->Window->GetState()->vtkglDisable(GL_DEPTH_TEST);
+  this->Helper->Render();
+  for (const auto& texture : this->Textures)
+  {
+    texture->Deactivate();
+  }
+  this->Textures.clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysQuad::Release()
+{
+  this->Helper.reset();
+  this->Failed = false;
+  this->Window = nullptr;
+}

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysQuad
+ * @brief   a fragment shader over the shared mathematics, drawn as a quad; private to this module
+ *
+ * The shader text may use the tags //VTK::GodRays::Types and //VTK::GodRays::Functions. It is built
+ * at the first Begin() and kept until Release(): numbers are uniforms, never text.
+ */
+
+#ifndef vtkGodRaysQuad_h
+#define vtkGodRaysQuad_h
+
+#include "vtkSmartPointer.h"
+
+#include <memory>
+#include <vector>
+
+class vtkOpenGLQuadHelper;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkTextureObject;
+
+class vtkGodRaysQuad
+{
+public:
+  /**
+   * @param name of the shader, for the message when it does not compile
+   * @param source of the fragment shader
+   */
+  vtkGodRaysQuad(const char* name, const char* source);
+  ~vtkGodRaysQuad();
+  vtkGodRaysQuad(const vtkGodRaysQuad&) = delete;
+  void operator=(const vtkGodRaysQuad&) = delete;
+
+  /**
+   * Make the shader current, building it if need be; null, after one error, when that fails.
+   */
+  vtkShaderProgram* Begin(vtkOpenGLRenderWindow* window);
+
+  /**
+   * Bind a texture to a sampler of the shader until the next End().
+   */
+  void SetTexture(const char* sampler, vtkTextureObject* texture);
+
+  /**
+   * Draw over the viewport, without depth test, and free the textures' units.
+   */
+  void End();
+
+  void Release();
+
+private:
+  const char* Name;
+  const char* Source;
+  bool Failed = false;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  std::unique_ptr<vtkOpenGLQuadHelper> Helper;
+  std::vector<vtkSmartPointer<vtkTextureObject>> Textures;
+};
+
+#endif

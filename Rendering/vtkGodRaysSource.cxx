@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysSource.h"
+
+#include "vtkCamera.h"
+#include "vtkGodRaysMath.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+/// In a parallel projection the picture's height counts as this angle.
+const double ParallelHeightDegrees = 30.0;
+
+double GetPictureHeight(const vtkGodRaysView& view)
+{
+  return 2.0 * view.ViewScale / view.ViewToClip[5];
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysView::Set(vtkRenderer* renderer, double margin)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  this->Aspect = renderer->GetTiledAspectRatio();
+  this->ViewScale = 1.0 / (1.0 + 2.0 * margin);
+
+  // The matrices of vtkOpenGLCamera::GetKeyMatrices(). GetCompositeProjectionTransformMatrix()
+  // will not do: it is for picking, and switches stereo off.
+  vtkMatrix4x4::DeepCopy(this->WorldToView, camera->GetModelViewTransformMatrix());
+  vtkMatrix4x4::DeepCopy(
+    this->ViewToClip, camera->GetProjectionTransformMatrix(this->Aspect, -1.0, 1.0));
+  for (int column = 0; column < 8; ++column) // rows of x and y
+  {
+    this->ViewToClip[column] *= this->ViewScale;
+  }
+  vtkMatrix4x4::Invert(this->ViewToClip, this->ClipToView);
+
+  // The eye is where all rays meet, the point that projects to (0, 0, 1, 0).
+  const double w = this->ClipToView[14];
+  this->Parallel = this->ViewToClip[12] == 0.0 && this->ViewToClip[13] == 0.0 &&
+    this->ViewToClip[14] == 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Eye[i] = this->Parallel ? 0.0 : this->ClipToView[4 * i + 2] / w;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysView::GetRay(double x, double y, double ray[3]) const
+{
+  const double onNear[4] = { x, y, -1.0, 1.0 };
+  const double onFar[4] = { x, y, 1.0, 1.0 };
+  double a[4];
+  double b[4];
+  vtkMatrix4x4::MultiplyPoint(this->ClipToView, onNear, a);
+  vtkMatrix4x4::MultiplyPoint(this->ClipToView, onFar, b);
+  for (int i = 0; i < 3; ++i)
+  {
+    ray[i] = b[i] * a[3] - a[i] * b[3];
+  }
+  vtkMath::Normalize(ray);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSource::Place(const vtkGodRaysView& view, const double world[4], double radius)
+{
+  double position[4];
+  double clip[4];
+  vtkMatrix4x4::MultiplyPoint(view.WorldToView, world, position);
+  vtkMatrix4x4::MultiplyPoint(view.ViewToClip, position, clip);
+  this->Clip[0] = clip[0];
+  this->Clip[1] = clip[1];
+  this->Clip[2] = clip[3];
+
+  const bool infinite = world[3] == 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Position[i] = position[i];
+    this->Direction[i] = position[i] - (infinite ? 0.0 : view.Eye[i]);
+  }
+  const double distance = vtkMath::Normalize(this->Direction);
+  this->Planar = view.Parallel && !infinite;
+  this->Radius = radius;
+  this->Depth = 1.0;
+  this->Fade = view.Parallel ? 1.0 : vtkGodRays::FacingFade(-this->Direction[2]);
+  if (!infinite)
+  {
+    const double z = clip[3] > 0.0 ? clip[2] / clip[3] : -1.0;
+    this->Depth = vtkMath::ClampValue(0.5 * z + 0.5, 0.0, 1.0);
+    if (this->Planar) // behind a parallel camera: no angle says so, but the near plane does
+    {
+      this->Fade = vtkMath::ClampValue(10.0 * (z + 1.1), 0.0, 1.0);
+    }
+    else
+    {
+      this->Radius = distance > radius ? std::asin(radius / distance) : vtkMath::Pi();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSource::SetGlow(const vtkGodRaysView& view, double radius, double falloff)
+{
+  const double unit = this->Planar ? GetPictureHeight(view) / ParallelHeightDegrees
+                                   : vtkMath::RadiansFromDegrees(1.0);
+  this->GlowRadius = radius * unit;
+  this->GlowFalloff = falloff * unit;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSource::Reaches(const vtkGodRaysView& view, bool glows) const
+{
+  const double reach =
+    std::max(this->Radius, glows ? this->GlowRadius + this->GlowFalloff : 0.0);
+  if (this->Planar)
+  {
+    const double halfHeight = 1.0 / view.ViewToClip[5];
+    const double halfWidth = 1.0 / view.ViewToClip[0];
+    return std::abs(this->Clip[0]) * halfWidth <= halfWidth + reach &&
+      std::abs(this->Clip[1]) * halfHeight <= halfHeight + reach;
+  }
+  // the cone about the layer's centre that holds its corners
+  double axis[3];
+  double cone = 0.0;
+  view.GetRay(0.0, 0.0, axis);
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    double ray[3];
+    view.GetRay(corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, ray);
+    cone = std::max(cone, vtkMath::AngleBetweenVectors(axis, ray));
+  }
+  return vtkMath::AngleBetweenVectors(axis, this->Direction) <= cone + reach;
+}

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file    vtkGodRaysSource.h
+ * @brief   the camera and the lights as one frame sees them; private to this module
+ *
+ * Made anew every frame, from the matrices that the mappers use: nothing here outlives it, so
+ * props need not be kept alive, and stereo, tiles and off-axis projections come out right.
+ */
+
+#ifndef vtkGodRaysSource_h
+#define vtkGodRaysSource_h
+
+#include <string>
+
+class vtkLight;
+class vtkMatrix4x4;
+class vtkProp;
+class vtkRenderer;
+
+/// The camera of a renderer, with a picture that is enlarged by the layer's margin.
+struct vtkGodRaysView
+{
+  double WorldToView[16]; ///< row-major, as vtkMatrix4x4
+  double ViewToClip[16];  ///< of the layer
+  double ClipToView[16];
+  double Eye[3];          ///< centre of projection, view coordinates; unused where Parallel
+  bool Parallel;
+  double Aspect;          ///< width over height
+  double ViewScale;       ///< fraction of the layer's width that the picture covers
+
+  void Set(vtkRenderer* renderer, double margin);
+
+  /**
+   * The unit vector, in view coordinates, along which the layer's point (x, y) is seen.
+   */
+  void GetRay(double x, double y, double ray[3]) const;
+};
+
+/// One light.
+struct vtkGodRaysSource
+{
+  std::string Name;        ///< for the plan
+  vtkProp* Prop = nullptr; ///< the prop that shines, or null for a disc
+  double Color[3];         ///< of the disc and, times BackgroundGlow, of the glow
+  double Position[3];      ///< in view coordinates; of an infinitely far light the direction to it
+  double Direction[3];     ///< unit vector from the eye to the light, view coordinates
+  double Clip[3];          ///< X, Y and w in the layer's clip coordinates
+  double Radius;           ///< of the disc or prop: an angle [radians], or a length where Planar
+  double GlowRadius = 0.0; ///< as Radius
+  double GlowFalloff = 0.0; ///< as Radius
+  double Depth;            ///< window depth, 1 when it is infinitely far
+  bool Planar;             ///< distances are lengths in the picture's plane, not angles
+  double MarchScale;       ///< see MarchVector() in vtkGodRaysFunctions.glsl
+  double Fade;             ///< 1; less for a light that is passing behind the camera
+
+  /**
+   * Place a light at a world position (w = 1), or in a direction (w = 0), with a radius in world
+   * units or radians respectively.
+   */
+  void Place(const vtkGodRaysView& view, const double world[4], double radius);
+
+  /**
+   * Set the glow [degrees].
+   */
+  void SetGlow(const vtkGodRaysView& view, double radius, double falloff);
+
+  /**
+   * Whether any of the light may fall into the layer: never false when some does.
+   */
+  bool Reaches(const vtkGodRaysView& view, bool glows) const;
+};
+
+#endif

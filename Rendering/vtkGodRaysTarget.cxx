@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysTarget.h"
+
+#include "vtkImageData.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkTextureObject.h"
+#include "vtk_glew.h"
+
+
+namespace
+{
+/// A colour texture that filters linearly and is 0 outside unless told otherwise.
+vtkSmartPointer<vtkTextureObject> MakeColor(
+  vtkOpenGLRenderWindow* window, int width, int height, unsigned int format)
+{
+  auto texture = vtkSmartPointer<vtkTextureObject>::New();
+  texture->SetContext(window);
+  texture->SetInternalFormat(format);
+  texture->SetFormat(GL_RGBA);
+  texture->SetDataType(format == GL_RGBA8 ? GL_UNSIGNED_BYTE : GL_FLOAT);
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  texture->SetMinificationFilter(vtkTextureObject::Linear);
+  texture->SetMagnificationFilter(vtkTextureObject::Linear);
+  texture->SetBorderColor(0.0f, 0.0f, 0.0f, 0.0f);
+  texture->Allocate2D(width, height, 4, format == GL_RGBA8 ? VTK_UNSIGNED_CHAR : VTK_FLOAT);
+  return texture;
+}
+
+/// A depth texture of exactly this format, so that depth can be copied into it bit by bit.
+vtkSmartPointer<vtkTextureObject> MakeDepth(
+  vtkOpenGLRenderWindow* window, int width, int height, unsigned int format)
+{
+  auto texture = vtkSmartPointer<vtkTextureObject>::New();
+  texture->SetContext(window);
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  switch (format)
+  {
+    case GL_DEPTH24_STENCIL8:
+      texture->AllocateDepthStencil(width, height);
+      break;
+    case GL_DEPTH_COMPONENT32F:
+      texture->AllocateDepth(width, height, vtkTextureObject::Float32);
+      break;
+    case GL_DEPTH_COMPONENT24:
+      texture->AllocateDepth(width, height, vtkTextureObject::Fixed24);
+      break;
+    case GL_DEPTH_COMPONENT16:
+      texture->AllocateDepth(width, height, vtkTextureObject::Fixed16);
+      break;
+    default:
+      texture->AllocateDepth(width, height, vtkTextureObject::Fixed32);
+      break;
+  }
+  return texture;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysTarget::vtkGodRaysTarget() = default;
+vtkGodRaysTarget::~vtkGodRaysTarget() = default;
+
+//------------------------------------------------------------------------------
+void vtkGodRaysTarget::Prepare(
+  vtkOpenGLRenderWindow* window, int width, int height, Format format)
+{
+  if (this->IsReady() && this->Width == width && this->Height == height &&
+    this->Formats == format)
+  {
+    return;
+  }
+  this->Release(window);
+  this->Width = width;
+  this->Height = height;
+  this->Formats = format;
+  if (format.Color)
+  {
+    this->Color = MakeColor(window, width, height, format.Color);
+  }
+  if (format.Depth)
+  {
+    this->Depth = MakeDepth(window, width, height, format.Depth);
+  }
+  this->Attach(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysTarget::Prepare(
+  vtkOpenGLRenderWindow* window, unsigned int color, vtkTextureObject* depth)
+{
+  const int width = static_cast<int>(depth->GetWidth());
+  const int height = static_cast<int>(depth->GetHeight());
+  if (this->Color && this->Depth == depth && this->Width == width && this->Height == height &&
+    this->Formats.Color == color)
+  {
+    return;
+  }
+  this->Release(window);
+  this->Width = width;
+  this->Height = height;
+  this->Formats = { color, 0 };
+  this->Color = MakeColor(window, width, height, color);
+  this->Depth = depth;
+  this->Attach(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysTarget::Attach(vtkOpenGLRenderWindow* window)
+{
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+  this->Framebuffer->SetContext(window);
+  this->Framebuffer->Bind();
+  if (this->Color)
+  {
+    this->Framebuffer->AddColorAttachment(0, this->Color);
+    this->Framebuffer->ActivateDrawBuffer(0);
+    this->Framebuffer->ActivateReadBuffer(0);
+  }
+  else
+  {
+    this->Framebuffer->DeactivateDrawBuffers();
+    this->Framebuffer->DeactivateReadBuffer();
+  }
+  if (this->Depth)
+  {
+    this->Framebuffer->AddDepthAttachment(this->Depth);
+  }
+  state->PopFramebufferBindings();
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysTarget::Bind()
+{
+  this->Framebuffer->Bind();
+  vtkOpenGLState* state = this->Framebuffer->GetContext()->GetState();
+  state->vtkglViewport(0, 0, this->Width, this->Height);
+  state->vtkglScissor(0, 0, this->Width, this->Height);
+  const char* description = nullptr;
+  return vtkOpenGLFramebufferObject::GetFrameBufferStatus(
+    vtkOpenGLFramebufferObject::GetDrawMode(), description);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysTarget::Release(vtkWindow* window)
+{
+  if (this->Framebuffer)
+  {
+    this->Framebuffer->ReleaseGraphicsResources(window);
+    this->Framebuffer = nullptr;
+  }
+  if (this->Color)
+  {
+    this->Color->ReleaseGraphicsResources(window);
+    this->Color = nullptr;
+  }
+  if (this->Depth)
+  {
+    if (this->Formats.Depth) // a borrowed texture stays with its owner
+    {
+      this->Depth->ReleaseGraphicsResources(window);
+    }
+    this->Depth = nullptr;
+  }
+  this->Width = 0;
+  this->Height = 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysTarget::Download(vtkImageData* image)
+{
+  image->SetDimensions(this->Width, this->Height, 1);
+  image->SetOrigin(0.0, 0.0, 0.0);
+  image->SetSpacing(1.0, 1.0, 1.0);
+  image->AllocateScalars(VTK_FLOAT, 3);
+
+  vtkOpenGLRenderWindow* window = this->Framebuffer->GetContext();
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  this->Framebuffer->Bind();
+  this->Framebuffer->ActivateReadBuffer(0);
+  state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(
+    0, 0, this->Width, this->Height, GL_RGB, GL_FLOAT, image->GetScalarPointer());
+  state->PopFramebufferBindings();
+}

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysTarget
+ * @brief   textures to draw into, with their framebuffer; private to this module
+ *
+ * Prepare() makes what is asked for and does nothing when it is there already, so that it can be
+ * called every frame. The depth texture is the target's own, or one lent by another target.
+ */
+
+#ifndef vtkGodRaysTarget_h
+#define vtkGodRaysTarget_h
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+class vtkImageData;
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLRenderWindow;
+class vtkTextureObject;
+class vtkWindow;
+
+class vtkGodRaysTarget
+{
+public:
+  /// OpenGL internal formats of the two textures; 0 for none.
+  struct Format
+  {
+    unsigned int Color = 0;
+    unsigned int Depth = 0;
+    bool operator==(const Format& other) const
+    {
+      return this->Color == other.Color && this->Depth == other.Depth;
+    }
+  };
+
+  vtkGodRaysTarget();
+  ~vtkGodRaysTarget();
+  vtkGodRaysTarget(const vtkGodRaysTarget&) = delete;
+  void operator=(const vtkGodRaysTarget&) = delete;
+
+  ///@{
+  /**
+   * Make textures of this size and format. The second form borrows the depth texture.
+   */
+  void Prepare(vtkOpenGLRenderWindow* window, int width, int height, Format format);
+  void Prepare(vtkOpenGLRenderWindow* window, unsigned int color, vtkTextureObject* depth);
+  ///@}
+
+  /**
+   * Make this the framebuffer drawn into, over its whole size, with the scissor set to it.
+   * The caller keeps and restores the former bindings. Returns false when the driver refuses the
+   * formats.
+   */
+  bool Bind();
+
+  void Release(vtkWindow* window);
+
+  int GetWidth() const { return this->Width; }
+  int GetHeight() const { return this->Height; }
+  vtkTextureObject* GetColor() const { return this->Color; }
+  vtkTextureObject* GetDepth() const { return this->Depth; }
+  unsigned int GetColorFormat() const { return this->Formats.Color; }
+  bool IsReady() const { return this->Color || this->Depth; }
+
+  /**
+   * Copy the colours into an image of three 32-bit floats a pixel; waits for the drawing.
+   */
+  void Download(vtkImageData* image);
+
+private:
+  void Attach(vtkOpenGLRenderWindow* window);
+
+  vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
+  vtkSmartPointer<vtkTextureObject> Color;
+  vtkSmartPointer<vtkTextureObject> Depth;
+  Format Formats;
+  int Width = 0;
+  int Height = 0;
+};
+
+#endif
