@@ -1,0 +1,387 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The shared formulas against closed forms and against their own definitions, without OpenGL.
+
+#include "vtkGodRaysMath.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+using namespace vtkGodRays;
+
+namespace
+{
+const double pi = 3.14159265358979323846;
+const double notANumber = std::numeric_limits<double>::quiet_NaN();
+const double infinity = std::numeric_limits<double>::infinity();
+
+// Layers without pixels: SumTaps takes any type that has a SampleLayer.
+struct ConstantLayer
+{
+};
+Vec3 SampleLayer(const ConstantLayer&, const Vec2&)
+{
+  return Vec3(1.0);
+}
+
+struct RampLayer // red u, green v, blue their product
+{
+};
+Vec3 SampleLayer(const RampLayer&, const Vec2& uv)
+{
+  return Vec3(uv.x, uv.y, uv.x * uv.y);
+}
+
+// A sum that leaves out nothing and changes nothing, to be varied by each test.
+TapSum PlainTapSum(int first, int last)
+{
+  TapSum taps = {};
+  taps.FirstTap = first;
+  taps.LastTap = last;
+  taps.FirstWeight = 1.0;
+  taps.Decay = 1.0;
+  taps.Step = 1.0;
+  taps.InputGain = 1.0;
+  taps.OutputGain = 1.0;
+  return taps;
+}
+
+void ExpectNear(const Vec3& actual, const Vec3& expected, double tolerance)
+{
+  EXPECT_NEAR(actual.x, expected.x, tolerance);
+  EXPECT_NEAR(actual.y, expected.y, tolerance);
+  EXPECT_NEAR(actual.z, expected.z, tolerance);
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(SumTaps, IsTheFormula)
+{
+  TapSum taps = PlainTapSum(2, 5);
+  taps.TapOffset = 0.25;
+  taps.OriginWeight = 0.7;
+  taps.FirstWeight = 0.3;
+  taps.Decay = 0.8;
+  taps.Step = 0.1;
+  taps.InputBias = 0.5;
+  taps.InputGain = -2.0;
+  taps.OutputBias = 0.2;
+  taps.OutputGain = 1.5;
+  const Vec2 uv(0.4, 0.9);
+  const Vec2 march(0.6, -1.2);
+
+  Vec3 sum = 0.7 * (0.5 - 2.0 * Vec3(0.4, 0.9, 0.36));
+  for (int k = 2; k <= 5; ++k)
+  {
+    const double u = 0.4 + (k - 0.25) * 0.1 * 0.6;
+    const double v = 0.9 - (k - 0.25) * 0.1 * 1.2;
+    sum += 0.3 * std::pow(0.8, k - 2) * (0.5 - 2.0 * Vec3(u, v, u * v));
+  }
+  ExpectNear(SumTaps(RampLayer(), taps, uv, march), 0.2 + 1.5 * sum, 1e-14);
+}
+
+//------------------------------------------------------------------------------
+TEST(SumTaps, WithoutTapsIsTheOrigin)
+{
+  TapSum taps = PlainTapSum(1, 0);
+  taps.OriginWeight = 2.0;
+  ExpectNear(SumTaps(RampLayer(), taps, Vec2(0.5, 0.25), Vec2(1.0)), Vec3(1.0, 0.5, 0.25), 1e-15);
+}
+
+//------------------------------------------------------------------------------
+TEST(SumTaps, IsKeptWithinMaximum)
+{
+  TapSum taps = PlainTapSum(1, 10);
+  EXPECT_EQ(SumTaps(ConstantLayer(), taps, Vec2(0.0), Vec2(0.0)), Vec3(10.0));
+  taps.Maximum = 3.0;
+  EXPECT_EQ(SumTaps(ConstantLayer(), taps, Vec2(0.0), Vec2(0.0)), Vec3(3.0));
+  taps.OutputGain = -1.0;
+  EXPECT_EQ(SumTaps(ConstantLayer(), taps, Vec2(0.0), Vec2(0.0)), Vec3(0.0));
+}
+
+//------------------------------------------------------------------------------
+TEST(SumTaps, CopiesRed)
+{
+  TapSum taps = PlainTapSum(0, 0);
+  taps.RedToGrey = 1;
+  EXPECT_EQ(SumTaps(RampLayer(), taps, Vec2(0.5, 0.25), Vec2(0.0)), Vec3(0.5));
+}
+
+//------------------------------------------------------------------------------
+TEST(SumTaps, FixedLengthStopsAtTheLight)
+{
+  TapSum taps = PlainTapSum(0, 5);
+  taps.FixedLength = 0.125;
+  auto count = [&](const Vec2& march)
+  { return SumTaps(ConstantLayer(), taps, Vec2(0.0), march).x; };
+  EXPECT_EQ(count(Vec2(0.124, 0.0)), 1.0);
+  EXPECT_EQ(count(Vec2(0.125, 0.0)), 2.0); // i <= iters: the tap on the light counts
+  EXPECT_EQ(count(Vec2(0.26, 0.0)), 3.0);
+  EXPECT_EQ(count(Vec2(0.3, 0.4)), 5.0);
+  EXPECT_EQ(count(Vec2(100.0, 0.0)), 6.0);
+
+  // The steps have that length, towards the light: taps 0 to 4 on the way from 0.
+  const Vec3 sum = SumTaps(RampLayer(), taps, Vec2(0.0), Vec2(0.3, 0.4));
+  EXPECT_NEAR(sum.x, 10.0 * 0.125 * 0.6, 1e-14);
+  EXPECT_NEAR(sum.y, 10.0 * 0.125 * 0.8, 1e-14);
+}
+
+//------------------------------------------------------------------------------
+TEST(SumTaps, FixedLengthStopsAtTheUpperEdge)
+{
+  TapSum taps = PlainTapSum(0, 5);
+  taps.FixedLength = 0.25;
+  EXPECT_EQ(SumTaps(ConstantLayer(), taps, Vec2(0.5, 0.5), Vec2(0.0, 9.0)).x, 2.0);
+  EXPECT_EQ(SumTaps(ConstantLayer(), taps, Vec2(0.5, 0.5), Vec2(9.0, 0.0)).x, 6.0);
+  EXPECT_EQ(SumTaps(ConstantLayer(), taps, Vec2(0.5, 0.5), Vec2(0.0, -9.0)).x, 6.0);
+}
+
+//------------------------------------------------------------------------------
+TEST(SumTaps, OnTheLightReadsThePixelItself)
+{
+  TapSum taps = PlainTapSum(0, 5);
+  const Vec3 own(0.5, 0.25, 0.125);
+  EXPECT_EQ(SumTaps(RampLayer(), taps, Vec2(0.5, 0.25), Vec2(0.0)), 6.0 * own);
+  taps.FixedLength = 1.0 / 6.0;
+  EXPECT_EQ(SumTaps(RampLayer(), taps, Vec2(0.5, 0.25), Vec2(0.0)), own);
+  EXPECT_EQ(SumTaps(RampLayer(), taps, Vec2(0.5, 0.25), Vec2(1e-300)), own);
+}
+
+//------------------------------------------------------------------------------
+TEST(ImageLayer, InterpolatesBetweenCentres)
+{
+  // Red is the column, green the row, blue 1.
+  const int width = 4;
+  const int height = 3;
+  std::vector<float> pixels;
+  for (int i = 0; i < width * height; ++i)
+  {
+    pixels.insert(pixels.end(), { float(i % width), float(i / width), 1.0f });
+  }
+  const ImageLayer edge = { pixels.data(), width, height, BORDER_EDGE };
+  const ImageLayer zero = { pixels.data(), width, height, BORDER_ZERO };
+  auto at = [&](double x, double y) { return Vec2((x + 0.5) / width, (y + 0.5) / height); };
+
+  for (const ImageLayer& layer : { edge, zero })
+  {
+    ExpectNear(SampleLayer(layer, at(2.0, 1.0)), Vec3(2.0, 1.0, 1.0), 1e-14);
+    ExpectNear(SampleLayer(layer, at(1.25, 0.75)), Vec3(1.25, 0.75, 1.0), 1e-14);
+  }
+  // Half a pixel outside lies the edge of the border: half the pixel, half nothing.
+  ExpectNear(SampleLayer(edge, at(-0.5, 1.0)), Vec3(0.0, 1.0, 1.0), 1e-14);
+  ExpectNear(SampleLayer(zero, at(-0.5, 1.0)), Vec3(0.0, 0.5, 0.5), 1e-14);
+  ExpectNear(SampleLayer(zero, at(3.25, 2.5)), Vec3(3.0, 2.0, 1.0) * 0.75 * 0.5, 1e-14);
+  for (const Vec2& far : { at(-1.0, 1.0), at(4.0, 1.0), at(1.0, 3.0), Vec2(1e300), Vec2(-1e300) })
+  {
+    EXPECT_EQ(SampleLayer(zero, far), Vec3(0.0));
+  }
+  ExpectNear(SampleLayer(edge, Vec2(1e300, -1e300)), Vec3(3.0, 0.0, 1.0), 0.0);
+}
+
+//------------------------------------------------------------------------------
+TEST(MarchVector, LeadsToTheLight)
+{
+  const Vec3 light(1.5, -0.75, 2.5); // at ndc (0.6, -0.3), uv (0.8, 0.35)
+  const Vec2 uv(0.1, 0.9);
+  const Vec2 march = MarchVector(light, 2.0 * uv - 1.0, 1.0 / light.z);
+  EXPECT_NEAR(uv.x + march.x, 0.8, 1e-15);
+  EXPECT_NEAR(uv.y + march.y, 0.35, 1e-15);
+}
+
+//------------------------------------------------------------------------------
+TEST(MarchVector, IsContinuousAllAround)
+{
+  // A light that circles the camera passes w = 0 twice; nothing may jump anywhere in the picture.
+  const double aspect = 16.0 / 9.0;
+  const double cap = 3.0;
+  const int steps = 20000;
+  for (const Vec2& ndc : { Vec2(0.0, 0.0), Vec2(-1.0, 1.0), Vec2(0.3, -0.9) })
+  {
+    Vec2 before;
+    for (int i = 0; i <= steps; ++i)
+    {
+      const double angle = 2.0 * pi * i / steps;
+      const Vec3 light(std::sin(angle), 0.4, std::cos(angle));
+      const double scale = MarchScale(light, aspect, cap);
+      ASSERT_TRUE(std::isfinite(scale));
+      const Vec2 march = MarchVector(light, ndc, scale);
+      if (i > 0)
+      {
+        ASSERT_LT(length(march - before), 0.01) << "at " << angle << " radians";
+      }
+      before = march;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(MarchScale, CapsFarLightsOnly)
+{
+  const double cap = 3.0;
+  // Near: exactly to the light, which is 2 half heights from the centre.
+  EXPECT_NEAR(MarchScale(Vec3(2.0, 0.0, 2.0), 2.0, cap), 0.5, 1e-15);
+  // Far: the march of a pixel in the centre ends cap half heights away, however far the light is.
+  for (double w : { 0.5, 1e-3, 0.0, -1e-3 })
+  {
+    const Vec3 light(2.0, 1.0, w);
+    const Vec2 march = 2.0 * MarchVector(light, Vec2(0.0), MarchScale(light, 2.0, cap));
+    EXPECT_NEAR(length(Vec2(2.0 * march.x, march.y)), cap, 1e-12) << "w " << w;
+  }
+  // On the axis, before and behind the camera and at infinity: finite.
+  EXPECT_NEAR(MarchScale(Vec3(0.0, 0.0, 4.0), 2.0, cap), 0.25, 1e-15);
+  EXPECT_NEAR(MarchScale(Vec3(0.0, 0.0, -4.0), 2.0, cap), 0.25, 1e-15);
+  const Vec3 axis(0.0);
+  EXPECT_EQ(MarchVector(axis, Vec2(0.5), MarchScale(axis, 2.0, cap)), Vec2(0.0));
+}
+
+//------------------------------------------------------------------------------
+TEST(MeanExponential, IsStable)
+{
+  EXPECT_EQ(MeanExponential(0.0), 1.0);
+  for (double k : { 1e-300, 1e-16, 1e-9, 1e-4, 0.01, 0.3, 0.999999, 1.0, 1.5, 5.0, 700.0 })
+  {
+    for (double signedK : { k, -k })
+    {
+      const double expected = -std::expm1(-signedK) / signedK;
+      EXPECT_NEAR(MeanExponential(signedK) / expected, 1.0, 2e-15) << "k " << signedK;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(Display, GoesThereAndBack)
+{
+  EXPECT_EQ(DecodeDisplay(0.0), 0.0);
+  EXPECT_NEAR(DecodeDisplay(1.0), 1.0, 1e-15);
+  EXPECT_NEAR(DecodeDisplay(0.5), 0.21404114048223255, 1e-15);
+  EXPECT_NEAR(EncodeDisplay(0.18), 0.46135612950044164, 1e-15);
+  for (double value = 0.0; value < 4.0; value += 0.001)
+  {
+    // The standard's two pieces meet to 3e-8 only.
+    ASSERT_NEAR(EncodeDisplay(DecodeDisplay(value)), value, 1e-7);
+    ASSERT_GT(DecodeDisplay(value + 0.001), DecodeDisplay(value));
+  }
+  const Vec3 colour(0.02, 0.4, 1.7);
+  ExpectNear(EncodeDisplay(DecodeDisplay(colour)), colour, 1e-7);
+  EXPECT_EQ(DecodeDisplay(colour).y, DecodeDisplay(0.4));
+}
+
+//------------------------------------------------------------------------------
+TEST(Blend, AddsAndScreens)
+{
+  const Vec3 scene(0.0, 0.5, 2.0);
+  const Vec3 rays(0.25, 0.5, 3.0);
+  ExpectNear(BlendAdd(scene, rays), Vec3(0.25, 1.0, 5.0), 1e-15);
+  ExpectNear(BlendScreen(scene, rays), Vec3(0.25, 0.75, 4.0), 1e-15);
+}
+
+//------------------------------------------------------------------------------
+TEST(AngleBetween, IsAccurateAtBothEnds)
+{
+  const Vec3 axis(0.0, 0.0, 3.0);
+  for (double angle : { 0.0, 1e-9, 0.3, 0.5 * pi, 3.0, pi - 1e-9 })
+  {
+    const Vec3 other = 0.1 * Vec3(std::sin(angle), 0.0, std::cos(angle));
+    EXPECT_NEAR(AngleBetween(axis, other), angle, 1e-15);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(DiscCoverage, IsOneInsideAndZeroOutside)
+{
+  for (double radius : { 0.9, 1.0, 3.0, 50.0 })
+  {
+    EXPECT_NEAR(DiscCoverage(0.0, radius, 1.0), 1.0, 1e-15);
+    EXPECT_NEAR(DiscCoverage(radius - 0.9, radius, 1.0), 1.0, 1e-15);
+    EXPECT_EQ(DiscCoverage(radius + 0.75, radius, 1.0), 0.0);
+  }
+  EXPECT_NEAR(DiscCoverage(50.0, 50.0, 1.0), 0.5, 2e-3);
+  // Without a pixel size the edge is sharp.
+  EXPECT_EQ(DiscCoverage(0.999, 1.0, 0.0), 1.0);
+  EXPECT_EQ(DiscCoverage(1.001, 1.0, 0.0), 0.0);
+  EXPECT_EQ(DiscCoverage(0.0, 0.0, 1.0), 0.0);
+}
+
+//------------------------------------------------------------------------------
+TEST(DiscCoverage, IntegratesToTheArea)
+{
+  for (double radius : { 0.01, 0.1, 0.3, 0.5, 0.82, 0.83, 1.0, 2.5, 10.0 })
+  {
+    double area = 0.0;
+    const int rings = 200000;
+    const double width = (radius + 1.6) / rings;
+    for (int i = 0; i < rings; ++i)
+    {
+      const double separation = (i + 0.5) * width;
+      area += 2.0 * pi * separation * width * DiscCoverage(separation, radius, 1.0);
+    }
+    EXPECT_NEAR(area / (pi * radius * radius), 1.0, 1e-6) << "radius " << radius;
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(DiscCoverage, SummedOverPixelsIsAboutTheArea)
+{
+  for (double radius : { 0.1, 0.4, 0.7, 1.5, 4.0 })
+  {
+    for (const Vec2& centre : { Vec2(0.0, 0.0), Vec2(0.5, 0.5), Vec2(0.25, 0.1), Vec2(0.5, 0.0) })
+    {
+      double sum = 0.0;
+      for (int y = -8; y <= 8; ++y)
+      {
+        for (int x = -8; x <= 8; ++x)
+        {
+          sum += DiscCoverage(length(Vec2(x, y) - centre), radius, 1.0);
+        }
+      }
+      EXPECT_NEAR(sum / (pi * radius * radius), 1.0, 0.025) << "radius " << radius;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(GlowFalloff, FallsSmoothly)
+{
+  EXPECT_EQ(GlowFalloff(0.0, 2.0, 10.0), 1.0);
+  EXPECT_EQ(GlowFalloff(2.0, 2.0, 10.0), 1.0);
+  EXPECT_NEAR(GlowFalloff(7.0, 2.0, 10.0), 0.5, 1e-15);
+  EXPECT_EQ(GlowFalloff(12.0, 2.0, 10.0), 0.0);
+  EXPECT_EQ(GlowFalloff(100.0, 2.0, 10.0), 0.0);
+  const double h = 1e-3;
+  double slopeBefore = 0.0;
+  for (double s = 0.0; s < 14.0; s += h)
+  {
+    const double slope = (GlowFalloff(s + h, 2.0, 10.0) - GlowFalloff(s, 2.0, 10.0)) / h;
+    ASSERT_LE(slope, 1e-12);
+    ASSERT_NEAR(slope, slopeBefore, 1e-3); // C1: the slope does not jump
+    slopeBefore = slope;
+  }
+  EXPECT_EQ(GlowFalloff(2.0, 2.0, 0.0), 1.0);
+  EXPECT_EQ(GlowFalloff(2.0 + 1e-9, 2.0, 0.0), 0.0);
+}
+
+//------------------------------------------------------------------------------
+TEST(FacingFade, FadesBehindTheCamera)
+{
+  EXPECT_EQ(FacingFade(1.0), 1.0);
+  EXPECT_NEAR(FacingFade(0.1), 1.0, 1e-15);
+  EXPECT_NEAR(FacingFade(0.0), 0.5, 1e-15);
+  EXPECT_NEAR(FacingFade(-0.1), 0.0, 1e-15);
+  EXPECT_EQ(FacingFade(-1.0), 0.0);
+  for (double facing = -1.0; facing < 1.0; facing += 0.001)
+  {
+    ASSERT_GE(FacingFade(facing + 0.001), FacingFade(facing));
+    ASSERT_LT(FacingFade(facing + 0.001) - FacingFade(facing), 0.01);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(Sanitize, LeavesNothingHarmful)
+{
+  EXPECT_EQ(Sanitize(Vec3(notANumber, -1.0, infinity), 100.0), Vec3(0.0, 0.0, 100.0));
+  EXPECT_EQ(Sanitize(Vec3(-infinity, 0.25, 1e9), 100.0), Vec3(0.0, 0.25, 100.0));
+}

@@ -1,0 +1,211 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The Python module godrays: enable, tag, disable, its errors, and that rays are seen."""
+
+import gc
+import types
+import unittest
+
+import godrays
+from godrays import vtkGodRaysPass
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkFiltersSources import vtkConeSource, vtkSphereSource
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkLight,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+)
+
+
+def make_actor(source):
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(source.GetOutputPort())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    return actor
+
+
+def make_scene():
+    """A window with a cone, and the cone."""
+    cone = make_actor(vtkConeSource())
+    renderer = vtkRenderer()
+    renderer.AddActor(cone)
+    renderer.GetActiveCamera().SetPosition(0, 0, 5)
+    renderer.ResetCameraClippingRange()
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetMultiSamples(0)
+    window.SetSize(120, 90)
+    window.AddRenderer(renderer)
+    return window, renderer, cone
+
+
+def pixels(window):
+    window.Render()
+    data = vtkUnsignedCharArray()
+    width, height = window.GetSize()
+    window.GetPixelData(0, 0, width - 1, height - 1, 0, data, 0)
+    return bytes(memoryview(data))
+
+
+BEHIND = (0.1, 0.15, -1)  # a sun behind the cone, seen from the camera
+
+
+class Enable(unittest.TestCase):
+    def test_rays_change_pixels_and_disable_restores_them(self):
+        window, renderer, _ = make_scene()
+        before = pixels(window)
+        rays = godrays.enable(renderer, light=BEHIND)
+        changed = sum(a != b for a, b in zip(before, pixels(window)))
+        self.assertGreater(changed, 1000, rays.GetPlan())
+        godrays.disable(renderer)
+        self.assertEqual(pixels(window), before)
+        self.assertIsNone(renderer.GetPass())
+
+    def test_every_kind_of_target(self):
+        window, renderer, _ = make_scene()
+        plotter = types.SimpleNamespace(renderer=renderer)
+        for target in (renderer, window, plotter):
+            rays = godrays.enable(target, light=BEHIND)
+            self.assertIsInstance(rays, vtkGodRaysPass)
+            self.assertIs(renderer.GetPass(), rays)
+            godrays.disable(target)
+            self.assertIsNone(renderer.GetPass())
+            godrays.disable(target)  # again: nothing happens
+
+    def test_wrong_targets(self):
+        with self.assertRaisesRegex(TypeError, "vtkRenderer.*not int"):
+            godrays.enable(1, light=BEHIND)
+        with self.assertRaisesRegex(ValueError, "AddRenderer"):
+            godrays.enable(vtkRenderWindow(), light=BEHIND)
+
+    def test_every_kind_of_light(self):
+        _, renderer, _ = make_scene()
+        lamp = vtkLight()
+        sphere = make_actor(vtkSphereSource())
+        renderer.AddActor(sphere)
+        rays = godrays.enable(renderer, light=[lamp, sphere, [0, 1, 0]])
+        self.assertEqual(rays.GetNumberOfLights(), 2)
+        self.assertIs(rays.GetLight(0), lamp)
+        self.assertEqual(rays.GetLight(1).GetPosition(), (0, 1, 0))
+        self.assertFalse(rays.GetLight(1).GetPositional())
+        self.assertEqual(vtkGodRaysPass.GetRole(sphere), vtkGodRaysPass.LIGHT)
+
+    def test_wrong_lights(self):
+        _, renderer, _ = make_scene()
+        with self.assertRaisesRegex(TypeError, "vtkLight.*not str"):
+            godrays.enable(renderer, light=["sun"])
+        with self.assertRaisesRegex(ValueError, "no direction"):
+            godrays.enable(renderer, light=(0, 0, 0))
+
+    def test_the_renderers_own_lights(self):
+        _, renderer, cone = make_scene()
+        headlight = vtkLight()
+        headlight.SetLightTypeToHeadlight()
+        renderer.AddLight(headlight)
+        with self.assertRaisesRegex(ValueError, "light="):
+            godrays.enable(renderer)
+        self.assertIsNone(renderer.GetPass())
+        lamp = vtkLight()
+        renderer.AddLight(lamp)
+        rays = godrays.enable(renderer)
+        self.assertEqual([rays.GetLight(i) for i in range(rays.GetNumberOfLights())], [lamp])
+
+    def test_a_tagged_prop_is_light_enough(self):
+        _, renderer, cone = make_scene()
+        godrays.tag(cone, "light")
+        self.assertEqual(godrays.enable(renderer).GetNumberOfLights(), 0)
+
+    def test_again_changes_the_pass_that_is_there(self):
+        _, renderer, cone = make_scene()
+        rays = godrays.enable(renderer, light=cone)
+        self.assertIs(godrays.enable(renderer, intensity=0.5), rays)
+        self.assertEqual(vtkGodRaysPass.GetRole(cone), vtkGodRaysPass.LIGHT)
+        self.assertIs(godrays.enable(renderer, light=BEHIND), rays)
+        self.assertEqual(rays.GetNumberOfLights(), 1)
+        self.assertEqual(vtkGodRaysPass.GetRole(cone), vtkGodRaysPass.AUTOMATIC)
+        self.assertEqual(rays.GetIntensity(), 0.5)
+
+    def test_the_renderer_keeps_the_pass_and_nothing_else_does(self):
+        window, renderer, _ = make_scene()
+        deleted = []
+        rays = godrays.enable(renderer, light=BEHIND)
+        rays.AddObserver("DeleteEvent", lambda *_: deleted.append(True))
+        del rays
+        gc.collect()
+        window.Render()
+        self.assertIsInstance(renderer.GetPass(), vtkGodRaysPass)
+        self.assertEqual(deleted, [])
+        del window, renderer
+        gc.collect()
+        self.assertEqual(deleted, [True])
+
+
+class Parameters(unittest.TestCase):
+    def setUp(self):
+        self.window, self.renderer, self.cone = make_scene()
+
+    def enable(self, **parameters):
+        return godrays.enable(self.renderer, light=BEHIND, **parameters)
+
+    def test_both_spellings_of_pass_and_model(self):
+        rays = self.enable(background_glow=0.25, SunAngularRadius=2, density=0.5, NumberOfSamples=9)
+        self.assertEqual(rays.GetBackgroundGlow(), 0.25)
+        self.assertEqual(rays.GetSunAngularRadius(), 2)
+        self.assertEqual(rays.GetModel().GetDensity(), 0.5)
+        self.assertEqual(rays.GetModel().GetNumberOfSamples(), 9)
+
+    def test_constants_by_name(self):
+        rays = self.enable(output="scattering", formulation="mitchell")
+        self.assertEqual(rays.GetOutput(), vtkGodRaysPass.SCATTERING)
+        self.assertEqual(rays.GetModel().GetFormulation(), rays.GetModel().MITCHELL)
+
+    def test_a_model_of_ones_own(self):
+        model = godrays.vtkGodRaysRadialModel()
+        rays = self.enable(model=model, decay=0.9)
+        self.assertIs(rays.GetModel(), model)
+        self.assertEqual(model.GetDecay(), 0.9)
+
+    def test_preset_comes_first(self):
+        name = godrays.vtkGodRaysRadialModel.GetPresetName(0)
+        rays = self.enable(density=0.125, preset=name)
+        self.assertEqual(rays.GetModel().GetDensity(), 0.125)
+
+    def test_an_unknown_parameter_changes_nothing(self):
+        with self.assertRaisesRegex(TypeError, "densty.*background_glow.*density.*sun_angular"):
+            self.enable(densty=1)
+        self.assertIsNone(self.renderer.GetPass())
+
+    def test_an_unknown_preset_changes_nothing(self):
+        with self.assertRaisesRegex(ValueError, "no preset 'nonesuch'; there are: "):
+            self.enable(preset="nonesuch")
+        self.assertIsNone(self.renderer.GetPass())
+
+
+class Tag(unittest.TestCase):
+    def test_roles(self):
+        actor = vtkActor()
+        for name in ("occluder", "light", "ignored", "automatic"):
+            godrays.tag(actor, name)
+            self.assertEqual(vtkGodRaysPass.GetRole(actor), getattr(vtkGodRaysPass, name.upper()))
+        godrays.tag(actor, vtkGodRaysPass.OCCLUDER)
+        self.assertEqual(vtkGodRaysPass.GetRole(actor), vtkGodRaysPass.OCCLUDER)
+
+    def test_enable_tags(self):
+        _, renderer, cone = make_scene()
+        sphere = make_actor(vtkSphereSource())
+        godrays.enable(renderer, light=BEHIND, occluders=[cone], ignored=sphere)
+        self.assertEqual(vtkGodRaysPass.GetRole(cone), vtkGodRaysPass.OCCLUDER)
+        self.assertEqual(vtkGodRaysPass.GetRole(sphere), vtkGodRaysPass.IGNORED)
+
+    def test_errors(self):
+        with self.assertRaisesRegex(ValueError, "automatic, occluder, light, ignored"):
+            godrays.tag(vtkActor(), "lamp")
+        with self.assertRaisesRegex(TypeError, "vtkProp.*not int"):
+            godrays.tag(1, "light")
+
+
+if __name__ == "__main__":
+    unittest.main()

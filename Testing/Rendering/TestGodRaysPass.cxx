@@ -1,0 +1,343 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// vtkGodRaysPass: roles, lights, parameters, errors, and the frames that need no rays.
+
+#include "GodRaysTesting.h"
+
+#include "vtkGodRaysModel.h"
+#include "vtkGodRaysRadialModel.h"
+#include "vtkGodRaysTapsIntegrator.h"
+
+#include "vtkAssembly.h"
+#include "vtkCamera.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkLODActor.h"
+#include "vtkTextActor.h"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+using namespace GodRaysTesting;
+
+namespace
+{
+bool Says(const std::string& text, const std::string& words)
+{
+  return text.find(words) != std::string::npos;
+}
+}
+
+TEST(GodRaysPassRoles, AreKeptBesideOtherKeys)
+{
+  Messages messages;
+  vtkNew<vtkActor> actor;
+  vtkNew<vtkInformation> keys;
+  keys->Set(vtkProp::GeneralTextureUnit(), 7);
+  actor->SetPropertyKeys(keys);
+  vtkNew<vtkActor> sharing;
+  sharing->SetPropertyKeys(keys);
+
+  EXPECT_EQ(vtkGodRaysPass::GetRole(actor), vtkGodRaysPass::AUTOMATIC);
+  const vtkMTimeType before = actor->GetMTime();
+  vtkGodRaysPass::SetRole(actor, vtkGodRaysPass::LIGHT);
+  EXPECT_EQ(vtkGodRaysPass::GetRole(actor), vtkGodRaysPass::LIGHT);
+  EXPECT_GT(actor->GetMTime(), before);
+  EXPECT_EQ(actor->GetPropertyKeys()->Get(vtkProp::GeneralTextureUnit()), 7);
+  EXPECT_EQ(vtkGodRaysPass::GetRole(sharing), vtkGodRaysPass::AUTOMATIC)
+    << "a prop that shares the keys must not be tagged with it";
+
+  vtkGodRaysPass::SetRole(actor, vtkGodRaysPass::AUTOMATIC);
+  EXPECT_FALSE(actor->GetPropertyKeys()->Has(vtkGodRaysPass::ROLE()));
+  EXPECT_EQ(actor->GetPropertyKeys()->Get(vtkProp::GeneralTextureUnit()), 7);
+}
+
+TEST(GodRaysPassRoles, GoOnAnyPropButOnlyKnownOnes)
+{
+  Messages messages;
+  vtkNew<vtkAssembly> assembly;
+  vtkNew<vtkLODActor> lod;
+  for (int role = vtkGodRaysPass::AUTOMATIC; role <= vtkGodRaysPass::IGNORED; ++role)
+  {
+    vtkGodRaysPass::SetRole(assembly, role);
+    vtkGodRaysPass::SetRole(lod, role);
+    EXPECT_EQ(vtkGodRaysPass::GetRole(assembly), role);
+    EXPECT_EQ(vtkGodRaysPass::GetRole(lod), role);
+  }
+  EXPECT_EQ(vtkGodRaysPass::GetRole(nullptr), vtkGodRaysPass::AUTOMATIC);
+
+  vtkGodRaysPass::SetRole(lod, 4);
+  vtkGodRaysPass::SetRole(nullptr, vtkGodRaysPass::LIGHT);
+  const auto said = messages.Take();
+  ASSERT_EQ(said.size(), 2u);
+  EXPECT_TRUE(Says(said[0], "role 4") && Says(said[0], "OCCLUDER (1)")) << said[0];
+  EXPECT_TRUE(Says(said[1], "null prop")) << said[1];
+  EXPECT_EQ(vtkGodRaysPass::GetRole(lod), vtkGodRaysPass::IGNORED);
+}
+
+TEST(GodRaysPassLights, AreASet)
+{
+  Messages messages;
+  vtkNew<vtkGodRaysPass> rays;
+  vtkNew<vtkLight> a;
+  vtkNew<vtkLight> b;
+  rays->AddLight(a);
+  rays->AddLight(b);
+  rays->AddLight(a);
+  rays->AddLight(nullptr);
+  EXPECT_EQ(rays->GetNumberOfLights(), 2);
+  EXPECT_EQ(rays->GetLight(1), b);
+  EXPECT_EQ(rays->GetLight(2), nullptr);
+  EXPECT_EQ(rays->GetLight(-1), nullptr);
+  rays->RemoveLight(a);
+  rays->RemoveLight(a);
+  EXPECT_EQ(rays->GetNumberOfLights(), 1);
+  const vtkMTimeType before = rays->GetMTime();
+  b->SetIntensity(0.5);
+  EXPECT_GT(rays->GetMTime(), before) << "a light's change is the pass's";
+  rays->RemoveAllLights();
+  EXPECT_EQ(rays->GetNumberOfLights(), 0);
+}
+
+TEST(GodRaysPassParameters, AreClampedAndRefuseNaN)
+{
+  Messages messages;
+  vtkNew<vtkGodRaysPass> rays;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto check = [&](const char* name, auto set, auto get, double low, double high, double now) {
+    EXPECT_DOUBLE_EQ(get(), now) << name << ", default";
+    set(low - 1.0);
+    EXPECT_DOUBLE_EQ(get(), low) << name;
+    set(high * 2.0 + 1.0);
+    EXPECT_DOUBLE_EQ(get(), high) << name;
+    const vtkMTimeType before = rays->GetMTime();
+    set(nan);
+    const auto said = messages.Take();
+    ASSERT_EQ(said.size(), 1u) << name;
+    EXPECT_TRUE(Says(said[0], name) && Says(said[0], "finite number")) << said[0];
+    EXPECT_DOUBLE_EQ(get(), high) << name;
+    EXPECT_EQ(rays->GetMTime(), before) << name;
+  };
+#define CHECK(Name, low, high, now)                                                                \
+  check(                                                                                           \
+    #Name, [&](double v) { rays->Set##Name(v); }, [&] { return rays->Get##Name(); }, low, high,   \
+    now)
+  CHECK(Intensity, 0.0, 1e4, 1.0);
+  CHECK(ErrorTolerance, 1e-6, 0.1, 1.0 / 255.0);
+  CHECK(ResolutionScale, 0.125, 1.0, 1.0);
+  CHECK(SourceRadius, 0.0, 1e30, 0.0);
+  CHECK(SunAngularRadius, 0.01, 90.0, 0.2678);
+  CHECK(BackgroundGlow, 0.0, 1.0, 0.5);
+  CHECK(BackgroundGlowRadius, 0.0, 180.0, 2.0);
+  CHECK(BackgroundGlowFalloff, 0.0, 180.0, 25.0);
+  CHECK(LayerMargin, 0.0, 1.0, 0.0);
+#undef CHECK
+
+  rays->SetOutput(3);
+  rays->SetBlend(-1);
+  rays->SetPrecision(2);
+  EXPECT_EQ(messages.Take().size(), 3u);
+  EXPECT_EQ(rays->GetOutput(), vtkGodRaysPass::COMPOSITE);
+  EXPECT_EQ(rays->GetBlend(), vtkGodRaysPass::MODEL_BLEND);
+  EXPECT_EQ(rays->GetPrecision(), vtkGodRaysPass::HALF);
+}
+
+TEST(GodRaysPassParameters, AreAllPrinted)
+{
+  Messages messages;
+  vtkNew<vtkGodRaysPass> rays;
+  std::ostringstream text;
+  rays->Print(text);
+  for (const char* name : { "Intensity", "ErrorTolerance", "ResolutionScale",
+         "UntaggedPropsOcclude", "SourceRadius", "SunAngularRadius", "BackgroundGlow:",
+         "BackgroundGlowRadius", "BackgroundGlowFalloff", "LayerMargin", "Blend", "Output",
+         "Precision", "MeasureTimes", "Density", "NumberOfTaps" })
+  {
+    EXPECT_TRUE(Says(text.str(), name)) << name;
+  }
+}
+
+TEST(GodRaysPassParameters, DefaultObjectsComeBackWithNull)
+{
+  Messages messages;
+  vtkNew<vtkGodRaysPass> rays;
+  vtkNew<vtkGodRaysRadialModel> model;
+  vtkNew<vtkGodRaysTapsIntegrator> integrator;
+  rays->SetModel(model);
+  rays->SetIntegrator(integrator);
+  EXPECT_EQ(rays->GetModel(), model);
+  EXPECT_EQ(rays->GetIntegrator(), integrator);
+  rays->SetModel(nullptr);
+  rays->SetIntegrator(nullptr);
+  EXPECT_TRUE(rays->GetModel()->IsA("vtkGodRaysRadialModel"));
+  EXPECT_TRUE(rays->GetIntegrator()->IsA("vtkGodRaysTapsIntegrator"));
+}
+
+/// Frames without rays have the bytes of frames without the pass, and the plan gives the reason.
+class GodRaysPassStraightThrough : public ::testing::Test
+{
+protected:
+  Messages VTKMessages;
+  Stage Scene;
+
+  void ExpectIdentical(const std::string& reason)
+  {
+    const auto with = GetPixels(this->Scene.Window);
+    const auto depths = GetDepths(this->Scene.Window, false);
+    EXPECT_TRUE(Says(this->Scene.Rays->GetPlan(), reason)) << this->Scene.Rays->GetPlan();
+    this->Scene.Rays->Detach(this->Scene.Renderer);
+    EXPECT_EQ(with, GetPixels(this->Scene.Window));
+    EXPECT_EQ(depths, GetDepths(this->Scene.Window, false));
+    this->Scene.Rays->Attach(this->Scene.Renderer);
+  }
+};
+
+TEST_F(GodRaysPassStraightThrough, ForEveryReason)
+{
+  auto sun = this->Scene.AddPillarsAndSun();
+  vtkGodRaysPass* rays = this->Scene.Rays;
+  auto model = vtkGodRaysRadialModel::SafeDownCast(rays->GetModel());
+
+  rays->SetIntensity(0.0);
+  this->ExpectIdentical("Intensity is 0");
+  rays->SetIntensity(1.0);
+
+  const double density = model->GetDensity();
+  model->SetDensity(0.0);
+  this->ExpectIdentical("scatter nothing");
+  model->SetDensity(density);
+
+  sun->SwitchOff();
+  this->ExpectIdentical("off or black");
+  sun->SwitchOn();
+  sun->SetIntensity(0.0);
+  this->ExpectIdentical("off or black");
+  sun->SetIntensity(1.0);
+
+  sun->SetPosition(0.3, 0.2, 1.0);
+  this->ExpectIdentical("behind the camera");
+  sun->SetPosition(1.0, 0.2, -0.3);
+  this->ExpectIdentical("neither it nor its glow");
+  sun->SetPosition(0.0, 0.0, 0.0);
+  this->ExpectIdentical("its position is its focal point");
+  sun->SetPosition(0.3, 0.2, -1.0);
+
+  rays->RemoveLight(sun);
+  this->ExpectIdentical("add one with AddLight()");
+  rays->AddLight(sun);
+
+  // and, as a control, rays where there is no reason against them
+  const auto with = GetPixels(this->Scene.Window);
+  rays->Detach(this->Scene.Renderer);
+  EXPECT_GT(CountDifferentPixels(with, GetPixels(this->Scene.Window)), 128 * 96 / 2);
+}
+
+TEST_F(GodRaysPassStraightThrough, WhereNoRayReachesThePixelsKeepTheirBytes)
+{
+  // a lamp and a march that ends halfway: nothing beyond the lamp's own reach
+  vtkGodRaysPass* rays = this->Scene.Rays;
+  this->Scene.AddPillarsAndSun();
+  rays->RemoveAllLights();
+  rays->SetBackgroundGlow(0.0);
+  rays->AddLight(MakeLamplight({ 2.5, 1.5, -3.0 }));
+  rays->SetSourceRadius(0.3);
+  vtkGodRaysRadialModel::SafeDownCast(rays->GetModel())->SetDensity(0.5);
+  const auto with = GetPixels(this->Scene.Window);
+  const auto depths = GetDepths(this->Scene.Window, false);
+  vtkNew<vtkImageData> scattering;
+  ASSERT_TRUE(rays->GetScatteringImage(scattering));
+  rays->Detach(this->Scene.Renderer);
+  const auto without = GetPixels(this->Scene.Window);
+  EXPECT_EQ(depths, GetDepths(this->Scene.Window, false));
+  int lit = 0;
+  int dark = 0;
+  for (int y = 0; y < 96; ++y)
+  {
+    for (int x = 0; x < 128; ++x)
+    {
+      const std::size_t i = 4 * (static_cast<std::size_t>(y) * 128 + x);
+      EXPECT_EQ(with[i + 3], without[i + 3]) << "alpha";
+      if (GetValue(scattering, x, y, 0) > 0.0)
+      {
+        ++lit;
+        EXPECT_GE(with[i], without[i]);
+      }
+      else
+      {
+        ++dark;
+        EXPECT_TRUE(std::equal(&with[i], &with[i] + 4, &without[i])) << x << ", " << y;
+      }
+    }
+  }
+  EXPECT_GT(lit, 20);
+  EXPECT_GT(dark, 1000);
+}
+
+TEST(GodRaysPassErrors, AnUnsupportedModelIsToldOnceAndDrawnWithoutRays)
+{
+  class OtherModel : public vtkGodRaysModel
+  {
+  public:
+    static OtherModel* New()
+    {
+      auto model = new OtherModel;
+      model->InitializeObjectBase();
+      return model;
+    }
+    bool CanScatter() const override { return true; }
+    double GetFlatGain() const override { return 1.0; }
+    std::string Describe() const override { return "other"; }
+  };
+  Messages messages;
+  Stage scene;
+  scene.AddPillarsAndSun();
+  vtkNew<OtherModel> model;
+  scene.Rays->SetModel(model);
+  const auto with = GetPixels(scene.Window);
+  GetPixels(scene.Window);
+  const auto said = messages.Take();
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_TRUE(Says(said[0], "cannot evaluate") && Says(said[0], "Set an integrator")) << said[0];
+  EXPECT_FALSE(scene.Rays->ApplyPreset("mitchell"));
+  EXPECT_EQ(messages.Take().size(), 1u);
+  scene.Rays->Detach(scene.Renderer);
+  EXPECT_EQ(with, GetPixels(scene.Window));
+}
+
+TEST(GodRaysPassOverlays, TextNeitherGlowsNorBlocks)
+{
+  Messages messages;
+  Stage scene;
+  scene.AddPillarsAndSun();
+  const auto plain = GetPixels(scene.Window);
+  vtkNew<vtkImageData> layer;
+  ASSERT_TRUE(scene.Rays->GetOcclusionImage(layer));
+  const double mean = GetMean(layer);
+
+  vtkNew<vtkTextActor> text;
+  text->SetInput("MMMMMMMMM");
+  text->SetPosition(5, 5);
+  scene.Renderer->AddActor(text);
+  const auto withText = GetPixels(scene.Window);
+  vtkNew<vtkImageData> layerWithText;
+  ASSERT_TRUE(scene.Rays->GetOcclusionImage(layerWithText));
+  EXPECT_DOUBLE_EQ(mean, GetMean(layerWithText));
+  EXPECT_GT(CountDifferentPixels(plain, withText), 50);
+
+  // the text is what it is without rays: where it is opaque, its own colour
+  scene.Rays->Detach(scene.Renderer);
+  const auto withoutRays = GetPixels(scene.Window);
+  int white = 0;
+  for (std::size_t i = 0; i < withText.size(); i += 4)
+  {
+    const bool opaque = withoutRays[i] == 255 && withoutRays[i + 1] == 255;
+    white += opaque;
+    if (opaque)
+    {
+      EXPECT_EQ(withText[i], 255);
+    }
+  }
+  EXPECT_GT(white, 10);
+}
