@@ -3,41 +3,49 @@
 
 # godrays_add_example(<Name>)
 #
-# Build Examples/<Name>/<Name>.cxx as the program build/bin/<Name>, and run it as a test. An
-# example takes one optional argument: the PNG file to write. Without it, it opens a window. If
-# there is also a <Name>.py, it is the same example in Python, and runs as a test in the same way.
+# Build Examples/<Name>/<Name>.cxx as the program build/bin/<Name>, and test it and its twin in
+# Python, <Name>.py, if there is one: each draws Testing/Baseline/Example-<Name>.png. An example
+# takes one argument, the PNG file to write; without it, it opens a window.
 function(godrays_add_example name)
   set(components
-    CommonColor CommonCore CommonDataModel FiltersCore FiltersGeneral FiltersModeling
-    FiltersSources IOGeometry IOImage IOLegacy IOPLY IOXML InteractionStyle RenderingCore
-    RenderingFreeType RenderingOpenGL2 RenderingUI RenderingVolumeOpenGL2)
+    CommonColor CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral
+    FiltersModeling FiltersSources IOGeometry IOImage IOLegacy IOPLY IOXML InteractionStyle
+    RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI RenderingVolumeOpenGL2)
   find_package(VTK REQUIRED COMPONENTS ${components})
   list(TRANSFORM components PREPEND VTK::)
 
-  set(folder "${CMAKE_CURRENT_SOURCE_DIR}/${name}")
-  if(EXISTS "${folder}/${name}.cxx")
-    add_executable(${name} "${folder}/${name}.cxx")
-    target_link_libraries(${name} PRIVATE GodRays::Rendering ${components})
-    target_compile_options(${name} PRIVATE ${godrays_warnings})
-    vtk_module_autoinit(TARGETS ${name} MODULES ${components})
-    set(command_cxx $<TARGET_FILE:${name}>)
-  endif()
-  if(EXISTS "${folder}/${name}.py" AND GODRAYS_WRAP_PYTHON)
-    set(command_py "${Python3_EXECUTABLE}" "${folder}/${name}.py")
+  set(source "${CMAKE_CURRENT_SOURCE_DIR}/${name}/${name}.cxx")
+  set(script "${CMAKE_CURRENT_SOURCE_DIR}/${name}/${name}.py")
+  set(tests "${PROJECT_SOURCE_DIR}/Testing")
+  set(baseline "${tests}/Baseline/Example-${name}.png")
+
+  add_executable(${name} "${source}")
+  set(programs ${name})
+  if(GODRAYS_BUILD_TESTING)
+    # The example itself, in a program that looks at what it draws
+    add_executable(test_${name} "${tests}/Examples/TestExample.cxx")
+    target_compile_definitions(test_${name} PRIVATE
+      EXAMPLE_NAME="${name}" EXAMPLE_SOURCE="${source}")
+    list(APPEND programs test_${name})
+    add_test(NAME example.${name}.cxx
+      COMMAND test_${name} "${CMAKE_CURRENT_BINARY_DIR}/${name}_cxx.png" "${baseline}")
+    set(added example.${name}.cxx)
+    if(EXISTS "${script}" AND GODRAYS_WRAP_PYTHON)
+      add_test(NAME example.${name}.py
+        COMMAND "${Python3_EXECUTABLE}" "${tests}/Examples/test_example.py" "${script}"
+          "${CMAKE_CURRENT_BINARY_DIR}/${name}_py.png" "${baseline}")
+      list(APPEND added example.${name}.py)
+    endif()
+    set_tests_properties(${added} PROPERTIES
+      LABELS      example
+      TIMEOUT     300
+      ENVIRONMENT "PYTHONPATH=${CMAKE_BINARY_DIR}/${godrays_python_destination}")
   endif()
 
-  if(GODRAYS_BUILD_TESTING)
-    foreach(language IN ITEMS cxx py)
-      if(command_${language})
-        set(picture "${CMAKE_CURRENT_BINARY_DIR}/${name}_${language}.png")
-        add_test(NAME example.${name}.${language}
-          COMMAND "${CMAKE_COMMAND}" "-DPICTURE=${picture}"
-            -P "${PROJECT_SOURCE_DIR}/CMake/GodRaysRunExample.cmake" -- ${command_${language}})
-        set_tests_properties(example.${name}.${language} PROPERTIES
-          LABELS      example
-          TIMEOUT     300
-          ENVIRONMENT "PYTHONPATH=${CMAKE_BINARY_DIR}/${godrays_python_destination}")
-      endif()
-    endforeach()
-  endif()
+  foreach(program IN LISTS programs)
+    target_link_libraries(${program} PRIVATE GodRays::Rendering ${components})
+    target_include_directories(${program} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
+    target_compile_options(${program} PRIVATE ${godrays_warnings})
+    vtk_module_autoinit(TARGETS ${program} MODULES ${components})
+  endforeach()
 endfunction()

@@ -28,15 +28,15 @@ function(godrays_add_test_program name)
     PROPERTIES LABELS ${arg_LABEL} TIMEOUT 300)
 endfunction()
 
-# godrays_add_python_test(<name> LABEL <label> FILE <file.py>)
+# godrays_add_python_test(<name> LABEL <label> FILE <file.py> ENVIRONMENT <NAME=value>...)
 #
-# A Python file of unittest cases, run against the module in the build tree.
+# A Python file of unittest cases.
 function(godrays_add_python_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABEL;FILE" "")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABEL;FILE" "ENVIRONMENT")
   add_test(NAME ${name}
     COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/${arg_FILE}" -v)
   set_tests_properties(${name} PROPERTIES
     LABELS      ${arg_LABEL}
     TIMEOUT     300
-    ENVIRONMENT "PYTHONPATH=${CMAKE_BINARY_DIR}/${godrays_python_destination}")
+    ENVIRONMENT "${arg_ENVIRONMENT}")
 endfunction()

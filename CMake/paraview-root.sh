@@ -27,21 +27,23 @@ if [ "$(cat "$root/version" 2>/dev/null)" = "$version" ]; then
   exit 0 # made before
 fi
 if [ -e "$root" ]; then
-  [ -f "$root/version" ] || die "$root exists, and was not made by this script. Name another folder."
+  [ -f "$root/version" ] ||
+    die "$root exists, and was not made by this script. Name another folder."
   rm -rf "$root"
 fi
 mkdir -p "$root"
 echo unfinished > "$root/version"
 root=$(cd "$root" && pwd)
 
-cmake_files=$(dpkg -L paraview-dev | grep '/ParaViewConfig.cmake$\|/paraview-config.cmake$') ||
+cmake_files=$(dpkg -L paraview-dev | grep -i '/paraview-\?config.cmake$') ||
   die "the package paraview-dev has no CMake files: it is damaged. Reinstall it."
 cmake_files=$(dirname "$cmake_files") # /usr/lib/<architecture>/cmake/paraview-<version>
 libraries=$(dirname "$(dirname "$cmake_files")")
 name=$(basename "$cmake_files")
 
 mkdir -p "$root$libraries/cmake" "$root/usr/bin" "$root/usr/include"
-(cd "$root" && apt-get -qq -o APT::Sandbox::User="$(id -un)" download "python3-paraview=$version") ||
+(cd "$root" &&
+  apt-get -qq -o APT::Sandbox::User="$(id -un)" download "python3-paraview=$version") ||
   die "python3-paraview $version could not be downloaded. Run apt-get update as root, and see that
   the machine has a network."
 dpkg-deb --extract "$root"/python3-paraview_*.deb "$root"

@@ -247,6 +247,27 @@ private:
   }
 };
 
+/// A camera learns from its own Render(), which draws nothing, whether the window is in stereo; the
+/// first frame after a change needs its matrices before that.
+void TellStereo(vtkRenderer* renderer, vtkOpenGLRenderWindow* window)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  if (!camera->GetStereo() == !window->GetStereoRender())
+  {
+    return;
+  }
+  vtkOpenGLState* state = window->GetState();
+  const vtkOpenGLState::ScopedglViewport viewport(state);
+  const vtkOpenGLState::ScopedglScissor scissor(state);
+  const vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+  const vtkTypeBool erase = renderer->GetErase();
+  const bool useScissor = camera->GetUseScissor();
+  renderer->EraseOff();
+  camera->Render(renderer);
+  renderer->SetErase(erase);
+  camera->SetUseScissor(useScissor);
+}
+
 bool IsDisabledByEnvironment()
 {
   const char* value = std::getenv("GODRAYS_DISABLE");
@@ -317,6 +338,7 @@ struct vtkGodRaysPass::Internals
   vtkGodRaysTarget LayerSum;   // of several lights, when it is asked for
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the resources
+  vtkMTimeType ContextTime = 0;                 // when its context was made
   vtkWeakPointer<vtkRenderer> LastRenderer;
   bool HasScattering = false; // of the last frame
   bool HasLayer = false;
@@ -329,10 +351,12 @@ struct vtkGodRaysPass::Internals
 
   std::vector<std::pair<Stage, std::unique_ptr<vtkOpenGLRenderTimer>>> Timers;
   std::size_t TimersUsed = 0;
+  bool Timing = false; // whether the timer TimersUsed runs
 
   void StartTimer(Stage stage, bool measure)
   {
-    if (!measure || !vtkOpenGLRenderTimer::IsSupported())
+    this->Timing = measure && vtkOpenGLRenderTimer::IsSupported();
+    if (!this->Timing)
     {
       return;
     }
@@ -348,9 +372,10 @@ struct vtkGodRaysPass::Internals
 
   void StopTimer()
   {
-    if (this->TimersUsed < this->Timers.size() && this->Timers[this->TimersUsed].second->Started())
+    if (this->Timing)
     {
       this->Timers[this->TimersUsed++].second->Stop();
+      this->Timing = false;
     }
   }
 
@@ -365,8 +390,15 @@ struct vtkGodRaysPass::Internals
     this->Scene.Release(window);
     this->Scattering.Release(window);
     this->LayerSum.Release(window);
+    if (this->Window && !this->Timers.empty())
+    {
+      this->Window->PushContext(); // timers know none, all else does
+      this->Timers.clear();
+      this->Window->PopContext();
+    }
     this->Timers.clear();
     this->TimersUsed = 0;
+    this->Timing = false;
     this->HasScattering = false;
     this->HasLayer = false;
     this->HasLayerSum = false;
@@ -376,7 +408,11 @@ struct vtkGodRaysPass::Internals
   /// Where a light's shafts start, and how far they are marched.
   void SetMarch(vtkGodRaysSource& source, const vtkGodRaysView& view) const
   {
-    const glm::dvec3 clip(source.Clip[0], source.Clip[1], source.Clip[2]);
+    // Parallel rays have no point to lead to: they lead as far as to the point of a perspective
+    // view, so that the shafts of a sun that crosses the direction of view shrink and grow again.
+    const double distance =
+      source.Planar || !view.Parallel ? source.Clip[2] : source.GetPerspectiveDistance(view);
+    const glm::dvec3 clip(source.Clip[0], source.Clip[1], distance);
     const double diagonal = 2.0 * std::hypot(view.Aspect, 1.0);
     const bool capped = this->Model->CapsMarch() || view.Parallel;
     const double cap = capped ? MarchCapDiagonals * diagonal * view.ViewScale
@@ -572,6 +608,10 @@ void vtkGodRaysPass::Attach(vtkRenderer* renderer)
   {
     this->Detach(self.Attached);
   }
+  else if (self.FormerPass) // of a renderer that is gone
+  {
+    this->SetDelegatePass(self.FormerDelegate);
+  }
   self.Attached = renderer;
   self.FormerDelegate = this->DelegatePass;
   self.FormerPass = renderer->GetPass() == this ? nullptr : renderer->GetPass();
@@ -693,7 +733,10 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   const char* reason = this->FindReasonForNoRays(s, window);
   if (!reason)
   {
-    view.Set(renderer, this->LayerMargin);
+    int viewport[4];
+    this->GetViewport(s, viewport);
+    TellStereo(renderer, window);
+    view.Set(renderer, viewport + 2, this->LayerMargin);
     this->CollectSources(renderer, view, sources);
     reason = sources.empty() ? "no light reaches the picture" : nullptr;
   }
@@ -705,11 +748,13 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
     return;
   }
 
-  if (self.Window && self.Window != window)
+  if (self.Window != window || self.ContextTime != window->GetContextCreationTime())
   {
-    self.Release(self.Window);
+    // also if the former window, or its context, is gone
+    self.Release(self.Window ? self.Window.Get() : window);
   }
   self.Window = window;
+  self.ContextTime = window->GetContextCreationTime();
 
   OverlaysHeldBack overlays(s, self.NoProp);
   self.StartTimer(SCENE, this->MeasureTimes);
@@ -810,7 +855,8 @@ void vtkGodRaysPass::CollectSources(
     for (int i = 0; i < 3; ++i)
     {
       const double light = linear ? vtkGodRays::DecodeDisplay(color[i]) : color[i];
-      source.Color[i] = source.Fade * intensity * light;
+      source.Color[i] = vtkGodRays::Sanitize(
+        source.Fade * intensity * light, std::numeric_limits<float>::max());
       greatest = std::max(greatest, source.Color[i]);
     }
     plan << "light: " << source.Name;

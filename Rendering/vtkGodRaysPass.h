@@ -210,8 +210,9 @@ public:
   /**
    * Set/Get how far the occlusion layer reaches beyond each edge of the picture, as a fraction of
    * the picture's width and height [no unit], so that lights and occluders just outside act as
-   * they should. Above 0 the occluders are rendered a second time. Valid range: [0, 1].
-   * Default is 0.
+   * they should. Above 0 the occluders are rendered a second time. A screenshot in two by two
+   * tiles, as of vtkWindowToImageFilter with a scale of 2, needs 1: each tile is a picture of its
+   * own, and rays from other tiles end where its layer does. Valid range: [0, 1]. Default is 0.
    */
   void SetLayerMargin(double margin);
   vtkGetMacro(LayerMargin, double);
@@ -268,7 +269,9 @@ public:
   /**
    * Attach: set this pass on a renderer and keep how the renderer draws. A pass that the renderer
    * has becomes the delegate; without one the renderer's own steps draw the scene, with its depth
-   * peeling, SSAO, FXAA, shadows and hidden-line removal.
+   * peeling, SSAO, FXAA, shadows and hidden-line removal. A delegate must leave the scene's depth
+   * in the framebuffer that it got: vtkSSAAPass, vtkToneMappingPass and vtkGaussianBlurPass do not,
+   * so that nothing would block light; let them have this pass as their delegate instead.
    * Detach: release everything on the graphics card and restore the renderer's former pass.
    * Attaching to another renderer detaches from the one before.
    */

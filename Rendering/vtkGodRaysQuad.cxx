@@ -13,6 +13,7 @@
 #include "vtkTextureObject.h"
 #include "vtk_glew.h"
 
+#include <algorithm>
 #include <string>
 
 //------------------------------------------------------------------------------
@@ -61,9 +62,13 @@ vtkShaderProgram* vtkGodRaysQuad::Begin(vtkOpenGLRenderWindow* window)
 //------------------------------------------------------------------------------
 void vtkGodRaysQuad::SetTexture(const char* sampler, vtkTextureObject* texture)
 {
-  texture->Activate();
+  // one that serves two samplers is activated once: a second time would lose its unit
+  if (std::find(this->Textures.begin(), this->Textures.end(), texture) == this->Textures.end())
+  {
+    texture->Activate();
+    this->Textures.emplace_back(texture);
+  }
   this->Helper->Program->SetUniformi(sampler, texture->GetTextureUnit());
-  this->Textures.emplace_back(texture);
 }
 
 //------------------------------------------------------------------------------

@@ -18,16 +18,18 @@ const double ParallelHeightDegrees = 30.0;
 
 double GetPictureHeight(const vtkGodRaysView& view)
 {
-  return 2.0 * view.ViewScale / view.ViewToClip[5];
+  return 2.0 * view.ViewScale / std::hypot(view.ViewToClip[4], view.ViewToClip[5]);
 }
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysView::Set(vtkRenderer* renderer, double margin)
+void vtkGodRaysView::Set(vtkRenderer* renderer, const int size[2], double margin)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
   this->Aspect = renderer->GetTiledAspectRatio();
   this->ViewScale = 1.0 / (1.0 + 2.0 * margin);
+  this->Pixel[0] = 2.0 * this->ViewScale / size[0];
+  this->Pixel[1] = 2.0 * this->ViewScale / size[1];
 
   // The matrices of vtkOpenGLCamera::GetKeyMatrices(). GetCompositeProjectionTransformMatrix()
   // will not do: it is for picking, and switches stereo off.
@@ -42,8 +44,8 @@ void vtkGodRaysView::Set(vtkRenderer* renderer, double margin)
 
   // The eye is where all rays meet, the point that projects to (0, 0, 1, 0).
   const double w = this->ClipToView[14];
-  this->Parallel = this->ViewToClip[12] == 0.0 && this->ViewToClip[13] == 0.0 &&
-    this->ViewToClip[14] == 0.0;
+  this->Parallel =
+    this->ViewToClip[12] == 0.0 && this->ViewToClip[13] == 0.0 && this->ViewToClip[14] == 0.0;
   for (int i = 0; i < 3; ++i)
   {
     this->Eye[i] = this->Parallel ? 0.0 : this->ClipToView[4 * i + 2] / w;
@@ -86,6 +88,9 @@ void vtkGodRaysSource::Place(const vtkGodRaysView& view, const double world[4], 
   const double distance = vtkMath::Normalize(this->Direction);
   this->Planar = view.Parallel && !infinite;
   this->Radius = radius;
+  this->LeastPixel = view.Parallel && infinite
+    ? vtkMath::RadiansFromDegrees(0.5 * view.Pixel[1] / view.ViewScale * ParallelHeightDegrees)
+    : 0.0;
   this->Depth = 1.0;
   this->Fade = view.Parallel ? 1.0 : vtkGodRays::FacingFade(-this->Direction[2]);
   if (!infinite)
@@ -113,16 +118,25 @@ void vtkGodRaysSource::SetGlow(const vtkGodRaysView& view, double radius, double
 }
 
 //------------------------------------------------------------------------------
+double vtkGodRaysSource::GetPerspectiveDistance(const vtkGodRaysView& view) const
+{
+  const double tangent = std::tan(vtkMath::RadiansFromDegrees(0.5 * ParallelHeightDegrees));
+  return -this->Direction[2] * 2.0 * tangent / GetPictureHeight(view);
+}
+
+//------------------------------------------------------------------------------
 bool vtkGodRaysSource::Reaches(const vtkGodRaysView& view, bool glows) const
 {
-  const double reach =
-    std::max(this->Radius, glows ? this->GlowRadius + this->GlowFalloff : 0.0);
+  const double reach = std::max(this->Radius, glows ? this->GlowRadius + this->GlowFalloff : 0.0);
+  // the layer and two pixels about it, over which the edge of a disc may be softened
+  const double right = 1.0 + 2.0 * view.Pixel[0];
+  const double top = 1.0 + 2.0 * view.Pixel[1];
   if (this->Planar)
   {
-    const double halfHeight = 1.0 / view.ViewToClip[5];
-    const double halfWidth = 1.0 / view.ViewToClip[0];
-    return std::abs(this->Clip[0]) * halfWidth <= halfWidth + reach &&
-      std::abs(this->Clip[1]) * halfHeight <= halfHeight + reach;
+    const double halfHeight = 1.0 / std::hypot(view.ViewToClip[4], view.ViewToClip[5]);
+    const double halfWidth = 1.0 / std::hypot(view.ViewToClip[0], view.ViewToClip[1]);
+    return std::abs(this->Clip[0]) * halfWidth <= right * halfWidth + reach &&
+      std::abs(this->Clip[1]) * halfHeight <= top * halfHeight + reach;
   }
   // the cone about the layer's centre that holds its corners
   double axis[3];
@@ -131,8 +145,9 @@ bool vtkGodRaysSource::Reaches(const vtkGodRaysView& view, bool glows) const
   for (int corner = 0; corner < 4; ++corner)
   {
     double ray[3];
-    view.GetRay(corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, ray);
+    view.GetRay(corner & 1 ? right : -right, corner & 2 ? top : -top, ray);
     cone = std::max(cone, vtkMath::AngleBetweenVectors(axis, ray));
   }
-  return vtkMath::AngleBetweenVectors(axis, this->Direction) <= cone + reach;
+  return vtkMath::AngleBetweenVectors(axis, this->Direction) <=
+    cone + reach + 2.0 * this->LeastPixel;
 }

@@ -24,12 +24,16 @@ struct vtkGodRaysView
   double WorldToView[16]; ///< row-major, as vtkMatrix4x4
   double ViewToClip[16];  ///< of the layer
   double ClipToView[16];
-  double Eye[3];          ///< centre of projection, view coordinates; unused where Parallel
+  double Eye[3]; ///< centre of projection, view coordinates; unused where Parallel
   bool Parallel;
-  double Aspect;          ///< width over height
-  double ViewScale;       ///< fraction of the layer's width that the picture covers
+  double Aspect;    ///< width over height
+  double ViewScale; ///< fraction of the layer's width that the picture covers
+  double Pixel[2];  ///< width and height of a pixel, as the layer's are 2
 
-  void Set(vtkRenderer* renderer, double margin);
+  /**
+   * Take the renderer's camera, for a picture of this width and height [pixels].
+   */
+  void Set(vtkRenderer* renderer, const int size[2], double margin);
 
   /**
    * The unit vector, in view coordinates, along which the layer's point (x, y) is seen.
@@ -40,19 +44,21 @@ struct vtkGodRaysView
 /// One light.
 struct vtkGodRaysSource
 {
-  std::string Name;        ///< for the plan
-  vtkProp* Prop = nullptr; ///< the prop that shines, or null for a disc
-  double Color[3];         ///< of the disc and, times BackgroundGlow, of the glow
-  double Position[3];      ///< in view coordinates; of an infinitely far light the direction to it
-  double Direction[3];     ///< unit vector from the eye to the light, view coordinates
-  double Clip[3];          ///< X, Y and w in the layer's clip coordinates
-  double Radius;           ///< of the disc or prop: an angle [radians], or a length where Planar
-  double GlowRadius = 0.0; ///< as Radius
+  std::string Name;         ///< for the plan
+  vtkProp* Prop = nullptr;  ///< the prop that shines, or null for a disc
+  double Color[3];          ///< of the disc and, times BackgroundGlow, of the glow
+  double Position[3];       ///< in view coordinates; of an infinitely far light the direction to it
+  double Direction[3];      ///< unit vector from the eye to the light, view coordinates
+  double Clip[3];           ///< X, Y and w in the layer's clip coordinates
+  double Radius;            ///< of the disc or prop: an angle [radians], or a length where Planar
+  double GlowRadius = 0.0;  ///< as Radius
   double GlowFalloff = 0.0; ///< as Radius
-  double Depth;            ///< window depth, 1 when it is infinitely far
-  bool Planar;             ///< distances are lengths in the picture's plane, not angles
-  double MarchScale;       ///< see MarchVector() in vtkGodRaysFunctions.glsl
-  double Fade;             ///< 1; less for a light that is passing behind the camera
+  double LeastPixel =
+    0.0;             ///< a pixel's angle where all rays are parallel and so have none [radians]
+  double Depth;      ///< window depth, 1 when it is infinitely far
+  bool Planar;       ///< distances are lengths in the picture's plane, not angles
+  double MarchScale; ///< see MarchVector() in vtkGodRaysFunctions.glsl
+  double Fade;       ///< 1; less for a light that is passing behind the camera
 
   /**
    * Place a light at a world position (w = 1), or in a direction (w = 0), with a radius in world
@@ -64,6 +70,12 @@ struct vtkGodRaysSource
    * Set the glow [degrees].
    */
   void SetGlow(const vtkGodRaysView& view, double radius, double falloff);
+
+  /**
+   * The w that stands for the light's where a parallel view has it infinitely far: it puts the
+   * light into the picture as a perspective view does whose height is 30 degrees.
+   */
+  double GetPerspectiveDistance(const vtkGodRaysView& view) const;
 
   /**
    * Whether any of the light may fall into the layer: never false when some does.

@@ -49,7 +49,7 @@ LAYER_TEMPLATE Vec3 SumTaps(IN(Layer) layer, IN(TapSum) taps, IN(Vec2) uv, IN(Ve
   {
     Real reach = length(march);
     stride = (taps.FixedLength / max(reach, 1e-30)) * march;
-    lastReached = reach / taps.FixedLength;
+    lastReached = reach / taps.FixedLength + 1e-5; // a tap at the light counts however it is rounded
   }
 
   Vec3 bias = Vec3(taps.InputBias);

@@ -16,6 +16,8 @@ uniform sampler2D translucency;   // their opacity, in alpha
 uniform bool prop;                // whether a prop shines, rather than a disc
 uniform sampler2D propColor;
 uniform sampler2D propDepth;
+uniform bool hazy;                // whether it has translucent parts or is a volume
+uniform sampler2D haze;           // their colours over black, before what blocks
 
 uniform mat4 clipToView;
 uniform bool planar;              // separations are lengths in the picture's plane, not angles
@@ -24,6 +26,7 @@ uniform vec3 lightDirection;
 uniform float lightDepth;
 uniform vec3 lightColor;
 uniform float lightRadius;
+uniform float leastPixel;         // where all rays are parallel; else 0
 uniform float fade;
 
 uniform float glow;
@@ -36,16 +39,48 @@ uniform float maximum;            // that the layer can hold
 // The largest window depth below 1 differs from it by 2^-24 or more.
 const float farthest = 1.0 - 1.0 / 16777216.0;
 
-// How far depth may change from a pixel's centre to its samples: the slope of the surface, taken on
-// the side where the surface goes on.
-float DepthSlope(ivec2 pixel, float depth)
+// Depth of the prop some pixels away; 1 where it is not.
+float PropDepth(ivec2 pixel)
 {
-  ivec2 last = textureSize(propDepth, 0) - 1;
-  float left = texelFetch(propDepth, max(pixel - ivec2(1, 0), ivec2(0)), 0).r;
-  float right = texelFetch(propDepth, min(pixel + ivec2(1, 0), last), 0).r;
-  float below = texelFetch(propDepth, max(pixel - ivec2(0, 1), ivec2(0)), 0).r;
-  float above = texelFetch(propDepth, min(pixel + ivec2(0, 1), last), 0).r;
-  return max(min(abs(left - depth), abs(right - depth)), min(abs(below - depth), abs(above - depth)));
+  return texelFetch(propDepth, clamp(pixel, ivec2(0), textureSize(propDepth, 0) - 1), 0).r;
+}
+
+// How much the depth of the prop changes from a pixel to the next on one side, where the prop goes
+// on there without a step.
+float OneSidedSlope(ivec2 pixel, ivec2 side)
+{
+  float depth = PropDepth(pixel);
+  float beside = PropDepth(pixel + side);
+  float next = PropDepth(pixel + 2 * side);
+  return beside >= farthest || next >= farthest ? 0.0
+                                                : min(abs(beside - depth), abs(next - beside));
+}
+
+float Slopes(ivec2 pixel)
+{
+  return max(OneSidedSlope(pixel, ivec2(-1, 0)), OneSidedSlope(pixel, ivec2(1, 0))) +
+    max(OneSidedSlope(pixel, ivec2(0, -1)), OneSidedSlope(pixel, ivec2(0, 1)));
+}
+
+// The least depth that the prop may have within a pixel. The depth of what blocks holds the prop
+// too, but when it is multisampled that depth is the one of a sample up to half a pixel off the
+// centre: of the slanted surface at the centre, or of a nearer part of the prop that ends there.
+float LeastPropDepth(ivec2 pixel)
+{
+  float depth = PropDepth(pixel);
+  float least = depth;
+  ivec2 nearest = pixel;
+  for (int i = 0; i < 9; ++i)
+  {
+    ivec2 other = pixel + ivec2(i % 3 - 1, i / 3 - 1);
+    float otherDepth = PropDepth(other);
+    if (otherDepth < least)
+    {
+      least = otherDepth;
+      nearest = other;
+    }
+  }
+  return min(depth - 0.5 * Slopes(pixel), least - Slopes(nearest));
 }
 
 void main()
@@ -59,7 +94,7 @@ void main()
   vec3 ray = normalize(onFar.xyz * onNear.w - onNear.xyz * onFar.w);
   vec3 place = onNear.xyz / onNear.w;
   vec3 across = planar ? place : ray;
-  float pixelSize = max(length(dFdx(across)), length(dFdy(across)));
+  float pixelSize = max(max(length(dFdx(across)), length(dFdy(across))), leastPixel);
   float separation =
     planar ? length(place.xy - lightPosition.xy) : AngleBetween(ray, lightDirection);
 
@@ -68,10 +103,15 @@ void main()
   if (prop)
   {
     vec4 shown = texelFetch(propColor, pixel, 0);
-    float shownDepth = texelFetch(propDepth, pixel, 0).r;
-    if (shown.a > 0.0 && shownDepth <= depth + DepthSlope(pixel, shownDepth) + 1e-6)
+    if (PropDepth(pixel) < farthest && LeastPropDepth(pixel) <= depth + 1e-6)
     {
       light = fade * (linearLight ? DecodeDisplay(shown.rgb) : shown.rgb);
+    }
+    if (hazy)
+    {
+      vec4 veil = texelFetch(haze, pixel, 0);
+      light *= 1.0 - veil.a;
+      light += fade * (linearLight ? DecodeDisplay(veil.rgb) : veil.rgb);
     }
   }
   else if (depth >= min(lightDepth, farthest))

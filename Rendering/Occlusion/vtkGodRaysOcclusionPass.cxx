@@ -23,6 +23,7 @@
 #include "vtkTextureObject.h"
 #include "vtk_glew.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <vector>
@@ -79,8 +80,7 @@ Sorted Sort(vtkRenderer* renderer, bool untaggedPropsOcclude)
 class MarginCamera
 {
 public:
-  MarginCamera(
-    vtkRenderer* renderer, const vtkGodRaysView& view, vtkSmartPointer<vtkCamera>& wide)
+  MarginCamera(vtkRenderer* renderer, const vtkGodRaysView& view, vtkSmartPointer<vtkCamera>& wide)
     : Renderer(view.ViewScale < 1.0 ? renderer : nullptr)
   {
     if (this->Renderer)
@@ -93,6 +93,7 @@ public:
       vtkNew<vtkMatrix4x4> projection;
       projection->DeepCopy(view.ViewToClip);
       wide->DeepCopy(this->Camera);
+      wide->SetUserTransform(nullptr); // ViewToClip has it
       wide->SetExplicitProjectionTransformMatrix(projection);
       wide->UseExplicitProjectionTransformMatrixOn();
       renderer->SetActiveCamera(wide);
@@ -127,7 +128,8 @@ struct vtkGodRaysOcclusionPass::Internals
   vtkGodRaysQuad Quad{ "vtkGodRaysOcclusionFS", vtkGodRaysOcclusionFS };
   vtkGodRaysTarget Occluders; // depth, when the scene's will not do
   vtkGodRaysTarget Dimming;   // opacity, over the depth of what blocks
-  vtkGodRaysTarget Shining;   // a prop tagged LIGHT
+  vtkGodRaysTarget Shining;   // opaque parts of a prop tagged LIGHT
+  vtkGodRaysTarget Haze;      // its translucent parts and volumes, over the depth of what blocks
   vtkGodRaysTarget Layer;
   vtkSmartPointer<vtkCamera> WideCamera;
   Request Frame;
@@ -158,9 +160,8 @@ bool vtkGodRaysOcclusionPass::Begin(const Request& request)
   Internals& self = *this->Internal;
   self.Frame = request;
   const Sorted sorted = Sort(request.Renderer, request.UntaggedPropsOcclude);
-  const auto enlarged = [&request](unsigned int size) {
-    return static_cast<int>(std::lround(size * (1.0 + 2.0 * request.Margin)));
-  };
+  const auto enlarged = [&request](unsigned int size)
+  { return static_cast<int>(std::lround(size * (1.0 + 2.0 * request.Margin))); };
   const int width = enlarged(request.SceneDepth->GetWidth());
   const int height = enlarged(request.SceneDepth->GetHeight());
 
@@ -197,28 +198,37 @@ bool vtkGodRaysOcclusionPass::Begin(const Request& request)
   self.Dimmed = !sorted.Dimming.empty();
   if (self.Dimmed)
   {
-    self.Dimming.Prepare(request.Window, GL_RGBA8, self.Depth);
+    // 8 bits would round away faint ones
+    self.Dimming.Prepare(request.Window, GL_RGBA16F, self.Depth);
     if (!self.Dimming.Bind())
     {
       return false;
     }
     state->vtkglClear(GL_COLOR_BUFFER_BIT);
-    std::vector<vtkProp*> volumes;
-    for (vtkProp* prop : sorted.Dimming)
-    {
-      prop->RenderTranslucentPolygonalGeometry(request.Renderer);
-      if (HasVolume(prop))
-      {
-        volumes.push_back(prop);
-      }
-    }
-    vtkRenderState volumetric(request.Renderer);
-    volumetric.SetPropArrayAndCount(volumes.data(), static_cast<int>(volumes.size()));
-    this->Render(&volumetric);
+    this->RenderTranslucent(sorted.Dimming);
   }
 
   self.Layer.Prepare(request.Window, width, height, { request.ColorFormat, 0 });
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysOcclusionPass::RenderTranslucent(std::vector<vtkProp*> props)
+{
+  vtkRenderer* renderer = this->Internal->Frame.Renderer;
+  for (vtkProp* prop : props)
+  {
+    if (prop->HasTranslucentPolygonalGeometry())
+    {
+      prop->RenderTranslucentPolygonalGeometry(renderer);
+    }
+  }
+  props.erase(
+    std::remove_if(props.begin(), props.end(), [](vtkProp* prop) { return !HasVolume(prop); }),
+    props.end());
+  vtkRenderState volumes(renderer);
+  volumes.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+  this->Render(&volumes);
 }
 
 //------------------------------------------------------------------------------
@@ -238,6 +248,8 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysSource& source)
   Internals& self = *this->Internal;
   const Request& frame = self.Frame;
   vtkOpenGLState* state = frame.Window->GetState();
+  const bool hazy =
+    source.Prop && (source.Prop->HasTranslucentPolygonalGeometry() || HasVolume(source.Prop));
   if (source.Prop)
   {
     self.Shining.Prepare(frame.Window, self.Layer.GetWidth(), self.Layer.GetHeight(),
@@ -256,9 +268,15 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysSource& source)
       GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     MarginCamera camera(frame.Renderer, *frame.View, self.WideCamera);
     source.Prop->RenderOpaqueGeometry(frame.Renderer);
-    if (source.Prop->HasTranslucentPolygonalGeometry())
+    if (hazy)
     {
-      source.Prop->RenderTranslucentPolygonalGeometry(frame.Renderer);
+      self.Haze.Prepare(frame.Window, frame.ColorFormat, self.Depth);
+      if (!self.Haze.Bind())
+      {
+        return false;
+      }
+      state->vtkglClear(GL_COLOR_BUFFER_BIT);
+      this->RenderTranslucent({ source.Prop });
     }
   }
 
@@ -278,6 +296,7 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysSource& source)
   SetVector(program, "lightColor", source.Color);
   program->SetUniformf("lightDepth", static_cast<float>(source.Depth));
   program->SetUniformf("lightRadius", static_cast<float>(source.Radius));
+  program->SetUniformf("leastPixel", static_cast<float>(source.LeastPixel));
   program->SetUniformf("fade", static_cast<float>(source.Fade));
   program->SetUniformf("glow", static_cast<float>(frame.Glow));
   program->SetUniformf("glowRadius", static_cast<float>(source.GlowRadius));
@@ -290,6 +309,8 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysSource& source)
   self.Quad.SetTexture("translucency", self.Dimmed ? self.Dimming.GetColor() : self.Depth);
   self.Quad.SetTexture("propColor", source.Prop ? self.Shining.GetColor() : self.Depth);
   self.Quad.SetTexture("propDepth", source.Prop ? self.Shining.GetDepth() : self.Depth);
+  program->SetUniformi("hazy", hazy);
+  self.Quad.SetTexture("haze", hazy ? self.Haze.GetColor() : self.Depth);
   self.Quad.End();
   return true;
 }
@@ -318,7 +339,8 @@ void vtkGodRaysOcclusionPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
   this->Internal->Quad.Release();
-  this->Internal->Dimming.Release(window); // before the depth that it borrows
+  this->Internal->Dimming.Release(window); // before the depth that they borrow
+  this->Internal->Haze.Release(window);
   this->Internal->Occluders.Release(window);
   this->Internal->Shining.Release(window);
   this->Internal->Layer.Release(window);

@@ -9,7 +9,8 @@
  * into a depth of their own, each in its ordinary way, so that no shader is rebuilt. Translucent
  * props and volumes that block are rendered once more, into an opacity by which the light is
  * dimmed; they dim whatever is behind or, for a light at a finite distance, before them.
- * Props tagged LIGHT are rendered in their own colours, as lit as in the scene.
+ * Props tagged LIGHT are rendered in their own colours, as lit as in the scene; volumes and
+ * translucent ones as they show before black.
  *
  * @sa vtkGodRaysPass
  */
@@ -22,9 +23,11 @@
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
+#include <vector> // For std::vector
 
 class vtkGodRaysTarget;
 class vtkOpenGLRenderWindow;
+class vtkProp;
 class vtkRenderer;
 class vtkTextureObject;
 struct vtkGodRaysSource;
@@ -43,10 +46,10 @@ public:
     vtkOpenGLRenderWindow* Window;
     vtkRenderer* Renderer;
     const vtkGodRaysView* View;
-    vtkTextureObject* SceneDepth;  ///< of the viewport
-    unsigned int DepthFormat;      ///< its internal format
-    unsigned int ColorFormat;      ///< internal format of the layer
-    double Margin = 0.0;           ///< fraction of the picture on each side
+    vtkTextureObject* SceneDepth; ///< of the viewport
+    unsigned int DepthFormat;     ///< its internal format
+    unsigned int ColorFormat;     ///< internal format of the layer
+    double Margin = 0.0;          ///< fraction of the picture on each side
     bool UntaggedPropsOcclude = true;
     bool LinearLight = true;
     double Glow = 0.0;
@@ -84,7 +87,9 @@ public:
 
   /**
    * Render the props of a state as volumes, with this pass attached to them, which keeps the
-   * volume mapper from choosing a viewport of its own.
+   * volume mapper from choosing a viewport of its own. With an ImageSampleDistance other than 1 it
+   * chooses one all the same, so that such a volume dims at the right place only without a margin
+   * and in a viewport that starts at the window's lower left corner.
    */
   void Render(const vtkRenderState* s) override;
 
@@ -97,6 +102,8 @@ protected:
 private:
   vtkGodRaysOcclusionPass(const vtkGodRaysOcclusionPass&) = delete;
   void operator=(const vtkGodRaysOcclusionPass&) = delete;
+
+  void RenderTranslucent(std::vector<vtkProp*> props);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

@@ -679,7 +679,9 @@ TEST(RadialModel, ParametersAreClampedAndNeverNaN)
   EXPECT_EQ(model->GetNumberOfSamples(), 1);
   model->SetNumberOfSamples(100000);
   EXPECT_EQ(model->GetNumberOfSamples(), 1024);
+  const vtkMTimeType before = model->GetMTime();
   model->SetFormulation(vtkGodRaysRadialModel::BABYLON);
+  EXPECT_GT(model->GetMTime(), before);
   for (int formulation : { -1, vtkGodRaysRadialModel::ARAUJO + 1 })
   {
     model->SetFormulation(formulation);

@@ -303,7 +303,20 @@ double GetErrorOfScattering(vtkGodRaysPass* rays, vtkRenderer* renderer, std::ar
   const double cap =
     model->CapsMarch() ? 3.0 * std::hypot(aspect, 1.0) * viewScale : 1e300;
   const double reach = std::hypot(clip[0] * aspect, clip[1]);
-  const double scale = cap / std::max(reach, cap * std::abs(clip[2]));
+  double distance = clip[2];
+  vtkCamera* camera = renderer->GetActiveCamera();
+  if (camera->GetParallelProjection() && distance == 0.0 && rays->GetLight(0))
+  {
+    // a sun, whose march is that of a perspective view of 30 degrees
+    vtkLight* sun = rays->GetLight(0);
+    double towards[3];
+    vtkMath::Subtract(sun->GetTransformedPosition(), sun->GetTransformedFocalPoint(), towards);
+    const double angle =
+      vtkMath::AngleBetweenVectors(towards, camera->GetDirectionOfProjection());
+    const double tangent = std::tan(vtkMath::RadiansFromDegrees(15.0));
+    distance = reach / viewScale * tangent / std::tan(angle); // clip may be of any length
+  }
+  const double scale = cap / std::max(reach, cap * std::abs(distance));
   const int* size = result->GetDimensions();
   const int outputSize[2] = { size[0], size[1] };
   EXPECT_TRUE(model->Evaluate(layer, clip.data(), scale, viewScale, outputSize, reference));
@@ -382,5 +395,34 @@ bool IsLikeBaseline(vtkRenderWindow* window, const std::string& name, int levels
     EXPECT_EQ(testing->RegressionTest(0.15), vtkTesting::PASSED) << name;
   }
   return alike;
+}
+
+//------------------------------------------------------------------------------
+double GetErrorOfSum(const std::vector<unsigned char>& with,
+  const std::vector<unsigned char>& without, int width, vtkImageData* light, int x, int y)
+{
+  // IEC 61966-2-1, written once more: tests share no formula with the pass
+  const auto decode = [](double shown) {
+    return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4);
+  };
+  const auto encode = [](double linear) {
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+  };
+  EXPECT_EQ(with.size(), without.size());
+  double worst = 0.0;
+  for (int row = 0; row < light->GetDimensions()[1]; ++row)
+  {
+    for (int column = 0; column < light->GetDimensions()[0]; ++column)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        const std::size_t i =
+          4 * (static_cast<std::size_t>(y + row) * width + x + column) + static_cast<std::size_t>(c);
+        const double sum = decode(without.at(i) / 255.0) + GetValue(light, column, row, c);
+        worst = std::max(worst, std::abs(255.0 * std::min(1.0, encode(sum)) - with.at(i)));
+      }
+    }
+  }
+  return worst;
 }
 }

@@ -101,6 +101,12 @@ double GetErrorOfScattering(vtkGodRaysPass* rays, vtkRenderer* renderer, std::ar
 /// with quiet, nothing is written and the comparison may fail as a negative control.
 bool IsLikeBaseline(vtkRenderWindow* window, const std::string& name, int levels = 2,
   bool quiet = false);
+
+/// How far a picture is from another one, without rays, with this light added in linear light: the
+/// largest difference in red, green or blue, in levels of 255. Both are windows of this width; the
+/// light's lower left pixel is at (x, y) in them.
+double GetErrorOfSum(const std::vector<unsigned char>& with,
+  const std::vector<unsigned char>& without, int width, vtkImageData* light, int x = 0, int y = 0);
 }
 
 #endif

@@ -13,7 +13,11 @@
 #include "vtkCamera.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
+#if __has_include("vtkLODActor.h")
 #include "vtkLODActor.h"
+#else // ParaView leaves it out of its VTK
+using vtkLODActor = vtkActor;
+#endif
 #include "vtkTextActor.h"
 
 #include <cmath>

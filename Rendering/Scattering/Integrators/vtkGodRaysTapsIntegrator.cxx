@@ -23,20 +23,20 @@ vtkStandardNewMacro(vtkGodRaysTapsIntegrator);
 
 namespace
 {
-void SetTaps(vtkShaderProgram* program, const vtkGodRays::TapSum& taps)
+/// Lengths of the formulations are those of the picture, which is a part of the layer.
+void SetTaps(vtkShaderProgram* program, const vtkGodRays::TapSum& taps, double viewScale)
 {
   program->SetUniformi("taps.FirstTap", taps.FirstTap);
   program->SetUniformi("taps.LastTap", taps.LastTap);
   program->SetUniformi("taps.RedToGrey", taps.RedToGrey);
-  const auto set = [program](const char* name, double value) {
-    program->SetUniformf(name, static_cast<float>(value));
-  };
+  const auto set = [program](const char* name, double value)
+  { program->SetUniformf(name, static_cast<float>(value)); };
   set("taps.TapOffset", taps.TapOffset);
   set("taps.OriginWeight", taps.OriginWeight);
   set("taps.FirstWeight", taps.FirstWeight);
   set("taps.Decay", taps.Decay);
   set("taps.Step", taps.Step);
-  set("taps.FixedLength", taps.FixedLength);
+  set("taps.FixedLength", viewScale * taps.FixedLength);
   set("taps.InputBias", taps.InputBias);
   set("taps.InputGain", taps.InputGain);
   set("taps.OutputBias", taps.OutputBias);
@@ -47,7 +47,7 @@ void SetTaps(vtkShaderProgram* program, const vtkGodRays::TapSum& taps)
 void SetBorder(vtkTextureObject* texture, int border)
 {
   const int wrap = border == vtkGodRaysRadialModel::EDGE_BORDER ? vtkTextureObject::ClampToEdge
-                                                         : vtkTextureObject::ClampToBorder;
+                                                                : vtkTextureObject::ClampToBorder;
   texture->SetWrapS(wrap);
   texture->SetWrapT(wrap);
 }
@@ -69,7 +69,7 @@ struct vtkGodRaysTapsIntegrator::Internals
     {
       return false;
     }
-    SetTaps(program, taps);
+    SetTaps(program, taps, request.ViewScale);
     const float clip[3] = { static_cast<float>(request.LightClip[0]),
       static_cast<float>(request.LightClip[1]), static_cast<float>(request.LightClip[2]) };
     program->SetUniform3f("lightClip", clip);
@@ -117,8 +117,7 @@ bool vtkGodRaysTapsIntegrator::Integrate(const Request& request)
     vtkGodRaysTarget& target = this->Internal->Between[i % 2];
     target.Prepare(request.Window, static_cast<int>(layer->GetWidth()),
       static_cast<int>(layer->GetHeight()), { request.Result->GetColorFormat(), 0 });
-    if (!target.Bind() ||
-      !this->Internal->Draw(request, passes[i], layer, 1.0, nullptr, 0.0))
+    if (!target.Bind() || !this->Internal->Draw(request, passes[i], layer, 1.0, nullptr, 0.0))
     {
       return false;
     }
@@ -129,9 +128,8 @@ bool vtkGodRaysTapsIntegrator::Integrate(const Request& request)
   vtkTextureObject* coarse = nullptr;
   if (request.ResolutionScale < 1.0 && passes.size() == 1)
   {
-    const auto scaled = [&request](int size) {
-      return std::max(1, static_cast<int>(std::lround(size * request.ResolutionScale)));
-    };
+    const auto scaled = [&request](int size)
+    { return std::max(1, static_cast<int>(std::lround(size * request.ResolutionScale))); };
     vtkGodRaysTarget& target = this->Internal->Coarse;
     target.Prepare(request.Window, scaled(request.Result->GetWidth()),
       scaled(request.Result->GetHeight()), { request.Result->GetColorFormat(), 0 });

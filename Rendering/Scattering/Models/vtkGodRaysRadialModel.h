@@ -18,26 +18,26 @@
  *
  * The other formulations are published ones, tap by tap, with s_k = s(uv + k Density/n m):
  *
- * | formulation         | result                                              | light, edge, blend
- * |
- * |---------------------|-----------------------------------------------------|--------------------|
- * | MITCHELL            | e [s_0 + w sum_{k=1}^{n} d^(k-1) s_k]               | shown, edge, add |
- * | GIANASSI            | e [s_0 + w sum_{k=1}^{n-1} d^k s_k]                 | shown, edge, add |
- * | LAYERS              | min(0.1 e w sum_{k=1}^{n} d^(k-1) s_k, c)           | shown, edge, add |
- * | LAYERS_AS_PUBLISHED | the same, red copied into green and blue            | shown, edge, add |
- * | EQUATION            | e/n w sum_{k=0}^{n} d^k s_k                         | linear, zero, add |
- * | POSTPROCESSING      | min(e w sum_{k=1}^{n} d^(k-1) s_k, c)               | linear, edge,
- * screen | | THREE_JS            | e (1 - blur of 1 - s): 3 passes of 6 taps           | shown,
- * edge, add   | | BABYLON             | 0.4 e [s_0 + w sum_{k=1}^{n} d^(k-1) s_k]           |
- * shown, edge, add to 1.1 scene | | ERKAMAN             | e w sum_{k=1}^{min(n+1, 100)} d^(k-1) s_k
- * | shown, edge, add   | | ARAUJO              | as MITCHELL | shown, edge, add   |
+ * | formulation         | result                                    | light  | edge | blend  |
+ * |---------------------|-------------------------------------------|--------|------|--------|
+ * | MITCHELL            | e [s_0 + w sum_{k=1}^{n} d^(k-1) s_k]     | shown  | edge | add    |
+ * | GIANASSI            | e [s_0 + w sum_{k=1}^{n-1} d^k s_k]       | shown  | edge | add    |
+ * | LAYERS              | min(0.1 e w sum_{k=1}^{n} d^(k-1) s_k, c) | shown  | edge | add    |
+ * | LAYERS_AS_PUBLISHED | the same, red copied to green and blue    | shown  | edge | add    |
+ * | EQUATION            | e/n w sum_{k=0}^{n} d^k s_k               | linear | zero | add    |
+ * | POSTPROCESSING      | min(e w sum_{k=1}^{n} d^(k-1) s_k, c)     | linear | edge | screen |
+ * | THREE_JS            | e (1 - blur of 1 - s), 3 passes of 6 taps | shown  | edge | add    |
+ * | BABYLON             | 0.4 e [s_0 + w sum_{k=1}^{n} d^(k-1) s_k] | shown  | edge | add    |
+ * | ERKAMAN             | e w sum_{k=1}^{min(n+1, 100)} d^(k-1) s_k | shown  | edge | add    |
+ * | ARAUJO              | as MITCHELL                               | shown  | edge | add    |
  *
- * c is ClampMaximum. "shown": the authors sum and blend the values that the display is sent;
- * "linear": light. "edge": their sampler repeats the outermost pixels (ARAUJO's wraps around, which
- * is not reproduced; it differs only where taps leave the layer); "zero": nothing is beyond. The
- * blurs and reduced sizes that some authors add before or after are not part of a formulation.
- * THREE_JS reads only Exposure, uses red alone, stops at the light and below the upper edge, as
- * published, and steps by a fixed length in units of the picture, not of the march.
+ * c is ClampMaximum. BABYLON adds to 1.1 times the scene. "shown": the authors sum and blend the
+ * values that the display is sent; "linear": light. "edge": their sampler repeats the outermost
+ * pixels (ARAUJO's wraps around, which is not reproduced; it differs only where taps leave the
+ * layer); "zero": nothing is beyond. The blurs and reduced sizes that some authors add before or
+ * after are not part of a formulation. THREE_JS reads only Exposure, uses red alone, stops at the
+ * light and below the upper edge, as published, and steps by a fixed length in units of the
+ * picture, not of the march.
  *
  * Density, Weight or Exposure 0 means no rays, in every formulation.
  *

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// An example, run off screen: its light against the processor's, its picture against the baseline,
+// and the same picture without rays, which must not pass. Compiled once for each example, with
+// EXAMPLE_SOURCE and EXAMPLE_NAME.
+
+#include "vtkGodRaysModel.h"
+#include "vtkGodRaysPass.h"
+#include "vtkGodRaysRadialModel.h"
+#include "vtkGodRaysTapsIntegrator.h"
+#include "vtkGodRaysTarget.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPNGReader.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+namespace
+{
+int Checked = 0;
+double WorstError = 0.0;
+
+void Copy(vtkTextureObject* texture, vtkImageData* image);
+
+/// Compares each light that is scattered with the model's own evaluation in double precision.
+class CheckedIntegrator : public vtkGodRaysTapsIntegrator
+{
+public:
+  static CheckedIntegrator* New();
+  vtkTypeMacro(CheckedIntegrator, vtkGodRaysTapsIntegrator);
+
+  bool Integrate(const Request& request) override
+  {
+    vtkNew<vtkImageData> before;
+    vtkNew<vtkImageData> after;
+    vtkNew<vtkImageData> layer;
+    vtkNew<vtkImageData> expected;
+    request.Result->Download(before);
+    if (!this->Superclass::Integrate(request))
+    {
+      return false;
+    }
+    request.Result->Download(after);
+    Copy(request.Layer, layer);
+    const int size[2] = { request.Result->GetWidth(), request.Result->GetHeight() };
+    auto model = vtkGodRaysRadialModel::SafeDownCast(request.Model);
+    model->Evaluate(
+      layer, request.LightClip, request.MarchScale, request.ViewScale, size, expected);
+    double peak = 0.0;
+    double worst = 0.0;
+    for (int i = 0; i < 3 * size[0] * size[1]; ++i)
+    {
+      const double value = static_cast<double*>(expected->GetScalarPointer())[i];
+      const double got = static_cast<float*>(after->GetScalarPointer())[i] -
+        static_cast<float*>(before->GetScalarPointer())[i];
+      peak = std::max(peak, value);
+      worst = std::max(worst, std::abs(value - got));
+    }
+    if (peak > 0.0)
+    {
+      ++Checked;
+      WorstError = std::max(WorstError, worst / peak);
+    }
+    return true;
+  }
+};
+vtkStandardNewMacro(CheckedIntegrator);
+
+/// What the example takes for a vtkGodRaysPass.
+class CheckedPass : public vtkGodRaysPass
+{
+public:
+  static CheckedPass* New();
+  vtkTypeMacro(CheckedPass, vtkGodRaysPass);
+
+protected:
+  CheckedPass()
+  {
+    vtkNew<CheckedIntegrator> integrator;
+    this->SetIntegrator(integrator);
+  }
+};
+vtkStandardNewMacro(CheckedPass);
+
+/// Largest difference of a picture from the baseline, in levels of 255.
+int GetDifference(const std::string& picture, const std::string& baseline)
+{
+  vtkNew<vtkPNGReader> readers[2];
+  const std::string files[2] = { picture, baseline };
+  for (int i = 0; i < 2; ++i)
+  {
+    readers[i]->SetFileName(files[i].c_str());
+    readers[i]->Update();
+  }
+  vtkImageData* a = readers[0]->GetOutput();
+  vtkImageData* b = readers[1]->GetOutput();
+  if (a->GetNumberOfPoints() == 0 ||
+    !std::equal(a->GetDimensions(), a->GetDimensions() + 3, b->GetDimensions()) ||
+    a->GetNumberOfScalarComponents() != b->GetNumberOfScalarComponents())
+  {
+    return 255;
+  }
+  int worst = 0;
+  const vtkIdType count = a->GetNumberOfPoints() * a->GetNumberOfScalarComponents();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    worst = std::max(worst,
+      std::abs(static_cast<unsigned char*>(a->GetScalarPointer())[i] -
+        static_cast<unsigned char*>(b->GetScalarPointer())[i]));
+  }
+  return worst;
+}
+}
+
+#define vtkGodRaysPass CheckedPass
+#define main ExampleMain
+#include EXAMPLE_SOURCE
+#undef main
+#undef vtkGodRaysPass
+
+#include "vtkPixelBufferObject.h"
+
+namespace
+{
+void Copy(vtkTextureObject* texture, vtkImageData* image)
+{
+  unsigned int size[2] = { texture->GetWidth(), texture->GetHeight() };
+  image->SetDimensions(static_cast<int>(size[0]), static_cast<int>(size[1]), 1);
+  image->AllocateScalars(VTK_FLOAT, 3);
+  std::vector<float> rgba(4 * static_cast<std::size_t>(size[0]) * size[1]);
+  vtkPixelBufferObject* buffer = texture->Download();
+  vtkIdType increments[2] = { 0, 0 };
+  buffer->Download2D(VTK_FLOAT, rgba.data(), size, 4, increments);
+  buffer->Delete();
+  auto rgb = static_cast<float*>(image->GetScalarPointer());
+  for (std::size_t i = 0; i < rgba.size() / 4; ++i)
+  {
+    std::copy_n(&rgba[4 * i], 3, &rgb[3 * i]);
+  }
+}
+
+int Run(const std::string& picture)
+{
+  std::string name = EXAMPLE_NAME;
+  std::string file = picture;
+  char* arguments[] = { &name[0], &file[0], nullptr };
+  return ExampleMain(2, arguments);
+}
+}
+
+int main(int argc, char* argv[])
+{
+  if (argc != 3)
+  {
+    std::cerr << "Usage: " << argv[0] << " picture.png baseline.png\n";
+    return EXIT_FAILURE;
+  }
+  const std::string picture = argv[1];
+  const std::string baseline = argv[2];
+  const int levels = 2;
+
+  const int status = Run(picture);
+  const int difference = GetDifference(picture, baseline);
+  std::cout << EXAMPLE_NAME << ": " << Checked << " layers checked, largest error " << WorstError
+            << " of the peak; picture within " << difference << " levels of its baseline\n";
+
+  setenv("GODRAYS_DISABLE", "1", 1);
+  Run(picture + ".without-rays.png");
+  const int without = GetDifference(picture + ".without-rays.png", baseline);
+  std::cout << "without rays: " << without << " levels\n";
+
+  const bool good = status == 0 && Checked > 0 && WorstError <= 2e-3 && difference <= levels;
+  if (!good)
+  {
+    std::cerr << "The example failed, or its light or picture is wrong. If the picture " << picture
+              << " is right, copy it to " << baseline << "\n";
+  }
+  if (without <= 10 * levels)
+  {
+    std::cerr << "The picture without rays passes for the one with them: the test is blind.\n";
+  }
+  return good && without > 10 * levels ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,45 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""An example in Python: its picture is that of the same example in C++, whose light is checked
+against the processor's; and the picture without rays must not pass for it.
+
+Usage: test_example.py example.py picture.png baseline.png
+"""
+
+import os
+import subprocess
+import sys
+
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+LEVELS = 2
+
+
+def read(file):
+    reader = vtkPNGReader()
+    reader.SetFileName(file)
+    reader.Update()
+    image = reader.GetOutput()
+    return image.GetDimensions(), vtk_to_numpy(image.GetPointData().GetScalars()).astype(int)
+
+
+def difference(example, picture, baseline, **environment):
+    subprocess.run(
+        [sys.executable, example, picture], check=True, env={**os.environ, **environment}
+    )
+    (size, values), (expected_size, expected) = read(picture), read(baseline)
+    if size != expected_size or values.shape != expected.shape:
+        sys.exit(f"{picture} is {size}, its baseline {expected_size}")
+    return int(numpy.abs(values - expected).max())
+
+
+example, picture, baseline = sys.argv[1:]
+with_rays = difference(example, picture, baseline)
+without = difference(example, picture + ".without-rays.png", baseline, GODRAYS_DISABLE="1")
+print(f"{with_rays} levels from the baseline with rays, {without} without")
+if with_rays > LEVELS:
+    sys.exit(f"The picture is not that of the example in C++; see {picture}")
+if without <= 10 * LEVELS:
+    sys.exit("The picture without rays passes for the one with them: the test is blind.")

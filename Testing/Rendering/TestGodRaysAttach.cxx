@@ -1,0 +1,336 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Attach and Detach, objects that go away while attached, readbacks and times, and a framebuffer
+// that cannot have rays.
+
+#include "GodRaysTesting.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderState.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkTextureObject.h"
+#include "vtk_glew.h"
+
+#include <algorithm>
+#include <memory>
+
+using namespace GodRaysTesting;
+
+TEST(GodRaysAttach, KeepsWhatTheRendererHad)
+{
+  Messages messages;
+  Stage scene;
+  vtkNew<vtkRenderStepsPass> former;
+  vtkNew<vtkRenderStepsPass> delegate;
+  scene.Renderer->SetPass(former);
+  scene.Renderer->UseDepthPeelingOn();
+  scene.Renderer->UseSSAOOn();
+  scene.Renderer->SetMaximumNumberOfPeels(7);
+  scene.Rays->SetDelegatePass(delegate);
+
+  scene.Rays->Attach(scene.Renderer);
+  scene.Rays->Attach(scene.Renderer); // changes nothing
+  EXPECT_EQ(scene.Renderer->GetPass(), scene.Rays);
+  EXPECT_EQ(scene.Rays->GetDelegatePass(), former);
+  scene.Rays->Detach(scene.Renderer);
+  EXPECT_EQ(scene.Renderer->GetPass(), former);
+  EXPECT_EQ(scene.Rays->GetDelegatePass(), delegate);
+  scene.Rays->Detach(scene.Renderer);
+  EXPECT_EQ(scene.Renderer->GetPass(), former) << "after the second Detach";
+  EXPECT_EQ(scene.Rays->GetDelegatePass(), delegate);
+  EXPECT_TRUE(scene.Renderer->GetUseDepthPeeling());
+  EXPECT_TRUE(scene.Renderer->GetUseSSAO());
+  EXPECT_EQ(scene.Renderer->GetMaximumNumberOfPeels(), 7);
+
+  scene.Rays->Attach(nullptr);
+  EXPECT_EQ(messages.Take().size(), 1u);
+  scene.Rays->Detach(nullptr);
+}
+
+TEST(GodRaysAttach, IsToOneRendererAtATime)
+{
+  Messages messages;
+  Stage a;
+  Stage b;
+  vtkNew<vtkRenderStepsPass> ofA;
+  a.Renderer->SetPass(ofA);
+  a.Rays->Attach(a.Renderer);
+  a.Rays->Attach(b.Renderer);
+  EXPECT_EQ(a.Renderer->GetPass(), ofA);
+  EXPECT_EQ(b.Renderer->GetPass(), a.Rays);
+  EXPECT_EQ(a.Rays->GetDelegatePass(), nullptr);
+  a.Rays->Detach(a.Renderer); // is not attached there
+  EXPECT_EQ(b.Renderer->GetPass(), a.Rays);
+  a.Rays->Detach(b.Renderer);
+  EXPECT_EQ(b.Renderer->GetPass(), nullptr);
+}
+
+TEST(GodRaysAttach, LeavesAPassThatWasSetSince)
+{
+  Messages messages;
+  Stage scene;
+  scene.AddPillarsAndSun();
+  const auto lit = GetPixels(scene.Window);
+  vtkNew<vtkRenderStepsPass> newer;
+  scene.Renderer->SetPass(newer);
+  const auto bare = GetPixels(scene.Window);
+  scene.Rays->Detach(scene.Renderer);
+  EXPECT_EQ(scene.Renderer->GetPass(), newer);
+  EXPECT_EQ(bare, GetPixels(scene.Window));
+  scene.Rays->Attach(scene.Renderer);
+  EXPECT_EQ(scene.Rays->GetDelegatePass(), newer);
+  EXPECT_EQ(lit, GetPixels(scene.Window));
+}
+
+TEST(GodRaysAttach, ForgetsARendererThatIsGone)
+{
+  Messages messages;
+  vtkNew<vtkGodRaysPass> rays;
+  vtkNew<vtkRenderStepsPass> delegate;
+  rays->SetDelegatePass(delegate);
+  rays->AddLight(MakeSun({ 0.3, 0.2, -1.0 }));
+  vtkNew<vtkRenderStepsPass> former;
+  std::vector<unsigned char> first;
+  for (int i = 0; i < 4; ++i)
+  {
+    auto scene = std::make_unique<Stage>();
+    scene->Renderer->AddActor(MakeBox({ 1.0, 0.5, 0.0 }, { 1.0, 1.0, 1.0 }));
+    scene->Renderer->SetPass(i % 2 ? nullptr : former.Get());
+    rays->Attach(scene->Renderer);
+    EXPECT_EQ(rays->GetDelegatePass(), i % 2 ? delegate : former) << i;
+    const auto picture = GetPixels(scene->Window);
+    first = i ? first : picture;
+    EXPECT_EQ(picture, first) << i;
+    if (i == 2)
+    {
+      scene->Window->RemoveRenderer(scene->Renderer);
+    }
+  }
+}
+
+TEST(GodRaysAttach, KeepsThePassAliveWhileTheRendererIs)
+{
+  Messages messages;
+  Stage scene;
+  scene.Renderer->AddActor(MakeBox({ 1.0, 0.5, 0.0 }, { 1.0, 1.0, 1.0 }));
+  const auto bare = GetPixels(scene.Window);
+  {
+    vtkNew<vtkGodRaysPass> rays;
+    rays->AddLight(MakeSun({ 0.3, 0.2, -1.0 }));
+    rays->Attach(scene.Renderer);
+  }
+  const auto lit = GetPixels(scene.Window);
+  EXPECT_GT(CountDifferentPixels(lit, bare), 1000);
+  {
+    // the renderer's is the last reference
+    auto rays = vtkGodRaysPass::SafeDownCast(scene.Renderer->GetPass());
+    rays->Detach(scene.Renderer);
+  }
+  EXPECT_EQ(bare, GetPixels(scene.Window));
+
+  vtkNew<vtkGodRaysPass> rays;
+  rays->AddLight(MakeSun({ 0.3, 0.2, -1.0 }));
+  rays->Attach(scene.Renderer);
+  EXPECT_EQ(lit, GetPixels(scene.Window));
+  scene.Renderer->SetPass(nullptr); // without Detach
+  EXPECT_EQ(bare, GetPixels(scene.Window));
+}
+
+TEST(GodRaysReadbacks, AreEmptyWithoutRays)
+{
+  Messages messages;
+  Stage scene;
+  const auto expectEmpty = [&scene](const char* when)
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(2, 2, 1);
+    image->AllocateScalars(VTK_FLOAT, 3);
+    EXPECT_FALSE(scene.Rays->GetOcclusionImage(image)) << when;
+    EXPECT_EQ(image->GetNumberOfPoints(), 0) << when;
+    image->SetDimensions(2, 2, 1);
+    EXPECT_FALSE(scene.Rays->GetScatteringImage(image)) << when;
+    EXPECT_EQ(image->GetNumberOfPoints(), 0) << when;
+  };
+  expectEmpty("before it is attached");
+  scene.AddPillarsAndSun();
+  expectEmpty("before a frame");
+  scene.Window->Render();
+  vtkNew<vtkImageData> image;
+  EXPECT_TRUE(scene.Rays->GetOcclusionImage(image));
+  EXPECT_EQ(image->GetScalarType(), VTK_FLOAT);
+  EXPECT_EQ(image->GetNumberOfScalarComponents(), 3);
+  EXPECT_TRUE(scene.Rays->GetScatteringImage(image));
+  EXPECT_FALSE(scene.Rays->GetScatteringImage(nullptr));
+  EXPECT_FALSE(scene.Rays->GetOcclusionImage(nullptr));
+  scene.Rays->SetIntensity(0.0);
+  scene.Window->Render();
+  expectEmpty("after a frame without rays");
+  scene.Rays->SetIntensity(1.0);
+  scene.Window->Render();
+  scene.Rays->Detach(scene.Renderer);
+  expectEmpty("after Detach");
+}
+
+TEST(GodRaysReadbacks, AddTheLayersOfAllLights)
+{
+  Messages messages;
+  Stage scene;
+  auto sun = scene.AddPillarsAndSun();
+  scene.Rays->SetPrecision(vtkGodRaysPass::SINGLE);
+  auto other = MakeSun({ -0.2, 0.1, -1.0 }, { 0.2, 0.4, 1.0 });
+  vtkNew<vtkImageData> layers[3];
+  vtkNew<vtkImageData> rays[3];
+  for (int i = 0; i < 3; ++i) // the first, the second, both
+  {
+    scene.Rays->RemoveAllLights();
+    if (i != 1)
+    {
+      scene.Rays->AddLight(sun);
+    }
+    if (i != 0)
+    {
+      scene.Rays->AddLight(other);
+    }
+    scene.Window->Render();
+    ASSERT_TRUE(scene.Rays->GetOcclusionImage(layers[i]));
+    ASSERT_TRUE(scene.Rays->GetScatteringImage(rays[i]));
+  }
+  double worst = 0.0;
+  for (int y = 0; y < 96; ++y)
+  {
+    for (int x = 0; x < 128; ++x)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        for (const auto images : { layers, rays })
+        {
+          worst = std::max(worst,
+            std::abs(GetValue(images[0], x, y, c) + GetValue(images[1], x, y, c) -
+              GetValue(images[2], x, y, c)));
+        }
+      }
+    }
+  }
+  EXPECT_LT(worst, 1e-5);
+}
+
+TEST(GodRaysStageTimes, AreThereWhenAskedFor)
+{
+  Messages messages;
+  Stage scene;
+  double times[4] = { 1.0, 1.0, 1.0, 1.0 };
+  const auto sum = [&]
+  {
+    scene.Rays->GetStageTimes(times);
+    return times[0] + times[1] + times[2] + times[3];
+  };
+  EXPECT_EQ(sum(), 0.0) << "before a frame";
+  scene.AddPillarsAndSun();
+  scene.Window->Render();
+  EXPECT_EQ(sum(), 0.0) << "not measured";
+  scene.Rays->MeasureTimesOn();
+  scene.Window->Render();
+  EXPECT_GT(sum(), 0.0);
+  EXPECT_LT(sum(), 10.0);
+  EXPECT_EQ(sum(), sum()) << "can be read again";
+  for (const double time : times)
+  {
+    EXPECT_GE(time, 0.0);
+  }
+  EXPECT_GT(times[2], 0.0) << "the scattering is no small work";
+  scene.Rays->SetIntensity(0.0);
+  scene.Window->Render();
+  EXPECT_EQ(sum(), 0.0) << "no stages";
+  scene.Rays->SetIntensity(1.0);
+  scene.Window->Render();
+  EXPECT_GT(sum(), 0.0);
+  scene.Rays->MeasureTimesOff();
+  scene.Window->Render();
+  EXPECT_EQ(sum(), 0.0);
+}
+
+namespace
+{
+/// Draws its delegate into a framebuffer without depth, then into the window.
+class FlatPass : public vtkImageProcessingPass
+{
+public:
+  static FlatPass* New();
+  vtkTypeMacro(FlatPass, vtkImageProcessingPass);
+  void Render(const vtkRenderState* s) override
+  {
+    auto window = vtkOpenGLRenderWindow::SafeDownCast(s->GetRenderer()->GetRenderWindow());
+    vtkOpenGLState* state = window->GetState();
+    int size[2];
+    s->GetWindowSize(size);
+    this->Color->SetContext(window);
+    this->Framebuffer->SetContext(window);
+    if (!this->Color->GetHandle())
+    {
+      this->Color->Allocate2D(size[0], size[1], 4, VTK_UNSIGNED_CHAR);
+    }
+    state->PushFramebufferBindings();
+    this->Framebuffer->Bind();
+    this->Framebuffer->AddColorAttachment(0, this->Color);
+    this->Framebuffer->ActivateDrawBuffer(0);
+    this->Framebuffer->StartNonOrtho(size[0], size[1]);
+    state->vtkglViewport(0, 0, size[0], size[1]);
+    state->vtkglScissor(0, 0, size[0], size[1]);
+    vtkRenderState flat(s->GetRenderer());
+    flat.SetPropArrayAndCount(s->GetPropArray(), s->GetPropArrayCount());
+    flat.SetFrameBuffer(this->Framebuffer);
+    this->DelegatePass->Render(&flat);
+    state->PopFramebufferBindings();
+    state->PushReadFramebufferBinding();
+    this->Framebuffer->Bind(GL_READ_FRAMEBUFFER);
+    this->Framebuffer->ActivateReadBuffer(0);
+    state->vtkglBlitFramebuffer(
+      0, 0, size[0], size[1], 0, 0, size[0], size[1], GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    state->PopReadFramebufferBinding();
+  }
+  void ReleaseGraphicsResources(vtkWindow* window) override
+  {
+    this->Superclass::ReleaseGraphicsResources(window);
+    this->Framebuffer->ReleaseGraphicsResources(window);
+    this->Color->ReleaseGraphicsResources(window);
+  }
+
+private:
+  vtkNew<vtkTextureObject> Color;
+  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+};
+vtkStandardNewMacro(FlatPass);
+}
+
+TEST(GodRaysErrors, AFramebufferWithoutDepthIsToldOnceAndHasTheScene)
+{
+  Messages messages;
+  Stage scene;
+  scene.AddPillarsAndSun();
+  const auto lit = GetPixels(scene.Window);
+  scene.Rays->Detach(scene.Renderer);
+  vtkNew<FlatPass> flat;
+  flat->SetDelegatePass(scene.Rays);
+  scene.Renderer->SetPass(flat);
+  const auto picture = GetPixels(scene.Window);
+  EXPECT_EQ(picture, GetPixels(scene.Window));
+  const auto said = messages.Take();
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_NE(said[0].find("without god rays"), std::string::npos) << said[0];
+  EXPECT_NE(said[0].find("with a depth buffer"), std::string::npos) << said[0];
+  EXPECT_NE(scene.Rays->GetPlan().find("none, after an error"), std::string::npos);
+  vtkNew<vtkImageData> image;
+  EXPECT_FALSE(scene.Rays->GetScatteringImage(image));
+  scene.Rays->SetIntensity(0.0);
+  EXPECT_EQ(picture, GetPixels(scene.Window));
+  // in a window with depth there are rays again
+  scene.Rays->SetIntensity(1.0);
+  scene.Renderer->SetPass(nullptr);
+  flat->ReleaseGraphicsResources(scene.Window);
+  scene.Rays->Attach(scene.Renderer);
+  EXPECT_EQ(lit, GetPixels(scene.Window));
+}

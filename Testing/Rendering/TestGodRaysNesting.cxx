@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Passes around the pass, and passes within it.
+
+#include "GodRaysTesting.h"
+
+#include "vtkDualDepthPeelingPass.h"
+#include "vtkFramebufferPass.h"
+#include "vtkGaussianBlurPass.h"
+#include "vtkOpenGLFXAAPass.h"
+#include "vtkProperty.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkSSAAPass.h"
+#include "vtkTextureObject.h"
+#include "vtkToneMappingPass.h"
+#include "vtkTranslucentPass.h"
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+using namespace GodRaysTesting;
+
+namespace
+{
+const int Width = 128;
+const int Height = 96;
+
+vtkSmartPointer<vtkActor> MakeGlass()
+{
+  auto glass = MakeBox({ 1.0, 0.5, 1.5 }, { 3.0, 2.0, 0.2 }, { 0.2, 0.7, 0.9 });
+  glass->GetProperty()->SetOpacity(0.4);
+  return glass;
+}
+
+double GetMeanDifference(const std::vector<unsigned char>& a, const std::vector<unsigned char>& b)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    sum += i % 4 < 3 ? std::abs(a[i] - b[i]) : 0;
+  }
+  return sum / (0.75 * static_cast<double>(a.size()));
+}
+
+double GetMeanOf(const std::vector<unsigned char>& a)
+{
+  return GetMeanDifference(a, std::vector<unsigned char>(a.size(), 0));
+}
+
+/// The four pictures of a scene: alone and within an outer pass, without and with rays.
+struct Pictures
+{
+  std::vector<unsigned char> Bare;
+  std::vector<unsigned char> Lit;
+  std::vector<unsigned char> BareWithin;
+  std::vector<unsigned char> LitWithin;
+};
+
+// Without translucent props: VTK's translucent pass copies depth only from a framebuffer of the
+// window's format, which outer passes do not have.
+void Arrange(Stage& scene)
+{
+  scene.AddPillarsAndSun();
+  auto ignored = MakeBox({ -2.0, -1.0, 2.0 }, { 1.5, 1.0, 0.1 });
+  vtkGodRaysPass::SetRole(ignored, vtkGodRaysPass::IGNORED);
+  scene.Renderer->AddActor(ignored);
+}
+
+template <typename Pass>
+Pictures Render(const std::function<void(Pass*)>& set = [](Pass*) {})
+{
+  Pictures pictures;
+  for (const bool within : { false, true })
+  {
+    Stage scene(Width, Height);
+    Arrange(scene);
+    vtkNew<Pass> outer;
+    if (within)
+    {
+      set(outer);
+      scene.Rays->Detach(scene.Renderer);
+      outer->SetDelegatePass(scene.Rays);
+      scene.Renderer->SetPass(outer);
+    }
+    (within ? pictures.LitWithin : pictures.Lit) = GetPixels(scene.Window);
+    EXPECT_EQ(within ? pictures.LitWithin : pictures.Lit, GetPixels(scene.Window))
+      << "the second frame differs";
+    EXPECT_NE(scene.Rays->GetPlan().find("scattering: taps"), std::string::npos)
+      << scene.Rays->GetPlan();
+    scene.Rays->SetIntensity(0.0);
+    (within ? pictures.BareWithin : pictures.Bare) = GetPixels(scene.Window);
+    if (within)
+    {
+      outer->ReleaseGraphicsResources(scene.Window);
+      scene.Renderer->SetPass(nullptr);
+      EXPECT_EQ(GetPixels(scene.Window), pictures.Bare) << "the window is not as it was";
+    }
+  }
+  EXPECT_GT(GetMeanDifference(pictures.Lit, pictures.Bare), 5.0);
+  const double added = GetMeanOf(pictures.Lit) - GetMeanOf(pictures.Bare);
+  EXPECT_NEAR(GetMeanOf(pictures.LitWithin) - GetMeanOf(pictures.BareWithin), added, 0.015 * added);
+  return pictures;
+}
+
+}
+
+TEST(GodRaysWithin, AFramebufferPassIsAsWithout)
+{
+  Messages messages;
+  for (const int format :
+    { vtkTextureObject::Fixed8, vtkTextureObject::Float16, vtkTextureObject::Float32 })
+  {
+    const Pictures pictures = Render<vtkFramebufferPass>(
+      [format](vtkFramebufferPass* outer) { outer->SetColorFormat(format); });
+    EXPECT_LE(GetLargestDifference(pictures.BareWithin, pictures.Bare), 1) << format;
+    EXPECT_LE(GetLargestDifference(pictures.LitWithin, pictures.Lit), 1) << format;
+  }
+}
+
+TEST(GodRaysWithin, AToneMappingPassReachesItUntouched)
+{
+  Messages messages;
+  const Pictures pictures = Render<vtkToneMappingPass>(
+    [](vtkToneMappingPass* outer) { outer->SetToneMappingType(vtkToneMappingPass::Clamp); });
+  // this mapping is the identity but for its own rounding
+  EXPECT_LE(GetLargestDifference(pictures.BareWithin, pictures.Bare), 1);
+  EXPECT_LE(GetLargestDifference(pictures.LitWithin, pictures.Lit), 1);
+}
+
+TEST(GodRaysWithin, ASuperSamplingPassIsThePictureSmoothed)
+{
+  Messages messages;
+  const Pictures pictures = Render<vtkSSAAPass>();
+  EXPECT_LT(GetMeanDifference(pictures.LitWithin, pictures.Lit),
+    GetMeanDifference(pictures.BareWithin, pictures.Bare) + 1.5);
+}
+
+TEST(GodRaysWithin, ABlurIsThePictureBlurred)
+{
+  Messages messages;
+  const Pictures pictures = Render<vtkGaussianBlurPass>();
+  EXPECT_LT(GetMeanDifference(pictures.LitWithin, pictures.Lit),
+    GetMeanDifference(pictures.BareWithin, pictures.Bare) + 1.5);
+}
+
+TEST(GodRaysWithin, FXAAIsThePictureSmoothed)
+{
+  Messages messages;
+  const Pictures pictures = Render<vtkOpenGLFXAAPass>();
+  EXPECT_LT(GetMeanDifference(pictures.LitWithin, pictures.Lit),
+    GetMeanDifference(pictures.BareWithin, pictures.Bare) + 1.5);
+}
+
+TEST(GodRaysWithin, PassesInAViewportAreAsInAWindow)
+{
+  Messages messages;
+  Stage single(64, 48);
+  Arrange(single);
+  const auto expected = GetPixels(single.Window);
+  Stage whole(128, 96);
+  whole.Renderer->SetViewport(0.5, 0.5, 1.0, 1.0);
+  Arrange(whole);
+  vtkNew<vtkFramebufferPass> outer;
+  whole.Rays->Detach(whole.Renderer);
+  outer->SetDelegatePass(whole.Rays);
+  whole.Renderer->SetPass(outer);
+  const auto picture = GetPixels(whole.Window);
+  int worst = 0;
+  for (int y = 0; y < 48; ++y)
+  {
+    for (int i = 0; i < 64 * 4; ++i)
+    {
+      const std::size_t at = (static_cast<std::size_t>(y + 48) * 128 + 64) * 4;
+      worst = std::max(worst, std::abs(picture[at + i] - expected[y * 64 * 4 + i]));
+    }
+  }
+  EXPECT_LE(worst, 1);
+}
+
+TEST(GodRaysDelegate, OfRenderStepsDrawsAsTheRenderer)
+{
+  Messages messages;
+  Stage scene(Width, Height);
+  scene.AddPillarsAndSun();
+  const auto expected = GetPixels(scene.Window);
+  const auto depths = GetDepths(scene.Window, false);
+  scene.Rays->Detach(scene.Renderer);
+  vtkNew<vtkRenderStepsPass> steps;
+  scene.Renderer->SetPass(steps);
+  scene.Rays->Attach(scene.Renderer); // the renderer's pass becomes the delegate
+  EXPECT_EQ(scene.Rays->GetDelegatePass(), steps);
+  EXPECT_EQ(GetPixels(scene.Window), expected);
+  EXPECT_EQ(GetDepths(scene.Window, false), depths);
+  scene.Rays->Detach(scene.Renderer);
+  EXPECT_EQ(scene.Renderer->GetPass(), steps);
+  EXPECT_EQ(scene.Rays->GetDelegatePass(), nullptr);
+}
+
+TEST(GodRaysDelegate, WithDepthPeelingDrawsAsTheRenderer)
+{
+  Messages messages;
+  Stage scene(Width, Height);
+  Arrange(scene);
+  scene.Renderer->AddActor(MakeGlass());
+  scene.Renderer->UseDepthPeelingOn();
+  const auto expected = GetPixels(scene.Window);
+  scene.Renderer->UseDepthPeelingOff();
+  scene.Rays->Detach(scene.Renderer);
+  vtkNew<vtkRenderStepsPass> steps;
+  vtkNew<vtkDualDepthPeelingPass> peeling;
+  vtkNew<vtkTranslucentPass> translucent;
+  peeling->SetTranslucentPass(translucent);
+  steps->SetTranslucentPass(peeling);
+  scene.Rays->SetDelegatePass(steps);
+  scene.Rays->Attach(scene.Renderer);
+  EXPECT_LE(GetLargestDifference(GetPixels(scene.Window), expected), 1);
+}
+
+TEST(GodRaysDelegate, ThatIsAFramebufferPassOrFXAAGivesRays)
+{
+  Messages messages;
+  Stage scene(Width, Height);
+  Arrange(scene);
+  const auto expected = GetPixels(scene.Window);
+  scene.Rays->Detach(scene.Renderer);
+  vtkNew<vtkRenderStepsPass> steps;
+  vtkNew<vtkOpenGLFXAAPass> smoothing;
+  smoothing->SetDelegatePass(steps);
+  scene.Rays->SetDelegatePass(smoothing);
+  scene.Rays->Attach(scene.Renderer);
+  EXPECT_LT(GetMeanDifference(GetPixels(scene.Window), expected), 2.0);
+}

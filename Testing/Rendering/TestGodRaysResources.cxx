@@ -1,0 +1,452 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What is made on the graphics card, counted where OpenGL is called, so that VTK's own work counts
+// as well: a steady frame makes nothing, no number needs a new shader, and nothing is left behind.
+
+#include "GodRaysTesting.h"
+
+#include "vtkGodRaysRadialModel.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkProperty.h"
+#include "vtk_glew.h"
+
+#include <dlfcn.h>
+
+#include <functional>
+#include <string>
+
+using namespace GodRaysTesting;
+
+namespace
+{
+/// Calls so far, and objects that are alive.
+struct Counts
+{
+  int Shaders = 0;  // compiled
+  int Programs = 0; // linked
+  int Images = 0;   // textures given a size
+  int Buffers = 0;  // filled
+  int Objects = 0;  // all but queries, of which timers take new ones every time
+  int Textures = 0; // alive, as all below
+  int Framebuffers = 0;
+  int Renderbuffers = 0;
+  int VertexArrays = 0;
+  int Queries = 0; // VTK's mappers make some after a hundred frames
+
+  int GetMade() const
+  {
+    return this->Shaders + this->Programs + this->Images + this->Buffers + this->Objects;
+  }
+  bool AliveAs(const Counts& other) const
+  {
+    return this->Textures == other.Textures && this->Framebuffers == other.Framebuffers &&
+      this->Renderbuffers == other.Renderbuffers && this->VertexArrays == other.VertexArrays;
+  }
+  Counts operator-(const Counts& other) const
+  {
+    Counts c = *this;
+    c.Shaders -= other.Shaders;
+    c.Programs -= other.Programs;
+    c.Images -= other.Images;
+    c.Buffers -= other.Buffers;
+    c.Objects -= other.Objects;
+    c.Textures -= other.Textures;
+    c.Framebuffers -= other.Framebuffers;
+    c.Renderbuffers -= other.Renderbuffers;
+    c.VertexArrays -= other.VertexArrays;
+    c.Queries -= other.Queries;
+    return c;
+  }
+};
+
+std::ostream& operator<<(std::ostream& os, const Counts& c)
+{
+  return os << c.Shaders << " shaders, " << c.Programs << " programs, " << c.Images << " images, "
+            << c.Buffers << " buffers, " << c.Objects << " objects; alive: " << c.Textures
+            << " textures, " << c.Framebuffers << " framebuffers, " << c.Renderbuffers
+            << " renderbuffers, " << c.VertexArrays << " vertex arrays, " << c.Queries
+            << " queries";
+}
+
+Counts Now;
+
+template <typename Function>
+Function Next(Function, const char* name)
+{
+  return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
+}
+
+// Functions that GLEW has by pointer: ours is put before the one that is there.
+#define COUNT_POINTER(name, parameters, arguments, count)                                          \
+  decltype(__glew##name) Real##name = nullptr;                                                     \
+  void GLAPIENTRY Count##name parameters                                                           \
+  {                                                                                                \
+    count;                                                                                         \
+    Real##name arguments;                                                                          \
+  }
+COUNT_POINTER(CompileShader, (GLuint s), (s), ++Now.Shaders)
+COUNT_POINTER(LinkProgram, (GLuint p), (p), ++Now.Programs)
+COUNT_POINTER(
+  BufferData, (GLenum t, GLsizeiptr s, const void* d, GLenum u), (t, s, d, u), ++Now.Buffers)
+COUNT_POINTER(
+  GenFramebuffers, (GLsizei n, GLuint* f), (n, f), (Now.Framebuffers += n, Now.Objects += n))
+COUNT_POINTER(DeleteFramebuffers, (GLsizei n, const GLuint* f), (n, f), Now.Framebuffers -= n)
+COUNT_POINTER(
+  GenRenderbuffers, (GLsizei n, GLuint* f), (n, f), (Now.Renderbuffers += n, Now.Objects += n))
+COUNT_POINTER(DeleteRenderbuffers, (GLsizei n, const GLuint* f), (n, f), Now.Renderbuffers -= n)
+COUNT_POINTER(
+  GenVertexArrays, (GLsizei n, GLuint* f), (n, f), (Now.VertexArrays += n, Now.Objects += n))
+COUNT_POINTER(DeleteVertexArrays, (GLsizei n, const GLuint* f), (n, f), Now.VertexArrays -= n)
+COUNT_POINTER(GenQueries, (GLsizei n, GLuint* f), (n, f), Now.Queries += n)
+COUNT_POINTER(DeleteQueries, (GLsizei n, const GLuint* f), (n, f), Now.Queries -= n)
+COUNT_POINTER(TexImage2DMultisample,
+  (GLenum t, GLsizei n, GLenum i, GLsizei w, GLsizei h, GLboolean f), (t, n, i, w, h, f),
+  ++Now.Images)
+#undef COUNT_POINTER
+
+/// Count from now on in this window. GLEW sets its pointers anew whenever a window is initialized.
+void Count(vtkRenderWindow* window)
+{
+  vtkOpenGLRenderWindow::SafeDownCast(window)->Initialize();
+#define INSTALL(name)                                                                              \
+  if (__glew##name != Count##name)                                                                 \
+  {                                                                                                \
+    Real##name = __glew##name;                                                                     \
+    __glew##name = Count##name;                                                                    \
+  }
+  INSTALL(CompileShader)
+  INSTALL(LinkProgram)
+  INSTALL(BufferData)
+  INSTALL(GenFramebuffers)
+  INSTALL(DeleteFramebuffers)
+  INSTALL(GenRenderbuffers)
+  INSTALL(DeleteRenderbuffers)
+  INSTALL(GenVertexArrays)
+  INSTALL(DeleteVertexArrays)
+  INSTALL(GenQueries)
+  INSTALL(DeleteQueries)
+  INSTALL(TexImage2DMultisample)
+#undef INSTALL
+}
+
+/// What one frame makes.
+Counts Draw(Stage& scene)
+{
+  const Counts before = Now;
+  scene.Window->Render();
+  return Now - before;
+}
+}
+
+// Functions that VTK links to: these symbols of the program come before the driver's.
+extern "C"
+{
+  void GLAPIENTRY glTexImage2D(GLenum target, GLint level, GLint internalFormat, GLsizei width,
+    GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels)
+  {
+    static const auto next = Next(&glTexImage2D, "glTexImage2D");
+    ++Now.Images;
+    next(target, level, internalFormat, width, height, border, format, type, pixels);
+  }
+  void GLAPIENTRY glGenTextures(GLsizei n, GLuint* textures)
+  {
+    static const auto next = Next(&glGenTextures, "glGenTextures");
+    Now.Textures += n;
+    Now.Objects += n;
+    next(n, textures);
+  }
+  void GLAPIENTRY glDeleteTextures(GLsizei n, const GLuint* textures)
+  {
+    static const auto next = Next(&glDeleteTextures, "glDeleteTextures");
+    Now.Textures -= n;
+    next(n, textures);
+  }
+}
+
+namespace
+{
+struct Kind
+{
+  const char* Name;
+  std::function<void(Stage&)> Arrange;
+  int Objects = 0; // that VTK makes more in every frame
+};
+
+void PrintTo(const Kind& kind, std::ostream* os)
+{
+  *os << kind.Name;
+}
+
+void AddIgnored(Stage& scene)
+{
+  auto box = MakeBox({ 1.0, 0.0, 2.0 }, { 2.0, 1.0, 0.1 });
+  vtkGodRaysPass::SetRole(box, vtkGodRaysPass::IGNORED);
+  scene.Renderer->AddActor(box);
+}
+
+void AddShiningProp(Stage& scene)
+{
+  auto lamp = MakeLamp({ 2.0, 1.0, -2.0 }, 0.5);
+  vtkGodRaysPass::SetRole(lamp, vtkGodRaysPass::LIGHT);
+  scene.Renderer->AddActor(lamp);
+}
+
+void AddLights(Stage& scene)
+{
+  scene.Rays->AddLight(MakeSun({ -0.2, 0.1, -1.0 }, { 0.2, 0.4, 1.0 }));
+  scene.Rays->AddLight(MakeLamplight({ 1.0, 1.0, -3.0 }));
+}
+
+const Kind Kinds[] = {
+  { "Plain", [](Stage&) {} },
+  { "Tagged", AddIgnored },
+  { "ShiningProp", AddShiningProp },
+  { "Lights", AddLights },
+  { "LightsAndTheirLayers",
+    [](Stage& scene)
+    {
+      AddLights(scene);
+      scene.Rays->SetOutput(vtkGodRaysPass::OCCLUSION);
+    } },
+  { "Translucent",
+    [](Stage& scene)
+    {
+      auto glass = MakeBox({ 1.0, 0.5, 1.5 }, { 3.0, 2.0, 0.2 });
+      glass->GetProperty()->SetOpacity(0.4);
+      scene.Renderer->AddActor(glass);
+      scene.Renderer->UseDepthPeelingOn();
+    },
+    1 }, // a mapper's vertex array, as the prop is drawn now with, now without the peeling's shader
+  { "Coarse", [](Stage& scene) { scene.Rays->SetResolutionScale(0.5); } },
+  { "Margin", [](Stage& scene) { scene.Rays->SetLayerMargin(0.25); } },
+  { "MultiSamples", [](Stage& scene) { scene.Window->SetMultiSamples(8); } },
+  { "ThreePasses", [](Stage& scene) { scene.Rays->ApplyPreset("three.js"); } },
+  { "Timed", [](Stage& scene) { scene.Rays->MeasureTimesOn(); } },
+  { "All",
+    [](Stage& scene)
+    {
+      AddIgnored(scene);
+      AddShiningProp(scene);
+      AddLights(scene);
+      scene.Window->SetMultiSamples(8);
+      scene.Rays->SetLayerMargin(0.25);
+      scene.Rays->SetResolutionScale(0.5);
+    } },
+};
+
+class GodRaysSteadyFrame : public ::testing::TestWithParam<Kind>
+{
+};
+}
+
+TEST_P(GodRaysSteadyFrame, MakesNothing)
+{
+  Messages messages;
+  Stage scene(64, 48);
+  scene.AddPillarsAndSun();
+  GetParam().Arrange(scene);
+  Count(scene.Window);
+  scene.Rays->Detach(scene.Renderer);
+  const Counts bare = Draw(scene); // and so the counters work
+  EXPECT_GT(bare.Shaders, 1) << bare;
+  EXPECT_GT(bare.Programs, 0) << bare;
+  EXPECT_GT(bare.Images, 1) << bare;
+  EXPECT_GT(bare.Buffers, 2) << bare;
+  EXPECT_GT(bare.Framebuffers, 1) << bare;
+  // depth peeling makes objects every time
+  const int own = Draw(scene).GetMade() + GetParam().Objects;
+  scene.Rays->Attach(scene.Renderer);
+  const Counts first = Draw(scene);
+  EXPECT_GE(first.Shaders, 4) << first;
+  EXPECT_GE(first.Images, 4) << first;
+  EXPECT_GE(first.Framebuffers, 3) << first;
+  for (int frame = 2; frame < 5; ++frame)
+  {
+    const Counts steady = Draw(scene);
+    EXPECT_EQ(steady.GetMade(), own) << "frame " << frame << ": " << steady;
+    EXPECT_TRUE(steady.AliveAs(Counts())) << "frame " << frame << ": " << steady;
+  }
+}
+
+TEST_P(GodRaysSteadyFrame, NeedsNoShaderForANumber)
+{
+  Messages messages;
+  Stage scene(64, 48);
+  scene.AddPillarsAndSun();
+  GetParam().Arrange(scene);
+  Count(scene.Window);
+  EXPECT_GT(Draw(scene).Shaders, 0);
+  scene.Rays->Detach(scene.Renderer);
+  scene.Window->Render();
+  const int own = Draw(scene).GetMade() + GetParam().Objects;
+  scene.Rays->Attach(scene.Renderer);
+  scene.Window->Render();
+
+  vtkGodRaysPass* rays = scene.Rays;
+  auto model = vtkGodRaysRadialModel::SafeDownCast(rays->GetModel());
+  vtkLight* sun = rays->GetLight(0);
+  const std::pair<const char*, std::function<void()>> changes[] = {
+    { "Intensity", [=] { rays->SetIntensity(0.7); } },
+    { "ErrorTolerance", [=] { rays->SetErrorTolerance(0.01); } },
+    { "SunAngularRadius", [=] { rays->SetSunAngularRadius(2.0); } },
+    { "SourceRadius", [=] { rays->SetSourceRadius(0.5); } },
+    { "BackgroundGlow", [=] { rays->SetBackgroundGlow(0.3); } },
+    { "BackgroundGlowRadius", [=] { rays->SetBackgroundGlowRadius(5.0); } },
+    { "BackgroundGlowFalloff", [=] { rays->SetBackgroundGlowFalloff(40.0); } },
+    { "Blend", [=] { rays->SetBlend(vtkGodRaysPass::SCREEN); } },
+    { "Density", [=] { model->SetDensity(0.8); } },
+    { "Decay", [=] { model->SetDecay(0.95); } },
+    { "Weight", [=] { model->SetWeight(0.05); } },
+    { "Exposure", [=] { model->SetExposure(0.5); } },
+    { "NumberOfSamples", [=] { model->SetNumberOfSamples(60); } },
+    { "ClampMaximum", [=] { model->SetClampMaximum(2.0); } },
+    { "the light's place", [=] { sun->SetPosition(0.1, -0.2, -1.0); } },
+    { "the light's colour", [=] { sun->SetDiffuseColor(0.5, 0.6, 0.7); } },
+  };
+  for (const auto& change : changes)
+  {
+    change.second();
+    const Counts counts = Draw(scene);
+    EXPECT_EQ(counts.GetMade(), own) << change.first << ": " << counts;
+    EXPECT_TRUE(counts.AliveAs(Counts())) << change.first << ": " << counts;
+  }
+  const std::pair<const char*, std::function<void()>> objects[] = {
+    { "Formulation", [=] { model->SetFormulation(vtkGodRaysRadialModel::BABYLON); } },
+    { "ResolutionScale", [=] { rays->SetResolutionScale(0.25); } },
+    { "LayerMargin", [=] { rays->SetLayerMargin(0.1); } },
+    { "Output", [=] { rays->SetOutput(vtkGodRaysPass::SCATTERING); } },
+    { "Precision", [=] { rays->SetPrecision(vtkGodRaysPass::SINGLE); } },
+  };
+  rays->SetOutput(vtkGodRaysPass::COMPOSITE); // all stages
+  scene.Window->Render();
+  for (const auto& change : objects) // may need other textures, but never another shader
+  {
+    change.second();
+    const Counts counts = Draw(scene);
+    EXPECT_EQ(counts.Shaders + counts.Programs + counts.Buffers, 0) << change.first << counts;
+    EXPECT_EQ(Draw(scene).GetMade(), own) << change.first;
+  }
+}
+
+TEST_P(GodRaysSteadyFrame, IsTheSameEveryTimeAndAfterARelease)
+{
+  Messages messages;
+  Stage scene(64, 48);
+  scene.AddPillarsAndSun();
+  GetParam().Arrange(scene);
+  const auto picture = GetPixels(scene.Window);
+  EXPECT_EQ(picture, GetPixels(scene.Window));
+  scene.Rays->ReleaseGraphicsResources(scene.Window);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(3, 3, 1);
+  EXPECT_FALSE(scene.Rays->GetOcclusionImage(image));
+  EXPECT_FALSE(scene.Rays->GetScatteringImage(image));
+  EXPECT_EQ(image->GetNumberOfPoints(), 0);
+  EXPECT_EQ(picture, GetPixels(scene.Window));
+  EXPECT_TRUE(scene.Rays->GetOcclusionImage(image));
+  EXPECT_GT(GetMean(image), 0.0);
+  EXPECT_EQ(picture, GetPixels(scene.Window));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, GodRaysSteadyFrame, ::testing::ValuesIn(Kinds),
+  [](const auto& info) { return std::string(info.param.Name); });
+
+TEST(GodRaysResources, AreNotMadeForAFrameWithoutRays)
+{
+  Messages messages;
+  Counts counts[2];
+  for (const bool attached : { false, true })
+  {
+    Stage scene(64, 48);
+    scene.AddPillarsAndSun();
+    AddIgnored(scene);
+    scene.Rays->SetIntensity(0.0);
+    if (!attached)
+    {
+      scene.Rays->Detach(scene.Renderer);
+    }
+    Count(scene.Window);
+    counts[attached] = Draw(scene);
+  }
+  EXPECT_EQ(counts[0].GetMade(), counts[1].GetMade()) << counts[0] << "\n" << counts[1];
+  EXPECT_TRUE(counts[0].AliveAs(counts[1])) << counts[0] << "\n" << counts[1];
+}
+
+TEST(GodRaysResources, AreAsBeforeAfterFiftyToggles)
+{
+  Messages messages;
+  Stage scene(64, 48);
+  scene.AddPillarsAndSun();
+  AddIgnored(scene);
+  AddShiningProp(scene);
+  AddLights(scene);
+  scene.Rays->MeasureTimesOn();
+  scene.Rays->SetResolutionScale(0.5);
+  scene.Rays->Detach(scene.Renderer);
+  Count(scene.Window);
+  const auto bare = GetPixels(scene.Window);
+  const Counts before = Now;
+  Counts once;
+  for (int i = 0; i < 50; ++i)
+  {
+    scene.Rays->Attach(scene.Renderer);
+    const Counts first = Draw(scene);
+    EXPECT_GT(first.Textures, 4) << first;
+    EXPECT_GT(first.Queries, 4) << first;
+    scene.Rays->Detach(scene.Renderer);
+    EXPECT_TRUE(Now.AliveAs(before)) << i << ": " << before << "\n" << Now;
+    EXPECT_TRUE(i > 4 || Now.Queries == before.Queries) << i << ": " << before << "\n" << Now;
+    once = i == 0 ? Now : once;
+  }
+  EXPECT_EQ(Now.Shaders, once.Shaders) << "the window keeps shaders, they are built once";
+  EXPECT_EQ(bare, GetPixels(scene.Window));
+}
+
+TEST(GodRaysResources, AreFreedWithTheWindow)
+{
+  Messages messages;
+  vtkNew<vtkGodRaysPass> rays; // outlives its windows
+  auto sun = MakeSun({ 0.3, 0.2, -1.0 });
+  rays->AddLight(sun);
+  std::vector<unsigned char> first;
+  const Counts before = Now;
+  for (int i = 0; i < 6; ++i)
+  {
+    Stage scene(64, 48);
+    AddIgnored(scene);
+    Count(scene.Window);
+    if (i % 2)
+    {
+      rays->Attach(scene.Renderer);
+    }
+    else
+    {
+      scene.Renderer->SetPass(rays);
+    }
+    const auto picture = GetPixels(scene.Window);
+    first = i ? first : picture;
+    EXPECT_EQ(picture, first) << i;
+    if (i == 4)
+    {
+      scene.Renderer->SetPass(nullptr); // behind the pass's back
+    }
+    else if (i == 5)
+    {
+      scene.Window->Finalize();
+      Count(scene.Window);
+      EXPECT_EQ(GetPixels(scene.Window), first) << "after Finalize";
+      scene.Renderer->SetPass(nullptr);
+      scene.Window->Finalize();
+      scene.Renderer->SetPass(rays);
+      Count(scene.Window);
+      EXPECT_EQ(GetPixels(scene.Window), first) << "after Finalize without the pass";
+    }
+  }
+  EXPECT_EQ(Now.Textures, before.Textures) << Now - before;
+  EXPECT_EQ(Now.Framebuffers, before.Framebuffers) << Now - before;
+  vtkNew<vtkImageData> image;
+  EXPECT_FALSE(rays->GetScatteringImage(image)) << "there is no window any more";
+  EXPECT_FALSE(rays->GetOcclusionImage(image));
+}

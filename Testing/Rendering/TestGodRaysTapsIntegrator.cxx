@@ -1,0 +1,518 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// vtkGodRaysTapsIntegrator: the sum on the graphics card against the same sum in double precision,
+// for every formulation, on noise and in whole scenes; coarser grids and numbers of taps.
+// Every figure is printed and recorded as a property of its test.
+
+#include "GodRaysTesting.h"
+
+#include "vtkGodRaysMath.h"
+#include "vtkGodRaysRadialModel.h"
+#include "vtkGodRaysTapsIntegrator.h"
+#include "vtkGodRaysTarget.h"
+
+#include "vtkCamera.h"
+#include "vtkDataArray.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPointData.h"
+#include "vtkTextureObject.h"
+#include "vtk_glew.h"
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <sstream>
+
+using namespace GodRaysTesting;
+
+namespace
+{
+void Record(const std::string& name, double value)
+{
+  std::ostringstream text;
+  text << value;
+  ::testing::Test::RecordProperty(name, text.str());
+  std::cout << name << ": " << text.str() << "\n";
+}
+
+/// Software OpenGL interpolates a texture with 32-bit weights, a graphics card with 8-bit ones: it
+/// is off by up to 1/512 of the difference of two neighbours, at every tap.
+bool InterpolatesExactly(vtkRenderWindow* window)
+{
+  const std::string capabilities = window->ReportCapabilities();
+  return capabilities.find("llvmpipe") != std::string::npos ||
+    capabilities.find("softpipe") != std::string::npos;
+}
+
+double GetPeak(vtkImageData* image)
+{
+  double range[2];
+  double peak = 0.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    image->GetPointData()->GetScalars()->GetRange(range, c);
+    peak = std::max({ peak, std::abs(range[0]), std::abs(range[1]) });
+  }
+  return peak;
+}
+
+/// Largest difference of two images, of a peak.
+double GetError(vtkImageData* result, vtkImageData* reference, double peak)
+{
+  const int* size = reference->GetDimensions();
+  double worst = 0.0;
+  for (int y = 0; y < size[1]; ++y)
+  {
+    for (int x = 0; x < size[0]; ++x)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        const double difference =
+          std::abs(GetValue(result, x, y, c) - GetValue(reference, x, y, c));
+        worst = std::max(worst, std::isfinite(difference) ? difference : 1e30);
+      }
+    }
+  }
+  EXPECT_GT(peak, 0.0);
+  return worst / peak;
+}
+
+double GetRMSDifference(vtkImageData* a, vtkImageData* b, double& largest)
+{
+  const int* size = a->GetDimensions();
+  double sum = 0.0;
+  largest = 0.0;
+  for (int y = 0; y < size[1]; ++y)
+  {
+    for (int x = 0; x < size[0]; ++x)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        const double difference = GetValue(a, x, y, c) - GetValue(b, x, y, c);
+        sum += difference * difference;
+        largest = std::max(largest, std::abs(difference));
+      }
+    }
+  }
+  return std::sqrt(sum / (3.0 * size[0] * size[1]));
+}
+
+/// By how much an image is shifted against another, along x and y [pixels]: the shift that explains
+/// most of their difference by the slope of the other.
+void GetShift(vtkImageData* image, vtkImageData* other, double shift[2])
+{
+  const int* size = image->GetDimensions();
+  double products[2] = { 0.0, 0.0 };
+  double squares[2] = { 0.0, 0.0 };
+  for (int y = 1; y + 1 < size[1]; ++y)
+  {
+    for (int x = 1; x + 1 < size[0]; ++x)
+    {
+      const double difference = GetValue(image, x, y) - GetValue(other, x, y);
+      const double slopes[2] = { 0.5 * (GetValue(other, x + 1, y) - GetValue(other, x - 1, y)),
+        0.5 * (GetValue(other, x, y + 1) - GetValue(other, x, y - 1)) };
+      for (int i = 0; i < 2; ++i)
+      {
+        products[i] += difference * slopes[i];
+        squares[i] += slopes[i] * slopes[i];
+      }
+    }
+  }
+  shift[0] = products[0] / squares[0];
+  shift[1] = products[1] / squares[1];
+}
+
+/// A layer of noise and the integrator on it, without a scene.
+class GodRaysTapsOnNoise : public ::testing::Test
+{
+protected:
+  Messages VTKMessages;
+  vtkNew<vtkRenderWindow> AnyWindow;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  vtkNew<vtkGodRaysRadialModel> Model;
+  vtkNew<vtkGodRaysTapsIntegrator> Integrator;
+  vtkNew<vtkImageData> Layer;
+  vtkNew<vtkTextureObject> Texture;
+  vtkGodRaysTarget Result;
+  double ViewScale = 1.0;
+
+  GodRaysTapsOnNoise()
+  {
+    this->AnyWindow->SetOffScreenRendering(true);
+    this->AnyWindow->SetMultiSamples(0);
+    this->AnyWindow->SetSize(16, 16);
+    this->AnyWindow->Render();
+    this->Window = vtkOpenGLRenderWindow::SafeDownCast(this->AnyWindow);
+  }
+  ~GodRaysTapsOnNoise() override
+  {
+    this->Integrator->ReleaseGraphicsResources(this->Window);
+    this->Texture->ReleaseGraphicsResources(this->Window);
+    this->Result.Release(this->Window);
+  }
+
+  void MakeLayer(int width, int height)
+  {
+    std::mt19937 generator(3);
+    this->Layer->SetDimensions(width, height, 1);
+    this->Layer->AllocateScalars(VTK_FLOAT, 3);
+    auto* values = static_cast<float*>(this->Layer->GetScalarPointer());
+    std::vector<float> rgba;
+    for (int i = 0; i < width * height; ++i)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        values[3 * i + c] = static_cast<float>(generator() / 4294967296.0);
+        rgba.push_back(values[3 * i + c]);
+      }
+      rgba.push_back(1.0f);
+    }
+    this->Texture->SetContext(this->Window);
+    this->Texture->SetInternalFormat(GL_RGBA32F);
+    this->Texture->SetFormat(GL_RGBA);
+    this->Texture->SetDataType(GL_FLOAT);
+    this->Texture->SetMinificationFilter(vtkTextureObject::Linear);
+    this->Texture->SetMagnificationFilter(vtkTextureObject::Linear);
+    this->Texture->SetBorderColor(0.0f, 0.0f, 0.0f, 0.0f);
+    ASSERT_TRUE(this->Texture->Create2DFromRaw(width, height, 4, VTK_FLOAT, rgba.data()));
+  }
+
+  double GetMarchScale(const std::array<double, 3>& clip)
+  {
+    const double aspect = 64.0 / 48.0;
+    const double cap = this->Model->CapsMarch() ? 3.0 * std::hypot(aspect, 1.0) * this->ViewScale
+                                                : std::numeric_limits<float>::max();
+    return vtkGodRays::MarchScale({ clip[0], clip[1], clip[2] }, aspect, cap);
+  }
+
+  void Integrate(const std::array<double, 3>& clip, unsigned int format, vtkImageData* result)
+  {
+    vtkOpenGLState* state = this->Window->GetState();
+    state->PushFramebufferBindings();
+    this->Result.Prepare(this->Window, 64, 48, { format, 0 });
+    ASSERT_TRUE(this->Result.Bind());
+    state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    state->vtkglClear(GL_COLOR_BUFFER_BIT);
+    vtkGodRaysIntegrator::Request request;
+    request.Window = this->Window;
+    request.Model = this->Model;
+    request.Layer = this->Texture;
+    std::copy(clip.begin(), clip.end(), request.LightClip);
+    request.MarchScale = this->GetMarchScale(clip);
+    request.ViewScale = this->ViewScale;
+    request.Peak = 1.0;
+    request.ResolutionScale = 1.0;
+    request.ErrorTolerance = 1.0 / 255.0;
+    request.Result = &this->Result;
+    EXPECT_TRUE(this->Integrator->Integrate(request));
+    this->Result.Download(result);
+    state->PopFramebufferBindings();
+  }
+
+  void Evaluate(const std::array<double, 3>& clip, vtkImageData* reference)
+  {
+    const int size[2] = { 64, 48 };
+    ASSERT_TRUE(this->Model->Evaluate(this->Layer, clip.data(), this->GetMarchScale(clip),
+      this->ViewScale, size, reference, this->Integrator->GetNumberOfTaps()));
+  }
+
+  /// Of the peak before it is clamped: clamping makes no sum more exact.
+  double GetErrorAt(const std::array<double, 3>& clip, unsigned int format = GL_RGBA32F)
+  {
+    vtkNew<vtkImageData> result;
+    vtkNew<vtkImageData> reference;
+    vtkNew<vtkImageData> notClamped;
+    this->Integrate(clip, format, result);
+    this->Evaluate(clip, reference);
+    const double maximum = this->Model->GetClampMaximum();
+    this->Model->SetClampMaximum(65504.0);
+    this->Evaluate(clip, notClamped);
+    this->Model->SetClampMaximum(maximum);
+    return GetError(result, reference, GetPeak(notClamped));
+  }
+
+  std::vector<std::array<double, 3>> GetLights()
+  {
+    std::vector<std::array<double, 3>> lights = {
+      { 0.31, -0.23, 1.0 },                              // inside
+      { 2.0 * 20.5 / 64 - 1, 2.0 * 30.5 / 48 - 1, 1.0 }, // on a pixel's centre
+      { 1.0, 0.13, 1.0 },                                // on the edge
+      { -17.5, 11.9, 7.0 },                              // outside
+    };
+    if (this->Model->CapsMarch())
+    {
+      lights.push_back({ 40.0, -9.0, 1.0 }); // beyond the cap
+      lights.push_back({ 0.8, 0.5, 1e-7 });  // at a right angle to the view
+      lights.push_back({ 0.4, 0.3, -0.5 });  // behind the camera
+    }
+    return lights;
+  }
+
+  const char* GetFormulation() { return this->Model->GetFormulationAsString(); }
+
+  /// Set a formulation with its authors' numbers.
+  void SetFormulation(int formulation)
+  {
+    this->Model->SetFormulation(formulation);
+    if (formulation != vtkGodRaysRadialModel::INVARIANT)
+    {
+      ASSERT_TRUE(this->Model->ApplyPreset(this->GetFormulation()));
+      ASSERT_EQ(this->Model->GetFormulation(), formulation);
+    }
+    this->Model->SetClampMaximum(0.5); // in reach
+  }
+};
+}
+
+//------------------------------------------------------------------------------
+TEST_F(GodRaysTapsOnNoise, EqualTheSumInDoublePrecision)
+{
+  const double bound = InterpolatesExactly(this->Window) ? 2e-6 : 4e-3;
+  this->MakeLayer(32, 24); // a position in more pixels has fewer bits between them
+  for (bool margin : { false, true })
+  {
+    this->ViewScale = margin ? 0.5 : 1.0;
+    for (int i = 0; i <= vtkGodRaysRadialModel::ARAUJO; ++i)
+    {
+      this->SetFormulation(i);
+      double worst = 0.0;
+      double worstOfHalf = 0.0;
+      for (std::array<double, 3> light : this->GetLights())
+      {
+        light[0] *= this->ViewScale;
+        light[1] *= this->ViewScale;
+        const double error = this->GetErrorAt(light);
+        EXPECT_LE(error, bound) << this->GetFormulation() << ", light " << light[0];
+        worst = std::max(worst, error);
+        const double half = this->GetErrorAt(light, GL_RGBA16F);
+        EXPECT_LE(half, 2e-3) << this->GetFormulation() << ", light " << light[0];
+        worstOfHalf = std::max(worstOfHalf, half);
+      }
+      const std::string name = this->GetFormulation() + std::string(margin ? "_margin" : "");
+      Record("Single_" + name, worst);
+      Record("Half_" + name, worstOfHalf);
+    }
+  }
+}
+
+TEST_F(GodRaysTapsOnNoise, DifferWhenAParameterDiffersSlightly)
+{
+  this->MakeLayer(64, 48);
+  const std::array<double, 3> light = { 0.31, -0.23, 1.0 };
+  for (int i = 0; i <= vtkGodRaysRadialModel::ARAUJO; ++i)
+  {
+    this->SetFormulation(i);
+    this->Model->SetClampMaximum(1e4);
+    vtkNew<vtkImageData> result;
+    vtkNew<vtkImageData> reference;
+    this->Integrate(light, GL_RGBA32F, result);
+    if (i == vtkGodRaysRadialModel::THREE_JS)
+    {
+      this->Model->SetExposure(this->Model->GetExposure() * 1.0001);
+    }
+    else
+    {
+      this->Model->SetDecay(this->Model->GetDecay() * 1.0001);
+    }
+    this->Evaluate(light, reference);
+    EXPECT_GT(GetError(result, reference, GetPeak(reference)), 2e-5) << this->GetFormulation();
+  }
+}
+
+TEST_F(GodRaysTapsOnNoise, AddToWhatOtherLightsScattered)
+{
+  this->MakeLayer(64, 48);
+  vtkNew<vtkImageData> once;
+  vtkNew<vtkImageData> twice;
+  const std::array<double, 3> light = { 0.31, -0.23, 1.0 };
+  this->Integrate(light, GL_RGBA32F, once);
+  vtkOpenGLState* state = this->Window->GetState();
+  state->PushFramebufferBindings();
+  vtkGodRaysIntegrator::Request request;
+  request.Window = this->Window;
+  request.Model = this->Model;
+  request.Layer = this->Texture;
+  std::copy(light.begin(), light.end(), request.LightClip);
+  request.MarchScale = 1.0;
+  request.ViewScale = 1.0;
+  request.Peak = 1.0;
+  request.ResolutionScale = 1.0;
+  request.ErrorTolerance = 1.0 / 255.0;
+  request.Result = &this->Result;
+  EXPECT_TRUE(this->Integrator->Integrate(request));
+  this->Result.Download(twice);
+  state->PopFramebufferBindings();
+  for (int i = 0; i < 48; ++i)
+  {
+    EXPECT_FLOAT_EQ(GetValue(twice, i, i), 2.0 * GetValue(once, i, i));
+  }
+}
+
+TEST_F(GodRaysTapsOnNoise, TakeTheTapsThatAreAskedFor)
+{
+  // a single tap is not helped by others' rounding; of 1000 the weights are products of 1000 factors
+  const double bound = InterpolatesExactly(this->Window) ? 1e-5 : 4e-3;
+  this->MakeLayer(64, 48);
+  for (int taps : { 1, 7, 64, 1000 })
+  {
+    this->Integrator->SetNumberOfTaps(taps);
+    const double error = this->GetErrorAt({ 0.31, -0.23, 1.0 });
+    Record("Single_invariant_" + std::to_string(taps) + "_taps", error);
+    EXPECT_LE(error, bound) << taps;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Whole scenes
+
+namespace
+{
+class GodRaysTapsInScenes : public ::testing::Test
+{
+protected:
+  Messages VTKMessages;
+  Stage Scene;
+  vtkGodRaysPass* Rays = Scene.Rays;
+
+  vtkSmartPointer<vtkImageData> GetScattering()
+  {
+    this->Scene.Window->Render();
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    EXPECT_TRUE(this->Rays->GetScatteringImage(image)) << this->Rays->GetPlan();
+    return image;
+  }
+
+  /// The errors with 16 and 32 bits of a light at a world position or in a direction.
+  void ExpectAccurate(const std::string& name, std::array<double, 4> world)
+  {
+    const bool exact = InterpolatesExactly(this->Scene.Window);
+    const auto clip = GetClip(this->Scene.Renderer, world);
+    for (int precision : { vtkGodRaysPass::HALF, vtkGodRaysPass::SINGLE })
+    {
+      const bool single = precision == vtkGodRaysPass::SINGLE;
+      this->Rays->SetPrecision(precision);
+      this->Scene.Window->Render();
+      const double error = GetErrorOfScattering(this->Rays, this->Scene.Renderer, clip);
+      Record((single ? "Single_" : "Half_") + name, error);
+      EXPECT_LE(error, single && exact ? 1e-5 : 2e-3) << name;
+    }
+  }
+};
+}
+
+TEST_F(GodRaysTapsInScenes, EqualTheSumInDoublePrecision)
+{
+  auto sun = this->Scene.AddPillarsAndSun();
+  this->ExpectAccurate("sun", { 0.3, 0.2, -1.0, 0.0 });
+
+  this->Rays->SetLayerMargin(0.25);
+  this->ExpectAccurate("sun_margin", { 0.3, 0.2, -1.0, 0.0 });
+  this->Rays->SetLayerMargin(0.0);
+
+  sun->SetPosition(0.6, 0.3, -1.0);
+  this->ExpectAccurate("sun_off_screen", { 0.6, 0.3, -1.0, 0.0 });
+  sun->SetPosition(1.0, 0.1, 0.05); // just behind the camera, glowing from the side
+  this->Rays->SetBackgroundGlowFalloff(120.0);
+  this->ExpectAccurate("sun_behind", { 1.0, 0.1, 0.05, 0.0 });
+  this->Rays->SetBackgroundGlowFalloff(25.0);
+
+  this->Rays->RemoveAllLights();
+  auto lamp = MakeLamplight({ 0.6, 0.4, -3.0 });
+  this->Rays->AddLight(lamp);
+  this->Rays->SetSourceRadius(0.5);
+  this->ExpectAccurate("light", { 0.6, 0.4, -3.0, 1.0 });
+  this->Scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  this->Scene.Renderer->GetActiveCamera()->SetParallelScale(3.0);
+  this->ExpectAccurate("light_parallel", { 0.6, 0.4, -3.0, 1.0 });
+  this->Rays->RemoveAllLights();
+  this->Rays->AddLight(sun);
+  sun->SetPosition(0.1, 0.05, -1.0);
+  this->ExpectAccurate("sun_parallel", { 0.1, 0.05, -1.0, 0.0 });
+  this->Scene.Renderer->GetActiveCamera()->ParallelProjectionOff();
+
+  this->Rays->RemoveAllLights();
+  auto prop = MakeLamp({ -0.7, -0.4, -2.0 }, 0.5, { 1.0, 0.8, 0.4 });
+  vtkGodRaysPass::SetRole(prop, vtkGodRaysPass::LIGHT);
+  this->Scene.Renderer->AddActor(prop);
+  this->ExpectAccurate("lamp", { -0.7, -0.4, -2.0, 1.0 });
+  this->Rays->SetLayerMargin(0.25);
+  this->ExpectAccurate("lamp_margin", { -0.7, -0.4, -2.0, 1.0 });
+}
+
+TEST_F(GodRaysTapsInScenes, PublishedFormulationsAreExactInScenesToo)
+{
+  this->Scene.AddPillarsAndSun();
+  this->Rays->SetLayerMargin(0.25);
+  for (int i = 0; i < vtkGodRaysRadialModel::GetNumberOfPresets(); ++i)
+  {
+    const char* name = vtkGodRaysRadialModel::GetPresetName(i);
+    ASSERT_TRUE(this->Rays->ApplyPreset(name));
+    this->ExpectAccurate(name, { 0.3, 0.2, -1.0, 0.0 });
+  }
+}
+
+TEST_F(GodRaysTapsInScenes, ACoarserGridKeepsTheTolerance)
+{
+  this->Scene.AddPillarsAndSun();
+  this->Rays->SetSunAngularRadius(1.0);
+  this->Rays->SetPrecision(vtkGodRaysPass::SINGLE);
+  const double peak = this->Rays->GetModel()->GetFlatGain(); // the light's peak is 1
+  auto full = this->GetScattering();
+  for (double scale : { 0.5, 0.25 })
+  {
+    this->Rays->SetResolutionScale(scale);
+    double former = 1e30;
+    for (double tolerance : { 0.03, 1.0 / 255.0, 1e-3 })
+    {
+      SCOPED_TRACE(testing::Message() << "scale " << scale << ", tolerance " << tolerance);
+      this->Rays->SetErrorTolerance(tolerance);
+      double largest = 0.0;
+      const double error = GetRMSDifference(this->GetScattering(), full, largest) / peak;
+      std::ostringstream name;
+      name << "Scale_" << scale << "_tolerance_" << tolerance;
+      Record(name.str() + "_rms", error);
+      Record(name.str() + "_max", largest / peak);
+      EXPECT_LE(error, tolerance);
+      EXPECT_LT(error, former);
+      former = error;
+    }
+    EXPECT_GT(former, 0.0) << "something is interpolated, or this tests nothing";
+
+    this->Rays->SetErrorTolerance(0.1); // nearly all of it is
+    double shift[2];
+    GetShift(this->GetScattering(), full, shift);
+    std::ostringstream name;
+    name << "Scale_" << scale << "_shift_";
+    Record(name.str() + "x", shift[0]);
+    Record(name.str() + "y", shift[1]);
+    EXPECT_NEAR(shift[0], 0.0, 0.02) << "pixels";
+    EXPECT_NEAR(shift[1], 0.0, 0.02) << "pixels";
+  }
+}
+
+TEST_F(GodRaysTapsInScenes, BrightnessDoesNotDependOnTheNumberOfTapsAndTheyConverge)
+{
+  this->Scene.AddPillarsAndSun();
+  this->Rays->SetSunAngularRadius(3.0);
+  this->Rays->SetPrecision(vtkGodRaysPass::SINGLE);
+  auto integrator = vtkGodRaysTapsIntegrator::SafeDownCast(this->Rays->GetIntegrator());
+  integrator->SetNumberOfTaps(2048);
+  auto limit = this->GetScattering();
+  const double peak = this->Rays->GetModel()->GetFlatGain(); // the light's peak is 1
+  double former = 1e30;
+  for (int taps : { 16, 32, 64, 128, 256, 512 })
+  {
+    integrator->SetNumberOfTaps(taps);
+    auto image = this->GetScattering();
+    const double brightness = GetMean(image) / GetMean(limit);
+    double largest = 0.0;
+    const double error = GetRMSDifference(image, limit, largest) / peak;
+    Record("Brightness_" + std::to_string(taps) + "_taps", brightness);
+    Record("RMS_" + std::to_string(taps) + "_taps", error);
+    EXPECT_NEAR(brightness, 1.0, 0.01) << taps;
+    EXPECT_LT(error, 0.7 * former) << taps;
+    former = error;
+  }
+}
