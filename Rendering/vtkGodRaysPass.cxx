@@ -214,8 +214,7 @@ struct BoundFramebuffer
     if (this->Has(depth))
     {
       const int bits = this->Get(depth, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
-      const bool floating =
-        this->Get(depth, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
+      const bool floating = this->Get(depth, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
       this->Formats.Depth = this->Has(stencil) ? GL_DEPTH24_STENCIL8
         : floating                             ? GL_DEPTH_COMPONENT32F
         : bits == 16                           ? GL_DEPTH_COMPONENT16
@@ -415,8 +414,8 @@ struct vtkGodRaysPass::Internals
     const glm::dvec3 clip(source.Clip[0], source.Clip[1], distance);
     const double diagonal = 2.0 * std::hypot(view.Aspect, 1.0);
     const bool capped = this->Model->CapsMarch() || view.Parallel;
-    const double cap = capped ? MarchCapDiagonals * diagonal * view.ViewScale
-                              : std::numeric_limits<float>::max();
+    const double cap =
+      capped ? MarchCapDiagonals * diagonal * view.ViewScale : std::numeric_limits<float>::max();
     source.MarchScale = vtkGodRays::MarchScale(clip, view.Aspect, cap);
     if (!capped && source.Clip[2] <= 0.0)
     {
@@ -848,15 +847,16 @@ void vtkGodRaysPass::CollectSources(
   const bool linear = self.Model->GetLinearLight();
   std::ostringstream plan;
 
-  const auto add = [&](vtkGodRaysSource& source, const double color[3], double intensity) {
+  const auto add = [&](vtkGodRaysSource& source, const double color[3], double intensity)
+  {
     source.SetGlow(view, this->BackgroundGlowRadius, this->BackgroundGlowFalloff);
     self.SetMarch(source, view);
     double greatest = 0.0;
     for (int i = 0; i < 3; ++i)
     {
       const double light = linear ? vtkGodRays::DecodeDisplay(color[i]) : color[i];
-      source.Color[i] = vtkGodRays::Sanitize(
-        source.Fade * intensity * light, std::numeric_limits<float>::max());
+      source.Color[i] =
+        vtkGodRays::Sanitize(source.Fade * intensity * light, std::numeric_limits<float>::max());
       greatest = std::max(greatest, source.Color[i]);
     }
     plan << "light: " << source.Name;
@@ -949,8 +949,8 @@ double vtkGodRaysPass::FindSourceRadius(vtkRenderer* renderer) const
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysPass::RenderRays(const vtkRenderState* s, const vtkGodRaysView& view,
-  const std::vector<vtkGodRaysSource>& sources)
+bool vtkGodRaysPass::RenderRays(
+  const vtkRenderState* s, const vtkGodRaysView& view, const std::vector<vtkGodRaysSource>& sources)
 {
   Internals& self = *this->Internal;
   vtkOpenGLRenderWindow* window = self.Window;
@@ -999,8 +999,7 @@ bool vtkGodRaysPass::RenderRays(const vtkRenderState* s, const vtkGodRaysView& v
 
   self.Scattering.Prepare(window, viewport[2], viewport[3], { precision, 0 });
   Clear(self.Scattering, state);
-  const bool sumLayers =
-    sources.size() > 1 && (this->Output == OCCLUSION || self.KeepLayerSum);
+  const bool sumLayers = sources.size() > 1 && (this->Output == OCCLUSION || self.KeepLayerSum);
   vtkGodRaysTarget& layer = self.Occlusion->GetLayer();
   if (sumLayers)
   {
@@ -1116,7 +1115,8 @@ void vtkGodRaysPass::DescribeStages(double margin)
   const int blend = this->Blend == MODEL_BLEND ? self.Model->GetBlend() : this->Blend;
   plan << "blend: "
        << (this->Output != COMPOSITE ? "skipped, one layer is shown"
-                                     : blend == SCREEN ? "screen" : "additive")
+              : blend == SCREEN      ? "screen"
+                                     : "additive")
        << (self.Model->GetLinearLight() ? ", linear light" : ", shown values") << "\n";
   self.StagePlan = plan.str();
 }

@@ -237,9 +237,9 @@ public:
   /// What the picture shows.
   enum OutputMode
   {
-    COMPOSITE = 0,  ///< the scene with rays
-    OCCLUSION = 1,  ///< the occlusion layers of all lights, added
-    SCATTERING = 2  ///< the rays alone
+    COMPOSITE = 0, ///< the scene with rays
+    OCCLUSION = 1, ///< the occlusion layers of all lights, added
+    SCATTERING = 2 ///< the rays alone
   };
 
   ///@{
@@ -341,8 +341,7 @@ private:
   bool RenderRays(const vtkRenderState* s, const vtkGodRaysView& view,
     const std::vector<vtkGodRaysSource>& sources);
   bool AddToLayerSum(vtkGodRaysTarget& layer);
-  bool Scatter(
-    const vtkGodRaysView& view, const vtkGodRaysSource& source, vtkGodRaysTarget& layer);
+  bool Scatter(const vtkGodRaysView& view, const vtkGodRaysSource& source, vtkGodRaysTarget& layer);
   bool DrawOutput(const int viewport[4], vtkGodRaysTarget& layer);
   void DescribeStages(double margin);
   void Complain(const std::string& complaint);

@@ -39,8 +39,7 @@ vtkShaderProgram* vtkGodRaysQuad::Begin(vtkOpenGLRenderWindow* window)
     std::string source = this->Source;
     vtkShaderProgram::Substitute(source, "//VTK::GodRays::Types", vtkGodRaysTypes);
     vtkShaderProgram::Substitute(source, "//VTK::GodRays::Functions", vtkGodRaysFunctions);
-    this->Helper =
-      std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, source.c_str(), nullptr);
+    this->Helper = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, source.c_str(), nullptr);
   }
   else if (this->Helper->Program)
   {

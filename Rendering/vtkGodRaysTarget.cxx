@@ -9,7 +9,6 @@
 #include "vtkTextureObject.h"
 #include "vtk_glew.h"
 
-
 namespace
 {
 /// A colour texture that filters linearly and is 0 outside unless told otherwise.
@@ -67,11 +66,9 @@ vtkGodRaysTarget::vtkGodRaysTarget() = default;
 vtkGodRaysTarget::~vtkGodRaysTarget() = default;
 
 //------------------------------------------------------------------------------
-void vtkGodRaysTarget::Prepare(
-  vtkOpenGLRenderWindow* window, int width, int height, Format format)
+void vtkGodRaysTarget::Prepare(vtkOpenGLRenderWindow* window, int width, int height, Format format)
 {
-  if (this->IsReady() && this->Width == width && this->Height == height &&
-    this->Formats == format)
+  if (this->IsReady() && this->Width == width && this->Height == height && this->Formats == format)
   {
     return;
   }
@@ -187,7 +184,6 @@ void vtkGodRaysTarget::Download(vtkImageData* image)
   this->Framebuffer->Bind();
   this->Framebuffer->ActivateReadBuffer(0);
   state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(
-    0, 0, this->Width, this->Height, GL_RGB, GL_FLOAT, image->GetScalarPointer());
+  glReadPixels(0, 0, this->Width, this->Height, GL_RGB, GL_FLOAT, image->GetScalarPointer());
   state->PopFramebufferBindings();
 }

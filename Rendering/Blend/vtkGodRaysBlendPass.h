@@ -36,15 +36,15 @@ public:
   struct Request
   {
     vtkOpenGLRenderWindow* Window = nullptr;
-    int Viewport[4] = { 0, 0, 0, 0 };    ///< origin and size in the bound framebuffer [pixels]
-    vtkTextureObject* Scene = nullptr;   ///< colours of the viewport; not read when ShowRays
+    int Viewport[4] = { 0, 0, 0, 0 };  ///< origin and size in the bound framebuffer [pixels]
+    vtkTextureObject* Scene = nullptr; ///< colours of the viewport; not read when ShowRays
     vtkTextureObject* Rays = nullptr;
     double Intensity = 1.0;
     double SceneGain = 1.0;
     bool LinearLight = true;
     bool Screen = false;
     bool ShowRays = false;
-    bool Accumulate = false;             ///< add to what the framebuffer holds
+    bool Accumulate = false; ///< add to what the framebuffer holds
   };
 
   /**
