@@ -2,34 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysPass.h"
 
-#include "vtkActor.h"
-#include "vtkActor2D.h"
-#include "vtkCamera.h"
-#include "vtkCameraPass.h"
 #include "vtkGodRaysBlendPass.h"
+#include "vtkGodRaysFramebuffer.h"
 #include "vtkGodRaysIntegrator.h"
-#include "vtkGodRaysMath.h"
 #include "vtkGodRaysOcclusionPass.h"
 #include "vtkGodRaysRadialModel.h"
+#include "vtkGodRaysScene.h"
 #include "vtkGodRaysSetGet.h"
-#include "vtkGodRaysSource.h"
+#include "vtkGodRaysSourceFinder.h"
 #include "vtkGodRaysTapsIntegrator.h"
 #include "vtkGodRaysTarget.h"
+#include "vtkGodRaysTimers.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkLight.h"
-#include "vtkMath.h"
-#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h"
-#include "vtkOpenGLFramebufferObject.h"
-#include "vtkOpenGLRenderTimer.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtkPropCollection.h"
-#include "vtkProperty.h"
+#include "vtkProp.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
@@ -38,9 +31,7 @@
 #include "vtk_glew.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <sstream>
 #include <vector>
 
@@ -49,224 +40,6 @@ vtkInformationKeyMacro(vtkGodRaysPass, ROLE, Integer);
 
 namespace
 {
-/// Stages that are timed, in the order of GetStageTimes().
-enum Stage
-{
-  SCENE,
-  OCCLUDE,
-  SCATTER,
-  BLEND,
-  NUMBER_OF_STAGES
-};
-
-/// A light is marched to from at most this many picture diagonals away; see MarchScale().
-const double MarchCapDiagonals = 1.5;
-
-/// A prop that draws nothing.
-class Nothing : public vtkProp
-{
-public:
-  static Nothing* New();
-  vtkTypeMacro(Nothing, vtkProp);
-};
-vtkStandardNewMacro(Nothing);
-
-/// The renderer's own steps, as vtkOpenGLRenderer takes them when it has no pass.
-class RendererSteps : public vtkRenderPass
-{
-public:
-  static RendererSteps* New();
-  vtkTypeMacro(RendererSteps, vtkRenderPass);
-  void Render(const vtkRenderState* s) override
-  {
-    vtkRenderer* renderer = s->GetRenderer();
-    if (!s->GetFrameBuffer())
-    {
-      this->UpdateCamera(renderer);
-    } // else a vtkCameraPass has set the viewport
-    this->UpdateLightGeometry(renderer);
-    this->UpdateLights(renderer);
-    this->UpdateGeometry(renderer, s->GetFrameBuffer());
-    this->NumberOfRenderedProps = renderer->GetNumberOfPropsRendered();
-  }
-};
-vtkStandardNewMacro(RendererSteps);
-
-/// While it lives, 2-D props are taken out of a state's props; then they can be drawn.
-class OverlaysHeldBack
-{
-public:
-  OverlaysHeldBack(const vtkRenderState* s, vtkProp* nothing)
-    : State(s)
-  {
-    for (int i = 0; i < s->GetPropArrayCount(); ++i)
-    {
-      vtkProp*& prop = s->GetPropArray()[i];
-      if (vtkActor2D::SafeDownCast(prop))
-      {
-        this->Overlays.emplace_back(i, prop);
-        prop = nothing;
-      }
-    }
-  }
-  ~OverlaysHeldBack()
-  {
-    for (const auto& overlay : this->Overlays)
-    {
-      this->State->GetPropArray()[overlay.first] = overlay.second;
-    }
-  }
-  OverlaysHeldBack(const OverlaysHeldBack&) = delete;
-  void operator=(const OverlaysHeldBack&) = delete;
-
-  void Draw()
-  {
-    vtkRenderer* renderer = this->State->GetRenderer();
-    for (const auto& overlay : this->Overlays)
-    {
-      vtkProp* prop = overlay.second;
-      prop->RenderOpaqueGeometry(renderer); // where text and scalar bars are prepared
-      if (prop->HasTranslucentPolygonalGeometry())
-      {
-        prop->RenderTranslucentPolygonalGeometry(renderer);
-      }
-      prop->RenderOverlay(renderer);
-    }
-  }
-
-private:
-  const vtkRenderState* State;
-  std::vector<std::pair<int, vtkProp*>> Overlays;
-};
-
-/// Keeps the OpenGL state that the stages change, and sets what all of them need.
-class StateKeeper
-{
-public:
-  explicit StateKeeper(vtkOpenGLState* state)
-    : State(state)
-    , Viewport(state)
-    , Scissor(state)
-    , BlendFunc(state)
-    , DepthMask(state)
-    , DepthFunc(state)
-    , ColorMask(state)
-    , ClearColor(state)
-    , ActiveTexture(state)
-    , Blend(state, GL_BLEND)
-    , DepthTest(state, GL_DEPTH_TEST)
-    , ScissorTest(state, GL_SCISSOR_TEST)
-    , CullFace(state, GL_CULL_FACE)
-    , StencilTest(state, GL_STENCIL_TEST)
-  {
-    state->PushFramebufferBindings();
-    state->vtkglDisable(GL_CULL_FACE);
-    state->vtkglDisable(GL_STENCIL_TEST);
-    state->vtkglEnable(GL_SCISSOR_TEST);
-    state->vtkglDepthFunc(GL_LEQUAL);
-  }
-  ~StateKeeper() { this->State->PopFramebufferBindings(); }
-  StateKeeper(const StateKeeper&) = delete;
-  void operator=(const StateKeeper&) = delete;
-
-private:
-  vtkOpenGLState* State;
-  vtkOpenGLState::ScopedglViewport Viewport;
-  vtkOpenGLState::ScopedglScissor Scissor;
-  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunc;
-  vtkOpenGLState::ScopedglDepthMask DepthMask;
-  vtkOpenGLState::ScopedglDepthFunc DepthFunc;
-  vtkOpenGLState::ScopedglColorMask ColorMask;
-  vtkOpenGLState::ScopedglClearColor ClearColor;
-  vtkOpenGLState::ScopedglActiveTexture ActiveTexture;
-  vtkOpenGLState::ScopedglEnableDisable Blend;
-  vtkOpenGLState::ScopedglEnableDisable DepthTest;
-  vtkOpenGLState::ScopedglEnableDisable ScissorTest;
-  vtkOpenGLState::ScopedglEnableDisable CullFace;
-  vtkOpenGLState::ScopedglEnableDisable StencilTest;
-};
-
-/// The framebuffer that the scene is drawn into: whoever bound it, and of whatever formats.
-struct BoundFramebuffer
-{
-  unsigned int Binding;
-  unsigned int ColorBuffer;
-  vtkGodRaysTarget::Format Formats; // 0 where there is none that can be copied
-
-  BoundFramebuffer()
-  {
-    int value = 0;
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &value);
-    this->Binding = static_cast<unsigned int>(value);
-    glGetIntegerv(GL_DRAW_BUFFER0, &value);
-    this->ColorBuffer = static_cast<unsigned int>(value);
-    const bool onScreen = this->Binding == 0;
-    const unsigned int color =
-      onScreen && value == GL_BACK ? static_cast<unsigned int>(GL_BACK_LEFT) : this->ColorBuffer;
-    const unsigned int depth = onScreen ? GL_DEPTH : GL_DEPTH_ATTACHMENT;
-    const unsigned int stencil = onScreen ? GL_STENCIL : GL_STENCIL_ATTACHMENT;
-
-    if (this->Has(color))
-    {
-      const int bits = this->Get(color, GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE);
-      this->Formats.Color = bits > 16 ? GL_RGBA32F : bits > 8 ? GL_RGBA16F : GL_RGBA8;
-    }
-    if (this->Has(depth))
-    {
-      const int bits = this->Get(depth, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
-      const bool floating = this->Get(depth, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
-      this->Formats.Depth = this->Has(stencil) ? GL_DEPTH24_STENCIL8
-        : floating                             ? GL_DEPTH_COMPONENT32F
-        : bits == 16                           ? GL_DEPTH_COMPONENT16
-        : bits == 24                           ? GL_DEPTH_COMPONENT24
-                                               : GL_DEPTH_COMPONENT32;
-    }
-  }
-
-  /// Copy a rectangle of colour and depth into the framebuffer that is bound for drawing.
-  void CopyTo(vtkOpenGLState* state, const int rectangle[4], unsigned int buffers) const
-  {
-    state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->Binding);
-    state->vtkglReadBuffer(this->ColorBuffer);
-    state->vtkglBlitFramebuffer(rectangle[0], rectangle[1], rectangle[0] + rectangle[2],
-      rectangle[1] + rectangle[3], 0, 0, rectangle[2], rectangle[3], buffers, GL_NEAREST);
-  }
-
-private:
-  static int Get(unsigned int attachment, unsigned int what)
-  {
-    int value = 0;
-    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, what, &value);
-    return value;
-  }
-  static bool Has(unsigned int attachment)
-  {
-    return attachment != GL_NONE &&
-      Get(attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE;
-  }
-};
-
-/// A camera learns from its own Render(), which draws nothing, whether the window is in stereo; the
-/// first frame after a change needs its matrices before that.
-void TellStereo(vtkRenderer* renderer, vtkOpenGLRenderWindow* window)
-{
-  vtkCamera* camera = renderer->GetActiveCamera();
-  if (!camera->GetStereo() == !window->GetStereoRender())
-  {
-    return;
-  }
-  vtkOpenGLState* state = window->GetState();
-  const vtkOpenGLState::ScopedglViewport viewport(state);
-  const vtkOpenGLState::ScopedglScissor scissor(state);
-  const vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
-  const vtkTypeBool erase = renderer->GetErase();
-  const bool useScissor = camera->GetUseScissor();
-  renderer->EraseOff();
-  camera->Render(renderer);
-  renderer->SetErase(erase);
-  camera->SetUseScissor(useScissor);
-}
-
 bool IsDisabledByEnvironment()
 {
   const char* value = std::getenv("GODRAYS_DISABLE");
@@ -280,40 +53,6 @@ void Clear(vtkGodRaysTarget& target, vtkOpenGLState* state)
   state->vtkglClear(GL_COLOR_BUFFER_BIT);
 }
 
-/// Where a light stands in the world (w = 1), or in which direction it lies (w = 0).
-bool GetWorldPlace(vtkLight* light, vtkCamera* camera, double place[4])
-{
-  double position[4] = { 0.0, 0.0, 0.0, 1.0 };
-  double focalPoint[4] = { 0.0, 0.0, 0.0, 1.0 };
-  if (light->LightTypeIsHeadlight())
-  {
-    camera->GetPosition(position);
-    camera->GetFocalPoint(focalPoint);
-  }
-  else if (light->LightTypeIsCameraLight())
-  {
-    // as vtkRenderer does for its own lights; this one may be none of them
-    vtkMatrix4x4* matrix = camera->GetCameraLightTransformMatrix();
-    light->GetPosition(position);
-    light->GetFocalPoint(focalPoint);
-    matrix->MultiplyPoint(position, position);
-    matrix->MultiplyPoint(focalPoint, focalPoint);
-  }
-  else
-  {
-    light->GetTransformedPosition(position);
-    light->GetTransformedFocalPoint(focalPoint);
-  }
-  std::copy_n(position, 3, place);
-  place[3] = 1.0;
-  if (!light->GetPositional())
-  {
-    vtkMath::Subtract(position, focalPoint, place);
-    place[3] = 0.0;
-    return vtkMath::Normalize(place) > 0.0;
-  }
-  return true;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -327,14 +66,13 @@ struct vtkGodRaysPass::Internals
   vtkSmartPointer<vtkRenderPass> FormerPass;
   vtkSmartPointer<vtkRenderPass> FormerDelegate;
 
-  vtkNew<Nothing> NoProp;
-  vtkNew<RendererSteps> Steps;
-  vtkNew<vtkCameraPass> StepsInFramebuffer;
+  vtkNew<vtkGodRaysScene> RendererSteps;
   vtkNew<vtkGodRaysOcclusionPass> Occlusion;
   vtkNew<vtkGodRaysBlendPass> Blending;
   vtkGodRaysTarget Scene;      // colour and depth of the viewport
   vtkGodRaysTarget Scattering; // light of all layers
   vtkGodRaysTarget LayerSum;   // of several lights, when it is asked for
+  vtkGodRaysTimers Timers;
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the resources
   vtkMTimeType ContextTime = 0;                 // when its context was made
@@ -348,36 +86,6 @@ struct vtkGodRaysPass::Internals
   std::string StagePlan;
   std::string Complaint; // that has been made already
 
-  std::vector<std::pair<Stage, std::unique_ptr<vtkOpenGLRenderTimer>>> Timers;
-  std::size_t TimersUsed = 0;
-  bool Timing = false; // whether the timer TimersUsed runs
-
-  void StartTimer(Stage stage, bool measure)
-  {
-    this->Timing = measure && vtkOpenGLRenderTimer::IsSupported();
-    if (!this->Timing)
-    {
-      return;
-    }
-    if (this->TimersUsed == this->Timers.size())
-    {
-      this->Timers.emplace_back(stage, std::make_unique<vtkOpenGLRenderTimer>());
-    }
-    auto& timer = this->Timers[this->TimersUsed];
-    timer.first = stage;
-    timer.second->Reset();
-    timer.second->Start();
-  }
-
-  void StopTimer()
-  {
-    if (this->Timing)
-    {
-      this->Timers[this->TimersUsed++].second->Stop();
-      this->Timing = false;
-    }
-  }
-
   void Release(vtkWindow* window)
   {
     this->Occlusion->ReleaseGraphicsResources(window);
@@ -389,38 +97,11 @@ struct vtkGodRaysPass::Internals
     this->Scene.Release(window);
     this->Scattering.Release(window);
     this->LayerSum.Release(window);
-    if (this->Window && !this->Timers.empty())
-    {
-      this->Window->PushContext(); // timers know none, all else does
-      this->Timers.clear();
-      this->Window->PopContext();
-    }
-    this->Timers.clear();
-    this->TimersUsed = 0;
-    this->Timing = false;
+    this->Timers.Release(this->Window);
     this->HasScattering = false;
     this->HasLayer = false;
     this->HasLayerSum = false;
     this->Window = nullptr;
-  }
-
-  /// Where a light's shafts start, and how far they are marched.
-  void SetMarch(vtkGodRaysSource& source, const vtkGodRaysView& view) const
-  {
-    // Parallel rays have no point to lead to: they lead as far as to the point of a perspective
-    // view, so that the shafts of a sun that crosses the direction of view shrink and grow again.
-    const double distance =
-      source.Planar || !view.Parallel ? source.Clip[2] : source.GetPerspectiveDistance(view);
-    const glm::dvec3 clip(source.Clip[0], source.Clip[1], distance);
-    const double diagonal = 2.0 * std::hypot(view.Aspect, 1.0);
-    const bool capped = this->Model->CapsMarch() || view.Parallel;
-    const double cap =
-      capped ? MarchCapDiagonals * diagonal * view.ViewScale : std::numeric_limits<float>::max();
-    source.MarchScale = vtkGodRays::MarchScale(clip, view.Aspect, cap);
-    if (!capped && source.Clip[2] <= 0.0)
-    {
-      source.Fade = 0.0; // a published march ends where the light stops being before the camera
-    }
   }
 };
 
@@ -428,7 +109,6 @@ struct vtkGodRaysPass::Internals
 vtkGodRaysPass::vtkGodRaysPass()
   : Internal(new Internals)
 {
-  this->Internal->StepsInFramebuffer->SetDelegatePass(this->Internal->Steps);
   this->SetModel(nullptr);
   this->SetIntegrator(nullptr);
 }
@@ -696,22 +376,11 @@ std::string vtkGodRaysPass::GetPlan() const
 void vtkGodRaysPass::GetStageTimes(double seconds[4])
 {
   Internals& self = *this->Internal;
-  std::fill_n(seconds, static_cast<int>(NUMBER_OF_STAGES), 0.0);
-  if (!self.Window || self.TimersUsed == 0)
+  if (self.Window)
   {
-    return;
+    self.Window->MakeCurrent();
   }
-  self.Window->MakeCurrent();
-  glFinish();
-  for (std::size_t i = 0; i < self.TimersUsed; ++i)
-  {
-    vtkOpenGLRenderTimer& timer = *self.Timers[i].second;
-    while (!timer.Ready())
-    {
-      // all commands are done: the driver hands the result over at once
-    }
-    seconds[self.Timers[i].first] += timer.GetElapsedSeconds();
-  }
+  self.Timers.GetTimes(seconds);
 }
 
 //------------------------------------------------------------------------------
@@ -724,7 +393,7 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   self.HasScattering = false;
   self.HasLayer = false;
   self.HasLayerSum = false;
-  self.TimersUsed = 0;
+  self.Timers.BeginFrame(this->MeasureTimes);
   this->NumberOfGeometryPasses = 1;
 
   vtkGodRaysView view;
@@ -733,10 +402,10 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   if (!reason)
   {
     int viewport[4];
-    this->GetViewport(s, viewport);
-    TellStereo(renderer, window);
+    vtkGodRaysScene::GetViewport(s, viewport);
+    vtkGodRaysScene::UpdateStereo(renderer);
     view.Set(renderer, viewport + 2, this->LayerMargin);
-    this->CollectSources(renderer, view, sources);
+    sources = this->FindSources(renderer, view);
     reason = sources.empty() ? "no light reaches the picture" : nullptr;
   }
   self.NumberOfSources = static_cast<int>(sources.size());
@@ -755,10 +424,10 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   self.Window = window;
   self.ContextTime = window->GetContextCreationTime();
 
-  OverlaysHeldBack overlays(s, self.NoProp);
-  self.StartTimer(SCENE, this->MeasureTimes);
+  vtkGodRaysOverlays overlays(s);
+  self.Timers.Start(vtkGodRaysTimers::SCENE);
   this->RenderScene(s);
-  self.StopTimer();
+  self.Timers.Stop();
   if (!this->RenderRays(s, view, sources))
   {
     this->Complain("the framebuffer of this window cannot be copied or drawn into by the rays' "
@@ -789,7 +458,7 @@ const char* vtkGodRaysPass::FindReasonForNoRays(
   {
     return "the environment variable GODRAYS_DISABLE is set";
   }
-  this->GetViewport(s, viewport);
+  vtkGodRaysScene::GetViewport(s, viewport);
   if (viewport[2] < 1 || viewport[3] < 1)
   {
     return "the viewport is empty";
@@ -812,140 +481,34 @@ const char* vtkGodRaysPass::FindReasonForNoRays(
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysPass::GetViewport(const vtkRenderState* s, int viewport[4]) const
-{
-  if (vtkFrameBufferObjectBase* framebuffer = s->GetFrameBuffer())
-  {
-    viewport[0] = 0;
-    viewport[1] = 0;
-    framebuffer->GetLastSize(viewport + 2);
-  }
-  else
-  {
-    s->GetRenderer()->GetTiledSizeAndOrigin(viewport + 2, viewport + 3, viewport, viewport + 1);
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkGodRaysPass::RenderScene(const vtkRenderState* s)
 {
   vtkRenderPass* scene = this->DelegatePass;
   if (!scene)
   {
-    scene = s->GetFrameBuffer() ? static_cast<vtkRenderPass*>(this->Internal->StepsInFramebuffer)
-                                : this->Internal->Steps;
+    scene = this->Internal->RendererSteps;
   }
   scene->Render(s);
   this->NumberOfRenderedProps = scene->GetNumberOfRenderedProps();
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysPass::CollectSources(
-  vtkRenderer* renderer, const vtkGodRaysView& view, std::vector<vtkGodRaysSource>& sources)
+std::vector<vtkGodRaysSource> vtkGodRaysPass::FindSources(
+  vtkRenderer* renderer, const vtkGodRaysView& view)
 {
   Internals& self = *this->Internal;
-  const bool linear = self.Model->GetLinearLight();
-  std::ostringstream plan;
-
-  const auto add = [&](vtkGodRaysSource& source, const double color[3], double intensity)
-  {
-    source.SetGlow(view, this->BackgroundGlowRadius, this->BackgroundGlowFalloff);
-    self.SetMarch(source, view);
-    double greatest = 0.0;
-    for (int i = 0; i < 3; ++i)
-    {
-      const double light = linear ? vtkGodRays::DecodeDisplay(color[i]) : color[i];
-      source.Color[i] =
-        vtkGodRays::Sanitize(source.Fade * intensity * light, std::numeric_limits<float>::max());
-      greatest = std::max(greatest, source.Color[i]);
-    }
-    plan << "light: " << source.Name;
-    if (source.Fade <= 0.0)
-    {
-      plan << ", skipped: behind the camera\n";
-    }
-    else if (!(greatest > 0.0) && !source.Prop)
-    {
-      plan << ", skipped: off or black\n";
-    }
-    else if (!source.Reaches(view, this->BackgroundGlow > 0.0))
-    {
-      plan << ", skipped: neither it nor its glow can be in the picture\n";
-    }
-    else
-    {
-      plan << (source.Fade < 1.0 ? ", fading behind the camera\n" : "\n");
-      sources.push_back(source);
-    }
-  };
-
-  int number = 0;
-  for (vtkLight* light : self.Lights)
-  {
-    vtkGodRaysSource source;
-    source.Name = (light->GetPositional() ? "positional, number " : "directional, number ") +
-      std::to_string(number++);
-    double place[4];
-    if (!GetWorldPlace(light, renderer->GetActiveCamera(), place))
-    {
-      plan << "light: " << source.Name << ", skipped: its position is its focal point\n";
-      continue;
-    }
-    source.Place(view, place,
-      light->GetPositional() ? this->FindSourceRadius(renderer)
-                             : vtkMath::RadiansFromDegrees(this->SunAngularRadius));
-    add(source, light->GetDiffuseColor(), light->GetSwitch() ? light->GetIntensity() : 0.0);
-  }
-
-  vtkCollectionSimpleIterator iterator;
-  vtkPropCollection* props = renderer->GetViewProps();
-  props->InitTraversal(iterator);
-  while (vtkProp* prop = props->GetNextProp(iterator))
-  {
-    const double* bounds = nullptr;
-    if (!prop->GetVisibility() || GetRole(prop) != LIGHT || !(bounds = prop->GetBounds()) ||
-      !vtkMath::AreBoundsInitialized(bounds))
-    {
-      continue;
-    }
-    vtkGodRaysSource source;
-    source.Name = std::string("prop tagged LIGHT, ") + prop->GetClassName();
-    source.Prop = prop;
-    const double place[4] = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
-      0.5 * (bounds[4] + bounds[5]), 1.0 };
-    const double diagonal[3] = { bounds[1] - bounds[0], bounds[3] - bounds[2],
-      bounds[5] - bounds[4] };
-    source.Place(view, place, 0.5 * vtkMath::Norm(diagonal));
-    double color[3] = { 1.0, 1.0, 1.0 };
-    if (auto actor = vtkActor::SafeDownCast(prop))
-    {
-      actor->GetProperty()->GetColor(color);
-    }
-    add(source, color, 1.0);
-  }
-  if (sources.empty() && plan.str().empty())
-  {
-    plan << "light: none; add one with AddLight() or tag a prop LIGHT\n";
-  }
-  self.LightPlan = plan.str();
-}
-
-//------------------------------------------------------------------------------
-double vtkGodRaysPass::FindSourceRadius(vtkRenderer* renderer) const
-{
-  if (this->SourceRadius > 0.0)
-  {
-    return this->SourceRadius;
-  }
-  double bounds[6];
-  renderer->ComputeVisiblePropBounds(bounds);
-  if (!vtkMath::AreBoundsInitialized(bounds))
-  {
-    return 1.0;
-  }
-  const double diagonal[3] = { bounds[1] - bounds[0], bounds[3] - bounds[2],
-    bounds[5] - bounds[4] };
-  return 0.02 * vtkMath::Norm(diagonal);
+  vtkGodRaysSourceFinder finder;
+  finder.Renderer = renderer;
+  finder.SourceRadius = this->SourceRadius;
+  finder.SunAngularRadius = this->SunAngularRadius;
+  finder.BackgroundGlow = this->BackgroundGlow;
+  finder.BackgroundGlowRadius = this->BackgroundGlowRadius;
+  finder.BackgroundGlowFalloff = this->BackgroundGlowFalloff;
+  finder.LinearLight = self.Model->GetLinearLight();
+  finder.CapsMarch = self.Model->CapsMarch();
+  auto sources = finder.Find(view, self.Lights);
+  self.LightPlan = finder.GetPlan();
+  return sources;
 }
 
 //------------------------------------------------------------------------------
@@ -955,11 +518,11 @@ bool vtkGodRaysPass::RenderRays(
   Internals& self = *this->Internal;
   vtkOpenGLRenderWindow* window = self.Window;
   vtkOpenGLState* state = window->GetState();
-  StateKeeper keeper(state);
+  vtkGodRaysStateKeeper keeper(state);
 
   int viewport[4];
-  this->GetViewport(s, viewport);
-  const BoundFramebuffer bound;
+  vtkGodRaysScene::GetViewport(s, viewport);
+  const vtkGodRaysFramebuffer bound;
   if (!bound.Formats.Color || !bound.Formats.Depth)
   {
     return false;
@@ -977,7 +540,7 @@ bool vtkGodRaysPass::RenderRays(
   occlusion.LinearLight = self.Model->GetLinearLight();
   occlusion.Glow = this->BackgroundGlow;
 
-  self.StartTimer(OCCLUDE, this->MeasureTimes);
+  self.Timers.Start(vtkGodRaysTimers::OCCLUSION);
   self.Scene.Prepare(window, viewport[2], viewport[3], bound.Formats);
   if (!self.Scene.Bind())
   {
@@ -994,7 +557,7 @@ bool vtkGodRaysPass::RenderRays(
   {
     return false;
   }
-  self.StopTimer();
+  self.Timers.Stop();
   this->NumberOfGeometryPasses = self.Occlusion->GetRenderedOccluders() ? 2 : 1;
 
   self.Scattering.Prepare(window, viewport[2], viewport[3], { precision, 0 });
@@ -1009,30 +572,30 @@ bool vtkGodRaysPass::RenderRays(
 
   for (const vtkGodRaysSource& source : sources)
   {
-    self.StartTimer(OCCLUDE, this->MeasureTimes);
+    self.Timers.Start(vtkGodRaysTimers::OCCLUSION);
     if (!self.Occlusion->Compose(source) || (sumLayers && !this->AddToLayerSum(layer)))
     {
       return false;
     }
-    self.StopTimer();
+    self.Timers.Stop();
     if (this->Output != OCCLUSION)
     {
-      self.StartTimer(SCATTER, this->MeasureTimes);
+      self.Timers.Start(vtkGodRaysTimers::SCATTERING);
       if (!this->Scatter(view, source, layer))
       {
         return false;
       }
-      self.StopTimer();
+      self.Timers.Stop();
     }
   }
   self.HasLayer = true;
   self.HasLayerSum = sumLayers;
   self.HasScattering = this->Output != OCCLUSION;
 
-  self.StartTimer(BLEND, this->MeasureTimes);
+  self.Timers.Start(vtkGodRaysTimers::BLEND);
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, bound.Binding);
   const bool blended = this->DrawOutput(viewport, sumLayers ? self.LayerSum : layer);
-  self.StopTimer();
+  self.Timers.Stop();
   this->DescribeStages(this->LayerMargin);
   return blended;
 }
@@ -1169,7 +732,7 @@ void vtkGodRaysPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
   this->Internal->Release(window);
-  this->Internal->StepsInFramebuffer->ReleaseGraphicsResources(window);
+  this->Internal->RendererSteps->ReleaseGraphicsResources(window);
 }
 
 //------------------------------------------------------------------------------

@@ -187,7 +187,7 @@ public:
    * Set/Get the radiance of the open background about a light, as a fraction of the light's own
    * [no unit]. The open background is where no prop is drawn; its glow makes shafts also while the
    * light itself is hidden or outside the picture. 0 switches it off. Valid range: [0, 1].
-   * Default is 0.5.
+   * Default is 0.25.
    */
   void SetBackgroundGlow(double glow);
   vtkGetMacro(BackgroundGlow, double);
@@ -198,7 +198,7 @@ public:
    * Set/Get the angle about the light over which the glow is full, and the further angle over
    * which it falls smoothly to 0 [degrees, seen from the eye]. In a parallel projection, which
    * has no angles about a positional light, the picture's height counts as 30 degrees.
-   * Valid range: [0, 180] each. Defaults are 2 and 25.
+   * Valid range: [0, 180] each. Defaults are 2 and 15.
    */
   void SetBackgroundGlowRadius(double degrees);
   vtkGetMacro(BackgroundGlowRadius, double);
@@ -333,10 +333,7 @@ private:
 
   // Render(), step by step. Reasons and plans are for GetPlan().
   const char* FindReasonForNoRays(const vtkRenderState* s, vtkOpenGLRenderWindow* window);
-  void CollectSources(
-    vtkRenderer* renderer, const vtkGodRaysView& view, std::vector<vtkGodRaysSource>& sources);
-  double FindSourceRadius(vtkRenderer* renderer) const;
-  void GetViewport(const vtkRenderState* s, int viewport[4]) const;
+  std::vector<vtkGodRaysSource> FindSources(vtkRenderer* renderer, const vtkGodRaysView& view);
   void RenderScene(const vtkRenderState* s);
   bool RenderRays(const vtkRenderState* s, const vtkGodRaysView& view,
     const std::vector<vtkGodRaysSource>& sources);
@@ -356,9 +353,9 @@ private:
   bool UntaggedPropsOcclude = true;
   double SourceRadius = 0.0;
   double SunAngularRadius = 0.2678;
-  double BackgroundGlow = 0.5;
+  double BackgroundGlow = 0.25;
   double BackgroundGlowRadius = 2.0;
-  double BackgroundGlowFalloff = 25.0;
+  double BackgroundGlowFalloff = 15.0;
   double LayerMargin = 0.0;
   int Blend = MODEL_BLEND;
   int Output = COMPOSITE;

@@ -11,13 +11,12 @@
 #ifndef vtkGodRaysTarget_h
 #define vtkGodRaysTarget_h
 
-#include "vtkNew.h"
+#include "vtkOpenGLFramebufferObject.h" // For vtkSmartPointer
 #include "vtkSmartPointer.h"
+#include "vtkTextureObject.h" // For vtkSmartPointer
 
 class vtkImageData;
-class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
-class vtkTextureObject;
 class vtkWindow;
 
 class vtkGodRaysTarget

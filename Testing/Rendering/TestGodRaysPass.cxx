@@ -133,9 +133,9 @@ TEST(GodRaysPassParameters, AreClampedAndRefuseNaN)
   CHECK(ResolutionScale, 0.125, 1.0, 1.0);
   CHECK(SourceRadius, 0.0, 1e30, 0.0);
   CHECK(SunAngularRadius, 0.01, 90.0, 0.2678);
-  CHECK(BackgroundGlow, 0.0, 1.0, 0.5);
+  CHECK(BackgroundGlow, 0.0, 1.0, 0.25);
   CHECK(BackgroundGlowRadius, 0.0, 180.0, 2.0);
-  CHECK(BackgroundGlowFalloff, 0.0, 180.0, 25.0);
+  CHECK(BackgroundGlowFalloff, 0.0, 180.0, 15.0);
   CHECK(LayerMargin, 0.0, 1.0, 0.0);
 #undef CHECK
 

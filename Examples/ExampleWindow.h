@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What all examples end with: a window, or a picture of it.
+ */
+
+#ifndef ExampleWindow_h
+#define ExampleWindow_h
+
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <cstdlib>
+
+/**
+ * Write what the window shows to the PNG file that the first argument names, without opening it;
+ * without an argument, open it and let the user look around. Returns the program's exit status.
+ */
+inline int ShowOrWrite(vtkRenderWindow* window, int argc, char* argv[])
+{
+  window->SetSize(400, 300);
+  if (argc < 2)
+  {
+    vtkNew<vtkRenderWindowInteractor> interactor;
+    interactor->SetRenderWindow(window);
+    window->Render();
+    interactor->Start();
+    return EXIT_SUCCESS;
+  }
+  window->SetMultiSamples(0);
+  window->SetOffScreenRendering(true);
+  window->Render();
+  vtkNew<vtkWindowToImageFilter> picture;
+  picture->SetInput(window);
+  picture->ReadFrontBufferOff();
+  picture->ShouldRerenderOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(picture->GetOutputPort());
+  writer->SetFileName(argv[1]);
+  writer->Write();
+  return writer->GetErrorCode() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+#endif

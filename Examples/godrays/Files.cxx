@@ -1,0 +1,446 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Files.h"
+
+#include "Failure.h"
+#include "Messages.h"
+#include "ObjMaterials.h"
+#include "Progress.h"
+
+#include "vtk3DSImporter.h"
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkBMPReader.h"
+#include "vtkBYUReader.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDEMReader.h"
+#include "vtkDataSet.h"
+#include "vtkGLTFImporter.h"
+#include "vtkGenericDataObjectReader.h"
+#include "vtkHDRReader.h"
+#include "vtkImageData.h"
+#include "vtkJPEGReader.h"
+#include "vtkMapper.h"
+#include "vtkMetaImageReader.h"
+#include "vtkNIFTIImageReader.h"
+#include "vtkNew.h"
+#include "vtkNrrdReader.h"
+#include "vtkOBJReader.h"
+#include "vtkPLYReader.h"
+#include "vtkPNGReader.h"
+#include "vtkPNMReader.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSTLReader.h"
+#include "vtkTIFFReader.h"
+#include "vtkTexture.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkXMLImageDataReader.h"
+#include "vtkXMLMultiBlockDataReader.h"
+#include "vtkXMLPImageDataReader.h"
+#include "vtkXMLPPolyDataReader.h"
+#include "vtkXMLPRectilinearGridReader.h"
+#include "vtkXMLPStructuredGridReader.h"
+#include "vtkXMLPUnstructuredGridReader.h"
+#include "vtkXMLPartitionedDataSetCollectionReader.h"
+#include "vtkXMLPartitionedDataSetReader.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLRectilinearGridReader.h"
+#include "vtkXMLStructuredGridReader.h"
+#include "vtkXMLUnstructuredGridReader.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <unistd.h>
+
+namespace
+{
+namespace fs = std::filesystem;
+
+//------------------------------------------------------------------------------
+void AddDataObject(vtkDataObject* object, FileContents& contents)
+{
+  if (auto* dataSet = vtkDataSet::SafeDownCast(object))
+  {
+    contents.DataSets.emplace_back(dataSet);
+  }
+  else if (auto* composite = vtkCompositeDataSet::SafeDownCast(object))
+  {
+    auto leaves = vtk::TakeSmartPointer(composite->NewIterator());
+    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+    {
+      AddDataObject(leaves->GetCurrentDataObject(), contents);
+    }
+  }
+  else if (object)
+  {
+    throw Failure(contents.Path + ": holds a " + object->GetClassName() +
+      ", which has no shape; give a file with points and cells");
+  }
+}
+
+//------------------------------------------------------------------------------
+template <typename Reader>
+void Update(Reader* reader, const std::string& path, FileContents& contents)
+{
+  reader->SetFileName(path.c_str());
+  const Progress progress(reader, "reading " + contents.Path);
+  reader->Update();
+  AddDataObject(reader->GetOutputDataObject(0), contents);
+}
+
+//------------------------------------------------------------------------------
+template <typename Reader>
+void ReadData(const std::string& path, FileContents& contents)
+{
+  vtkNew<Reader> reader;
+  Update(reader.Get(), path, contents);
+}
+
+//------------------------------------------------------------------------------
+template <typename Reader>
+void ReadDataYUp(const std::string& path, FileContents& contents)
+{
+  ReadData<Reader>(path, contents);
+  contents.Up = 'Y';
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Materials that reflect their surroundings are black where there are none: keep their colours.
+ */
+void SimplifyMaterial(vtkActor* actor)
+{
+  vtkProperty* property = actor->GetProperty();
+  property->SetInterpolationToPhong();
+  property->SetAmbient(0.0);
+  property->SetDiffuse(1.0);
+  property->SetSpecular(0.2);
+  property->SetSpecularPower(20.0);
+  if (vtkTexture* texture = property->GetTexture("albedoTex"))
+  {
+    texture->UseSRGBColorSpaceOff();
+    actor->SetTexture(texture);
+  }
+  property->RemoveAllTextures();
+}
+
+//------------------------------------------------------------------------------
+void ImportActors(vtkImporter* importer, FileContents& contents)
+{
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkRenderWindow> window; // holds the renderer; it is never opened
+  window->AddRenderer(renderer);
+  importer->SetRenderWindow(window);
+  const Progress progress(importer, "reading " + contents.Path);
+  importer->Update();
+  vtkActorCollection* actors = renderer->GetActors();
+  actors->InitTraversal();
+  while (vtkActor* actor = actors->GetNextActor())
+  {
+    if (actor->GetMapper())
+    {
+      actor->GetMapper()->Update();
+      SimplifyMaterial(actor);
+      contents.Actors.emplace_back(actor);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+template <typename Importer>
+void Import(const std::string& path, FileContents& contents)
+{
+  vtkNew<Importer> importer;
+  importer->SetFileName(path.c_str());
+  ImportActors(importer, contents);
+}
+
+//------------------------------------------------------------------------------
+std::uint32_t ReadLittleEndian(const std::string& path, std::streamoff position)
+{
+  std::ifstream file(path, std::ios::binary);
+  file.seekg(position);
+  unsigned char bytes[4] = {};
+  file.read(reinterpret_cast<char*>(bytes), 4);
+  return bytes[0] | bytes[1] << 8 | bytes[2] << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
+}
+
+//------------------------------------------------------------------------------
+void ReadGltf(const std::string& path, FileContents& contents)
+{
+  Import<vtkGLTFImporter>(path, contents);
+  contents.Up = 'Y';
+}
+
+//------------------------------------------------------------------------------
+void ReadGlb(const std::string& path, FileContents& contents)
+{
+  if (ReadLittleEndian(path, 8) > fs::file_size(path))
+  {
+    throw Failure(path + ": is shorter than it says; copy it again");
+  }
+  ReadGltf(path, contents);
+}
+
+//------------------------------------------------------------------------------
+void ReadStl(const std::string& path, FileContents& contents)
+{
+  // VTK reads what there is of a binary file that was cut off.
+  constexpr std::uintmax_t header = 84;
+  constexpr std::uintmax_t facet = 50;
+  std::string start(5, ' ');
+  std::ifstream(path, std::ios::binary).read(start.data(), 5);
+  const std::uintmax_t needed = header + facet * ReadLittleEndian(path, 80);
+  if (start != "solid" && needed > fs::file_size(path))
+  {
+    throw Failure(path + ": is shorter than it says; copy it again");
+  }
+  ReadData<vtkSTLReader>(path, contents);
+}
+
+//------------------------------------------------------------------------------
+void ReadObj(const std::string& path, FileContents& contents)
+{
+  ReadDataYUp<vtkOBJReader>(path, contents);
+  auto* data = vtkPolyData::SafeDownCast(contents.DataSets.front());
+  data->GetCellData()->RemoveArray("MaterialIds"); // numbers are nothing to colour by
+  data->GetCellData()->RemoveArray("GroupIds");
+  const auto colors = ReadObjFaceColors(path);
+  if (colors->GetNumberOfTuples() > 0 && colors->GetNumberOfTuples() == data->GetNumberOfCells())
+  {
+    data->GetCellData()->SetScalars(colors);
+  }
+}
+
+//------------------------------------------------------------------------------
+void ReadTiff(const std::string& path, FileContents& contents)
+{
+  contents.Place = ReadGeoTiffTags(path);
+  ReadData<vtkTIFFReader>(path, contents);
+}
+
+//------------------------------------------------------------------------------
+void ReadDem(const std::string& path, FileContents& contents)
+{
+  vtkNew<vtkDEMReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->SetElevationReferenceToSeaLevel();
+  reader->UpdateInformation();
+  constexpr int fewest = 100; // VTK divides by the hundredth part of their number
+  if (reader->GetProfileDimension()[1] < fewest)
+  {
+    throw Failure(path +
+      ": is no DEM, or one of less than 100 columns, which VTK cannot read; "
+      "convert it to .tif");
+  }
+  Update(reader.Get(), path, contents);
+  auto* picture = vtkImageData::SafeDownCast(contents.DataSets.front());
+  contents.Place.Known = true;
+  std::copy_n(picture->GetSpacing(), 2, contents.Place.Spacing);
+  if (reader->GetGroundSystem() == 0)
+  {
+    // In arc-seconds: VTK takes each for as long as one on a sphere's equator, in both directions,
+    // and leaves the origin as it is.
+    constexpr double degree = 6.38e6 * 3.14159265358979 / 180.0;
+    const double* bounds = picture->GetBounds();
+    const double height = (bounds[3] - bounds[2]) / degree;
+    double lengths[2];
+    GetDegreeLengths(picture->GetOrigin()[1] / 3600.0 + 0.5 * height, lengths);
+    contents.Place.Spacing[0] *= lengths[0] / degree;
+    contents.Place.Spacing[1] *= lengths[1] / degree;
+  }
+}
+
+//------------------------------------------------------------------------------
+void ReadNrrd(const std::string& path, FileContents& contents)
+{
+  // VTK reads for ever in a header that has no end.
+  std::ifstream file(path);
+  bool ends = false;
+  for (std::string line; !ends && std::getline(file, line);)
+  {
+    ends = line.empty() || line == "\r" || line.rfind("data file:", 0) == 0 ||
+      line.rfind("datafile:", 0) == 0;
+  }
+  if (!ends)
+  {
+    throw Failure(path + ": ends before its data; copy it again");
+  }
+  ReadData<vtkNrrdReader>(path, contents);
+}
+
+//------------------------------------------------------------------------------
+using ReadFunction = std::function<void(const std::string&, FileContents&)>;
+
+const std::map<std::string, ReadFunction>& Types()
+{
+  static const std::map<std::string, ReadFunction> types = {
+    { ".3ds", Import<vtk3DSImporter> },
+    { ".bmp", ReadData<vtkBMPReader> },
+    { ".byu", ReadData<vtkBYUReader> },
+    { ".dem", ReadDem },
+    { ".glb", ReadGlb },
+    { ".gltf", ReadGltf },
+    { ".hdr", ReadData<vtkHDRReader> },
+    { ".jpeg", ReadData<vtkJPEGReader> },
+    { ".jpg", ReadData<vtkJPEGReader> },
+    { ".mha", ReadData<vtkMetaImageReader> },
+    { ".mhd", ReadData<vtkMetaImageReader> },
+    { ".nhdr", ReadNrrd },
+    { ".nii", ReadData<vtkNIFTIImageReader> },
+    { ".nrrd", ReadNrrd },
+    { ".obj", ReadObj },
+    { ".pgm", ReadData<vtkPNMReader> },
+    { ".ply", ReadDataYUp<vtkPLYReader> },
+    { ".png", ReadData<vtkPNGReader> },
+    { ".ppm", ReadData<vtkPNMReader> },
+    { ".pvti", ReadData<vtkXMLPImageDataReader> },
+    { ".pvtp", ReadData<vtkXMLPPolyDataReader> },
+    { ".pvtr", ReadData<vtkXMLPRectilinearGridReader> },
+    { ".pvts", ReadData<vtkXMLPStructuredGridReader> },
+    { ".pvtu", ReadData<vtkXMLPUnstructuredGridReader> },
+    { ".stl", ReadStl },
+    { ".tif", ReadTiff },
+    { ".tiff", ReadTiff },
+    { ".vti", ReadData<vtkXMLImageDataReader> },
+    { ".vtk", ReadData<vtkGenericDataObjectReader> },
+    { ".vtm", ReadData<vtkXMLMultiBlockDataReader> },
+    { ".vtmb", ReadData<vtkXMLMultiBlockDataReader> },
+    { ".vtp", ReadData<vtkXMLPolyDataReader> },
+    { ".vtpc", ReadData<vtkXMLPartitionedDataSetCollectionReader> },
+    { ".vtpd", ReadData<vtkXMLPartitionedDataSetReader> },
+    { ".vtr", ReadData<vtkXMLRectilinearGridReader> },
+    { ".vts", ReadData<vtkXMLStructuredGridReader> },
+    { ".vtu", ReadData<vtkXMLUnstructuredGridReader> },
+  };
+  return types;
+}
+
+//------------------------------------------------------------------------------
+std::string GetExtension(const std::string& path)
+{
+  std::string extension = fs::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return extension;
+}
+
+//------------------------------------------------------------------------------
+const ReadFunction& CheckFile(const std::string& path)
+{
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found)
+  {
+    throw Failure(path + ": there is no such file; check the name and the folder");
+  }
+  if (fs::is_directory(status))
+  {
+    throw Failure(path + ": is a directory; name the files in it");
+  }
+  if (error || access(path.c_str(), R_OK) != 0)
+  {
+    throw Failure(path + ": may not be read; change its permissions");
+  }
+  if (!fs::is_regular_file(status))
+  {
+    throw Failure(path + ": is no regular file; copy what it holds to one");
+  }
+  if (fs::file_size(path, error) == 0)
+  {
+    throw Failure(path + ": is empty; write or copy it again");
+  }
+  const auto type = Types().find(GetExtension(path));
+  if (type == Types().end())
+  {
+    throw Failure(path + ": is of an unknown type; give one of " + GetExtensions());
+  }
+  return type->second;
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Why a file could not be read. Some readers only warn when data are missing, and MetaIO just
+ * prints it.
+ */
+std::string FindError(const Messages& messages)
+{
+  const auto errors = messages.GetErrors();
+  if (!errors.empty())
+  {
+    return errors.front();
+  }
+  for (const std::string& warning : messages.GetWarnings())
+  {
+    if (warning.find("rror reading") != std::string::npos ||
+      warning.find("File operation failed") != std::string::npos)
+    {
+      return warning;
+    }
+  }
+  const bool cutOff = messages.GetPrinted().find("not read completely") != std::string::npos;
+  return cutOff ? "its data end too early" : "";
+}
+
+//------------------------------------------------------------------------------
+void RemoveEmpty(FileContents& contents)
+{
+  const auto noPoints = [](const auto& dataSet) { return dataSet->GetNumberOfPoints() == 0; };
+  auto& dataSets = contents.DataSets;
+  dataSets.erase(std::remove_if(dataSets.begin(), dataSets.end(), noPoints), dataSets.end());
+}
+}
+
+//------------------------------------------------------------------------------
+FileContents ReadFile(const std::string& path)
+{
+  const ReadFunction& read = CheckFile(path);
+  FileContents contents;
+  contents.Path = path;
+  const std::string remedy = "; the file is damaged, or not what its name says: write it again";
+  std::string reason;
+  try
+  {
+    const Messages messages(true, "godrays: " + path + ": cannot be read" + remedy);
+    read(path, contents);
+    reason = FindError(messages);
+  }
+  catch (const Failure&)
+  {
+    throw;
+  }
+  catch (const std::exception& exception)
+  {
+    reason = exception.what();
+  }
+  if (!reason.empty())
+  {
+    throw Failure(path + ": cannot be read (" + reason + ")" + remedy);
+  }
+  RemoveEmpty(contents);
+  if (contents.DataSets.empty() && contents.Actors.empty())
+  {
+    throw Failure(path + ": holds nothing to draw; give a file with points and cells");
+  }
+  return contents;
+}
+
+//------------------------------------------------------------------------------
+std::string GetExtensions()
+{
+  std::string list;
+  for (const auto& [extension, read] : Types())
+  {
+    list += (list.empty() ? "" : " ") + extension;
+  }
+  return list;
+}

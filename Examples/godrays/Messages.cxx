@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Messages.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <csignal>
+#include <cstdio>
+#include <unistd.h>
+
+namespace
+{
+int userError = STDERR_FILENO;
+std::string crashLine;
+constexpr std::array<int, 5> CrashSignals = { SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL };
+
+//------------------------------------------------------------------------------
+void EndAfterCrash(int)
+{
+  // Only functions that a signal handler may call.
+  if (write(userError, crashLine.data(), crashLine.size()) < 0)
+  {
+    _exit(2);
+  }
+  _exit(1);
+}
+
+//------------------------------------------------------------------------------
+std::string OneLine(std::string text)
+{
+  // "ERROR: In file.cxx, line 12\nvtkClass (0x1234): what happened\n\n"
+  const auto body = text.find("): ");
+  if (body != std::string::npos && text.find("0x") < body)
+  {
+    text = text.substr(body + 3);
+  }
+  else if (text.rfind("ERROR: In", 0) == 0 || text.rfind("Generic Warning: In", 0) == 0)
+  {
+    text = text.substr(std::min(text.find('\n'), text.size()));
+  }
+  std::string line;
+  for (const char letter : text)
+  {
+    const bool space = std::isspace(static_cast<unsigned char>(letter));
+    if (!space)
+    {
+      line += letter;
+    }
+    else if (!line.empty() && line.back() != ' ')
+    {
+      line += ' ';
+    }
+  }
+  while (!line.empty() && (line.back() == ' ' || line.back() == '.'))
+  {
+    line.pop_back();
+  }
+  return line;
+}
+
+//------------------------------------------------------------------------------
+class Collector : public vtkOutputWindow
+{
+public:
+  static Collector* New();
+  vtkTypeMacro(Collector, vtkOutputWindow);
+
+  void DisplayText(const char*) override {}
+  void DisplayDebugText(const char*) override {}
+  void DisplayErrorText(const char* text) override { Collector::Add(this->Errors, text); }
+  void DisplayWarningText(const char* text) override { Collector::Add(this->Warnings, text); }
+  void DisplayGenericWarningText(const char* text) override
+  {
+    Collector::Add(this->Warnings, text);
+  }
+
+  std::vector<std::string> Errors;
+  std::vector<std::string> Warnings;
+
+private:
+  static void Add(std::vector<std::string>& list, const char* text)
+  {
+    const std::string line = OneLine(text ? text : "");
+    if (!line.empty() && std::find(list.begin(), list.end(), line) == list.end())
+    {
+      list.push_back(line);
+    }
+  }
+};
+vtkStandardNewMacro(Collector);
+}
+
+//------------------------------------------------------------------------------
+Messages::Messages(bool catchStandardError, const std::string& onCrash)
+  : Collector(vtkSmartPointer<::Collector>::New())
+  , Former(vtkOutputWindow::GetInstance())
+{
+  vtkOutputWindow::SetInstance(this->Collector);
+  if (!catchStandardError)
+  {
+    return;
+  }
+  crashLine = onCrash + "\n";
+  this->Printed = std::tmpfile();
+  userError = dup(STDERR_FILENO);
+  if (!this->Printed || userError < 0 || dup2(fileno(this->Printed), STDERR_FILENO) < 0)
+  {
+    userError = STDERR_FILENO; // then the user sees them
+  }
+  for (const int signal : CrashSignals)
+  {
+    std::signal(signal, EndAfterCrash);
+  }
+}
+
+//------------------------------------------------------------------------------
+Messages::~Messages()
+{
+  vtkOutputWindow::SetInstance(this->Former);
+  if (userError != STDERR_FILENO)
+  {
+    dup2(userError, STDERR_FILENO);
+    close(userError);
+    userError = STDERR_FILENO;
+    for (const int signal : CrashSignals)
+    {
+      std::signal(signal, SIG_DFL);
+    }
+  }
+  if (this->Printed)
+  {
+    std::fclose(this->Printed);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> Messages::GetErrors() const
+{
+  return static_cast<::Collector*>(this->Collector.Get())->Errors;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> Messages::GetWarnings() const
+{
+  return static_cast<::Collector*>(this->Collector.Get())->Warnings;
+}
+
+//------------------------------------------------------------------------------
+std::string Messages::GetPrinted() const
+{
+  std::string text;
+  if (this->Printed)
+  {
+    std::fflush(stderr);
+    std::rewind(this->Printed);
+    for (int letter = std::fgetc(this->Printed); letter != EOF; letter = std::fgetc(this->Printed))
+    {
+      text += static_cast<char>(letter);
+    }
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+void Messages::Show(const std::string& text)
+{
+  if (write(userError, text.data(), text.size()) < 0)
+  {
+    return; // there is nobody to tell
+  }
+}
+
+//------------------------------------------------------------------------------
+bool Messages::IsTerminal()
+{
+  return isatty(userError) == 1;
+}

@@ -1,0 +1,369 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Options.h"
+
+#include "Colormaps.h"
+#include "Failure.h"
+#include "Files.h"
+
+#include "vtkNamedColors.h"
+#include "vtkNew.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <cstdlib>
+
+namespace
+{
+//------------------------------------------------------------------------------
+std::string Quoted(const std::string& text)
+{
+  return "'" + text + "'";
+}
+
+//------------------------------------------------------------------------------
+bool ReadNumber(const std::string& text, double& value)
+{
+  char* end = nullptr;
+  value = std::strtod(text.c_str(), &end);
+  return !text.empty() && *end == '\0' && std::isfinite(value);
+}
+
+//------------------------------------------------------------------------------
+template <std::size_t N>
+bool ReadNumbers(const std::string& text, std::array<double, N>& values)
+{
+  std::stringstream stream(text);
+  std::string word;
+  std::size_t count = 0;
+  while (std::getline(stream, word, ','))
+  {
+    if (count == N || !ReadNumber(word, values[count]))
+    {
+      return false;
+    }
+    ++count;
+  }
+  return count == N && text.back() != ',';
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Adds options of one value to a parser. Each has its own sentence for a wrong value, with what it
+ * should be.
+ */
+class Parser
+{
+public:
+  explicit Parser(CLI::App& app)
+    : App(app)
+  {
+  }
+
+  template <std::size_t N>
+  void Add(const std::string& name, std::optional<std::array<double, N>>& target,
+    const std::string& form, const std::string& help)
+  {
+    this->AddCall(name, form, help,
+      [name, form, &target](const std::string& text)
+      {
+        std::array<double, N> values{};
+        if (!ReadNumbers(text, values))
+        {
+          throw Failure(name + ": " + Quoted(text) + " should be " + form + ", " +
+            std::to_string(N) + " numbers with commas between them");
+        }
+        target = values;
+      });
+  }
+
+  template <typename T>
+  void Add(const std::string& name, T& target, double low, double high, const std::string& help)
+  {
+    this->AddCall(name, "NUMBER", help,
+      [name, low, high, &target](const std::string& text)
+      {
+        double value = 0.0;
+        if (!ReadNumber(text, value) || value < low || value > high)
+        {
+          std::ostringstream message;
+          message << name << ": " << Quoted(text) << " should be a number from " << low << " to "
+                  << high;
+          throw Failure(message.str());
+        }
+        target = value;
+      });
+  }
+
+  void AddCall(const std::string& name, const std::string& form, const std::string& help,
+    const std::function<void(const std::string&)>& call)
+  {
+    this->App.add_option_function<std::string>(name, call, help)
+      ->type_name(form)
+      ->group(this->Group);
+  }
+
+  void AddFlag(const std::string& name, bool& target, const std::string& help)
+  {
+    this->App.add_flag(name, target, help)->group(this->Group);
+  }
+
+  CLI::App& App;
+  std::string Group;
+};
+
+//------------------------------------------------------------------------------
+void AddLightOptions(Parser& parser, Options& options)
+{
+  parser.Group = "Light";
+  parser.Add("--sun", options.Sun, "AZIMUTH,ELEVATION",
+    "Where the sun is, in degrees: azimuth clockwise from north as on a map (0 north, 90 east), "
+    "elevation above the horizon. Without --sun and --light a place is chosen that gives shafts");
+  parser.Add("--light", options.Light, "X,Y,Z", "A lamp at this point instead of the sun");
+  parser.AddCall("--light-color", "COLOR", "Colour of the sun or lamp: r,g,b, #rrggbb or a name",
+    [&options](const std::string& text)
+    { options.LightColor = ParseColor("--light-color", text); });
+  parser.Add("--light-size", options.LightSize, 1e-6, 1e30,
+    "Radius of the sun in degrees, or of the lamp in world units");
+  parser.Add("--fill", options.Fill, 0.0, 10.0,
+    "Light from the sky on the sides that the sun does not reach (0.5)");
+}
+
+//------------------------------------------------------------------------------
+void AddRayOptions(Parser& parser, Options& options)
+{
+  parser.Group = "Rays";
+  parser.AddCall("--preset", "NAME", "A named look: see --list-presets",
+    [&options](const std::string& text) { options.Preset = text; });
+  parser.Add("--intensity", options.Intensity, 0.0, 1e4, "Factor on all rays");
+  parser.Add("--density", options.Density, 0.0, 2.0, "Length of the rays, to the light at 1");
+  parser.Add(
+    "--decay", options.Decay, 0.0, 1.05, "What remains of the light from sample to sample");
+  parser.Add("--weight", options.Weight, 0.0, 100.0, "Weight of each sample");
+  parser.Add("--exposure", options.Exposure, 0.0, 100.0, "Factor on the sum of the samples");
+  parser.Add("--glow", options.Glow, 0.0, 1.0,
+    "Radiance of the open background about the light, as a fraction of the light's");
+  parser.Add("--glow-angle", options.GlowAngle, 0.0, 180.0,
+    "Angle from the light over which that glow falls to 0, in degrees (14)");
+  parser.Add("--tolerance", options.Tolerance, 1e-6, 0.1,
+    "Error that the rays may have, as a fraction of the brightest possible");
+  parser.App
+    .add_flag_function(
+      "--no-rays", [&options](std::int64_t) { options.Rays = false; },
+      "The same picture without rays")
+    ->group(parser.Group);
+  parser.AddCall("--show", "WHAT", "composite (the scene with rays), occlusion or rays",
+    [&options](const std::string& text)
+    {
+      if (text != "composite" && text != "occlusion" && text != "rays")
+      {
+        throw Failure("--show: " + Quoted(text) + " should be composite, occlusion or rays");
+      }
+      options.Show = text;
+    });
+}
+
+//------------------------------------------------------------------------------
+void AddCameraOptions(Parser& parser, Options& options)
+{
+  parser.Group = "Camera";
+  parser.Add("--camera-position", options.CameraPosition, "X,Y,Z", "Where the camera is");
+  parser.Add("--focal-point", options.FocalPoint, "X,Y,Z", "What the camera looks at");
+  parser.Add("--view-up", options.ViewUp, "X,Y,Z", "What is up in the picture");
+  parser.Add("--view-angle", options.ViewAngle, 1.0, 170.0, "Height of the view in degrees");
+  parser.AddFlag("--parallel", options.Parallel, "Parallel projection");
+  parser.AddCall("--up", "AXIS",
+    "Axis of the data that points up: X, Y or Z. Y for .obj, .ply, .gltf and .glb, else Z",
+    [&options](const std::string& text)
+    {
+      const std::string axes = "XYZ";
+      const char axis = static_cast<char>(text.empty() ? 0 : std::toupper(text[0]));
+      if (text.size() != 1 || axes.find(axis) == std::string::npos)
+      {
+        throw Failure("--up: " + Quoted(text) + " should be X, Y or Z");
+      }
+      options.Up = axis;
+    });
+}
+
+//------------------------------------------------------------------------------
+void AddLookOptions(Parser& parser, Options& options)
+{
+  parser.Group = "Look";
+  parser.AddCall("--background", "COLOR",
+    "sky, a colour, or two with a colon between them, bottom:top. Colours are r,g,b, #rrggbb or "
+    "names",
+    [&options](const std::string& text)
+    {
+      options.Background = text;
+      for (std::size_t begin = 0; text != "sky" && begin <= text.size();)
+      {
+        const auto end = std::min(text.find(':', begin), text.size());
+        ParseColor("--background", text.substr(begin, end - begin));
+        begin = end + 1;
+      }
+      if (std::count(text.begin(), text.end(), ':') > 1)
+      {
+        throw Failure("--background: " + Quoted(text) + " has more than two colours");
+      }
+    });
+  parser.AddCall("--scalars", "NAME", "Array to colour by, or none",
+    [&options](const std::string& text) { options.Scalars = text; });
+  parser.AddCall("--colormap", "NAME", "Colours of the array: see --list-colormaps",
+    [&options](const std::string& text)
+    {
+      if (!HasColormap(text))
+      {
+        throw Failure(
+          "--colormap: " + Quoted(text) + " should be one of " + GetColormapNames(", "));
+      }
+      options.Colormap = text;
+    });
+  parser.Add("--range", options.Range, "LOW,HIGH", "Values at the ends of the colour map");
+  parser.AddCall("--color", "COLOR", "Colour of surfaces that have no array",
+    [&options](const std::string& text) { options.Color = ParseColor("--color", text); });
+  parser.Add("--opacity", options.Opacity, 0.0, 1.0, "Opacity of surfaces");
+  parser.AddFlag("--edges", options.Edges, "Draw the edges of the cells");
+  parser.AddFlag("--flat", options.Flat, "Draw elevation pictures flat");
+  parser.AddCall("--elevation-scale", "FACTOR",
+    "Vertical exaggeration; auto, for elevation pictures, makes them neither flat nor steep",
+    [&options](const std::string& text)
+    {
+      double value = 0.0;
+      if (text == "auto")
+      {
+        options.ElevationScale.reset();
+      }
+      else if (!ReadNumber(text, value) || value <= 0.0 || value > 1e9)
+      {
+        throw Failure(
+          "--elevation-scale: " + Quoted(text) + " should be a number above 0, or auto");
+      }
+      else
+      {
+        options.ElevationScale = value;
+      }
+    });
+  parser.Add("--isosurface", options.Isosurface, -1e300, 1e300,
+    "Draw 3-D images as the surface of this value instead of as a volume");
+}
+
+//------------------------------------------------------------------------------
+void AddOutputOptions(Parser& parser, Options& options)
+{
+  parser.Group = "Output";
+  parser.AddCall("--size", "WxH", "Width and height of the picture in pixels (1200x800)",
+    [&options](const std::string& text)
+    {
+      int length = 0;
+      auto& size = options.Size;
+      const bool read = std::sscanf(text.c_str(), "%5dx%5d%n", &size[0], &size[1], &length) == 2;
+      const bool whole = read && static_cast<std::size_t>(length) == text.size();
+      if (!whole || size[0] < 8 || size[1] < 8 || size[0] > 16384 || size[1] > 16384)
+      {
+        throw Failure("--size: " + Quoted(text) +
+          " should be WIDTHxHEIGHT in pixels, each from 8 to 16384, for example 1200x800");
+      }
+    });
+  parser.AddCall("-o,--output", "FILE", "Write the picture to this .png or .jpg, without a window",
+    [&options](const std::string& text) { options.Output = text; });
+  parser.AddFlag("--interactive", options.Interactive,
+    "Open a window, also with --output, which is then written when it closes");
+  parser.AddFlag("--stats", options.Stats, "Print what was drawn, how, and how long it took");
+  parser.AddFlag("--list-presets", options.ListPresets, "List the named looks");
+  parser.AddFlag("--list-colormaps", options.ListColormaps, "List the colour maps");
+}
+
+//------------------------------------------------------------------------------
+void CheckTogether(const Options& options)
+{
+  if (options.ListPresets || options.ListColormaps)
+  {
+    return;
+  }
+  if (options.Files.empty())
+  {
+    throw Failure("no file to show; name one or more, for example godrays terrain.vtp, or see "
+                  "godrays --help");
+  }
+  if (options.Sun && options.Light)
+  {
+    throw Failure("--sun and --light are two places for one light; give one of them");
+  }
+  if (options.Sun && std::abs((*options.Sun)[1]) > 90.0)
+  {
+    throw Failure("--sun: the elevation should be from -90 to 90 degrees");
+  }
+  if (options.CameraPosition && options.CameraPosition == options.FocalPoint)
+  {
+    throw Failure("--camera-position and --focal-point are the same; move one of them");
+  }
+  if (options.ViewUp && *options.ViewUp == Vector3{ 0.0, 0.0, 0.0 })
+  {
+    throw Failure("--view-up: 0,0,0 is no direction; give for example 0,0,1");
+  }
+  if (options.Range && (*options.Range)[0] >= (*options.Range)[1])
+  {
+    throw Failure("--range: the first value should be below the second");
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::optional<Options> ParseCommandLine(int argc, char* argv[])
+{
+  CLI::App app("Shows files with god rays: the shafts of light that appear where air scatters "
+               "sunlight past things that block it.",
+    "godrays");
+  app.footer("Reads " + GetExtensions() +
+    "\n\nWithout --output a window opens: drag to look around, G switches the rays, N takes the "
+    "next preset, O shows the rays alone, Q ends.");
+  app.set_version_flag("--version", std::string("godrays ") + GODRAYS_VERSION);
+  Options options;
+  app.add_option("files", options.Files, "Files to show together");
+  Parser parser(app);
+  AddLightOptions(parser, options);
+  AddRayOptions(parser, options);
+  AddCameraOptions(parser, options);
+  AddLookOptions(parser, options);
+  AddOutputOptions(parser, options);
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::Success& success)
+  {
+    app.exit(success);
+    return {};
+  }
+  catch (const CLI::ParseError& error)
+  {
+    std::string line = error.what();
+    line = line.substr(0, line.find('\n'));
+    throw Failure(line + "; see godrays --help");
+  }
+  CheckTogether(options);
+  return options;
+}
+
+//------------------------------------------------------------------------------
+Vector3 ParseColor(const std::string& what, const std::string& text)
+{
+  Vector3 color{};
+  const auto outside = [](double value) { return value < 0.0 || value > 1.0; };
+  if (ReadNumbers(text, color) && std::none_of(color.begin(), color.end(), outside))
+  {
+    return color;
+  }
+  vtkNew<vtkNamedColors> names;
+  const bool hexadecimal = text.size() == 7 && text[0] == '#' &&
+    text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+  if (hexadecimal || names->ColorExists(text))
+  {
+    const vtkColor3ub bytes = hexadecimal ? names->HTMLColorToRGB(text) : names->GetColor3ub(text);
+    return { bytes[0] / 255.0, bytes[1] / 255.0, bytes[2] / 255.0 };
+  }
+  throw Failure(
+    what + ": " + Quoted(text) + " should be r,g,b from 0 to 1, #rrggbb, or a name such as orange");
+}

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What the command line asks for.
+ */
+
+#ifndef Options_h
+#define Options_h
+
+#include <array>    // For std::array
+#include <optional> // For std::optional
+#include <string>   // For std::string
+#include <vector>   // For std::vector
+
+using Vector3 = std::array<double, 3>;
+
+struct Options
+{
+  std::vector<std::string> Files;
+
+  // Light. Azimuth and elevation are in degrees, azimuth clockwise from north as on a map.
+  std::optional<std::array<double, 2>> Sun;
+  std::optional<Vector3> Light;
+  Vector3 LightColor = { 1.0, 0.85, 0.62 };
+  std::optional<double> LightSize;
+  double Fill = 0.5;
+
+  // Rays: what is not given stays as the preset has it.
+  bool Rays = true;
+  std::string Preset;
+  std::optional<double> Intensity, Density, Decay, Weight, Exposure, Glow, GlowAngle, Tolerance;
+  std::string Show = "composite";
+
+  // Camera.
+  std::optional<Vector3> CameraPosition, FocalPoint, ViewUp;
+  std::optional<double> ViewAngle;
+  bool Parallel = false;
+
+  // Look.
+  std::string Background = "sky";
+  std::string Scalars;
+  std::string Colormap;
+  std::optional<std::array<double, 2>> Range;
+  std::optional<Vector3> Color;
+  double Opacity = 1.0;
+  bool Edges = false;
+  bool Flat = false;
+  std::optional<double> ElevationScale;
+  std::optional<double> Isosurface;
+  char Up = 0; ///< 'X', 'Y', 'Z', or 0: as is usual for the type of file
+
+  // Output.
+  std::array<int, 2> Size = { 1200, 800 };
+  std::string Output;
+  bool Interactive = false;
+  bool Stats = false;
+  bool ListPresets = false;
+  bool ListColormaps = false;
+};
+
+/**
+ * The options in the command line, or nothing when it asked for help or the version, which have
+ * then been printed. Throws Failure when there is a mistake in it.
+ */
+std::optional<Options> ParseCommandLine(int argc, char* argv[]);
+
+/**
+ * A colour, given as r,g,b from 0 to 1, as #rrggbb, or by its name in VTK. Throws Failure,
+ * beginning with what, when it is none of these.
+ */
+Vector3 ParseColor(const std::string& what, const std::string& text);
+
+#endif

@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Output.h"
+
+#include "Failure.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkGodRaysPass.h"
+#include "vtkGodRaysRadialModel.h"
+#include "vtkInteractorStyleTrackballCamera.h"
+#include "vtkJPEGWriter.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkRenderingOpenGLConfigure.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <unistd.h>
+
+#ifdef VTK_USE_X
+#include <X11/Xlib.h>
+#endif
+
+namespace
+{
+namespace fs = std::filesystem;
+
+//------------------------------------------------------------------------------
+std::string GetExtension(const std::string& path)
+{
+  std::string extension = fs::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return extension;
+}
+
+//------------------------------------------------------------------------------
+/**
+ * What the keys of the window change.
+ */
+struct Session
+{
+  vtkRenderWindow* Window;
+  vtkRenderer* Renderer;
+  vtkGodRaysPass* Rays;
+  int Preset;
+  bool Attached = true;
+
+  void SwitchRays()
+  {
+    if (this->Attached)
+    {
+      this->Rays->Detach(this->Renderer);
+    }
+    else
+    {
+      this->Rays->Attach(this->Renderer);
+    }
+    this->Attached = !this->Attached;
+  }
+
+  void TakeNextPreset()
+  {
+    this->Preset = (this->Preset + 1) % vtkGodRaysRadialModel::GetNumberOfPresets();
+    const char* name = vtkGodRaysRadialModel::GetPresetName(this->Preset);
+    this->Rays->ApplyPreset(name);
+    this->Window->SetWindowName((std::string("godrays: ") + name).c_str());
+  }
+
+  void ShowRaysAlone()
+  {
+    const bool alone = this->Rays->GetOutput() == vtkGodRaysPass::SCATTERING;
+    this->Rays->SetOutput(alone ? vtkGodRaysPass::COMPOSITE : vtkGodRaysPass::SCATTERING);
+  }
+
+  void OnKey(char key)
+  {
+    switch (key)
+    {
+      case 'g':
+      case 'G':
+        this->SwitchRays();
+        break;
+      case 'n':
+      case 'N':
+        this->TakeNextPreset();
+        break;
+      case 'o':
+      case 'O':
+        this->ShowRaysAlone();
+        break;
+      default:
+        return;
+    }
+    this->Window->Render();
+  }
+};
+
+//------------------------------------------------------------------------------
+int FindPreset(const std::string& name)
+{
+  for (int i = 0; i < vtkGodRaysRadialModel::GetNumberOfPresets(); ++i)
+  {
+    if (name == vtkGodRaysRadialModel::GetPresetName(i))
+    {
+      return i;
+    }
+  }
+  return -1;
+}
+}
+
+//------------------------------------------------------------------------------
+void CheckOutput(const std::string& path)
+{
+  const std::string extension = GetExtension(path);
+  if (extension != ".png" && extension != ".jpg" && extension != ".jpeg")
+  {
+    throw Failure("--output: " + path + " should end in .png or .jpg");
+  }
+  std::error_code error;
+  const fs::path parent = fs::path(path).parent_path();
+  const fs::path folder = parent.empty() ? fs::path(".") : parent;
+  if (!fs::is_directory(folder, error))
+  {
+    throw Failure(
+      "--output: there is no folder " + folder.string() + "; make it first, with mkdir -p");
+  }
+  if (fs::is_directory(path, error))
+  {
+    throw Failure("--output: " + path + " is a directory; give the name of a file");
+  }
+  const fs::path& written = fs::exists(path, error) ? fs::path(path) : folder;
+  if (access(written.c_str(), W_OK) != 0)
+  {
+    throw Failure("--output: " + written.string() +
+      " may not be written; change its permissions, or write elsewhere");
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckDisplay()
+{
+#ifdef VTK_USE_X
+  const char* name = std::getenv("DISPLAY");
+  const std::string remedy =
+    "; run the program in a desktop session, or under xvfb-run -a -s \"-screen 0 1280x1024x24 "
+    "-noreset\"";
+  if (!name || !*name)
+  {
+    throw Failure("there is no X display to draw on (DISPLAY is not set)" + remedy);
+  }
+  Display* display = XOpenDisplay(name);
+  if (!display)
+  {
+    throw Failure("the X display " + std::string(name) + " cannot be opened" + remedy);
+  }
+  int numbers[3];
+  const bool hasOpenGL = XQueryExtension(display, "GLX", numbers, numbers + 1, numbers + 2) != 0;
+  XCloseDisplay(display);
+  if (!hasOpenGL)
+  {
+    throw Failure("the X display " + std::string(name) + " has no OpenGL (GLX)" + remedy);
+  }
+#endif
+}
+
+//------------------------------------------------------------------------------
+void WritePicture(vtkRenderWindow* window, const std::string& path)
+{
+  vtkNew<vtkWindowToImageFilter> picture;
+  picture->SetInput(window);
+  picture->ReadFrontBufferOff();
+  picture->ShouldRerenderOff();
+  vtkSmartPointer<vtkImageWriter> writer;
+  if (GetExtension(path) == ".png")
+  {
+    writer = vtkSmartPointer<vtkPNGWriter>::New();
+  }
+  else
+  {
+    writer = vtkSmartPointer<vtkJPEGWriter>::New();
+  }
+  writer->SetInputConnection(picture->GetOutputPort());
+  writer->SetFileName(path.c_str());
+  writer->Write();
+  std::error_code error;
+  const auto size = fs::file_size(path, error);
+  if (writer->GetErrorCode() != 0 || error || size == 0)
+  {
+    throw Failure("--output: " + path + " could not be written; is the disk full?");
+  }
+}
+
+//------------------------------------------------------------------------------
+void Interact(
+  vtkRenderWindow* window, vtkRenderer* renderer, vtkGodRaysPass* rays, const std::string& preset)
+{
+  vtkNew<vtkRenderWindowInteractor> interactor;
+  vtkNew<vtkInteractorStyleTrackballCamera> style;
+  interactor->SetInteractorStyle(style);
+  interactor->SetRenderWindow(window);
+  Session session{ window, renderer, rays, FindPreset(preset), renderer->GetPass() == rays };
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&session);
+  command->SetCallback(
+    [](vtkObject* caller, unsigned long, void* session, void*)
+    {
+      static_cast<Session*>(session)->OnKey(
+        static_cast<vtkRenderWindowInteractor*>(caller)->GetKeyCode());
+    });
+  interactor->AddObserver(vtkCommand::CharEvent, command);
+  // Without this observer, VTK 9.1 closes the display at the end, while its loop still reads events.
+  vtkNew<vtkCallbackCommand> end;
+  end->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+    { static_cast<vtkRenderWindowInteractor*>(caller)->SetDone(true); });
+  interactor->AddObserver(vtkCommand::ExitEvent, end);
+  interactor->Initialize();
+  interactor->Start();
+  interactor->RemoveAllObservers();
+}

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Progress.h"
+
+#include "Messages.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+
+namespace
+{
+constexpr std::chrono::milliseconds BeforeFirst(1000);
+constexpr std::chrono::milliseconds OnTerminal(200);
+constexpr std::chrono::milliseconds Elsewhere(10000);
+}
+
+//------------------------------------------------------------------------------
+Progress::Progress(vtkObject* step, const std::string& what)
+  : Step(step)
+  , What(what)
+  , Next(Clock::now() + BeforeFirst)
+  , Terminal(Messages::IsTerminal())
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(this);
+  command->SetCallback([](vtkObject*, unsigned long, void* self, void* fraction)
+    { static_cast<Progress*>(self)->Update(fraction ? *static_cast<double*>(fraction) : 0.0); });
+  this->Observer = step->AddObserver(vtkCommand::ProgressEvent, command);
+}
+
+//------------------------------------------------------------------------------
+Progress::~Progress()
+{
+  this->Step->RemoveObserver(this->Observer);
+  if (this->Shown && this->Terminal)
+  {
+    Messages::Show("\r\033[K");
+  }
+}
+
+//------------------------------------------------------------------------------
+void Progress::Update(double fraction)
+{
+  this->Fraction = std::max(this->Fraction, fraction); // some readers step back
+  const auto now = Clock::now();
+  if (now < this->Next)
+  {
+    return;
+  }
+  this->Next = now + (this->Terminal ? OnTerminal : Elsewhere);
+  this->Shown = true;
+  const std::string percent = std::to_string(static_cast<int>(100.0 * this->Fraction)) + " %";
+  Messages::Show(this->Terminal ? "\r" + this->What + ": " + percent + "\033[K"
+                                : this->What + ": " + percent + "\n");
+}

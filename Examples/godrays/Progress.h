@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Tells how far a long step is, on the standard error output: in one line that grows on a
+ * terminal, every ten seconds elsewhere; nothing during the first second.
+ */
+
+#ifndef Progress_h
+#define Progress_h
+
+#include <chrono> // For std::chrono
+#include <string> // For std::string
+
+class vtkObject;
+
+class Progress
+{
+public:
+  Progress(vtkObject* step, const std::string& what);
+  ~Progress();
+
+  Progress(const Progress&) = delete;
+  void operator=(const Progress&) = delete;
+
+private:
+  void Update(double fraction);
+
+  using Clock = std::chrono::steady_clock;
+
+  vtkObject* Step;
+  std::string What;
+  unsigned long Observer;
+  Clock::time_point Next;
+  double Fraction = 0.0;
+  bool Terminal;
+  bool Shown = false;
+};
+
+#endif

@@ -1,0 +1,360 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene.h"
+
+#include "Coloring.h"
+#include "Failure.h"
+
+#include "vtkActor.h"
+#include "vtkCellData.h"
+#include "vtkCellDataToPointData.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkContourFilter.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkImageData.h"
+#include "vtkImageMagnitude.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkProperty.h"
+#include "vtkSmartVolumeMapper.h"
+#include "vtkVertexGlyphFilter.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+//------------------------------------------------------------------------------
+/**
+ * Makes props of files. Colours are given last, when the range of all values is known.
+ */
+class SceneMaker
+{
+public:
+  explicit SceneMaker(const Options& options)
+    : Settings(options)
+    , Colors(options)
+  {
+  }
+
+  void Add(const FileContents& file)
+  {
+    const vtkIdType before = this->Result.NumberOfCells + this->Result.NumberOfVoxels;
+    for (const auto& data : file.DataSets)
+    {
+      this->AddDataSet(file, data);
+    }
+    for (const auto& actor : file.Actors)
+    {
+      this->Result.NumberOfCells += actor->GetMapper()->GetInput()->GetNumberOfCells();
+      this->Result.Props.emplace_back(actor);
+    }
+    if (this->Result.NumberOfCells + this->Result.NumberOfVoxels == before)
+    {
+      throw Failure(file.Path + ": holds nothing to draw; give a file with points and cells");
+    }
+  }
+
+  Scene Finish(char up)
+  {
+    this->Colors.CheckFound();
+    for (const Part& part : this->Parts)
+    {
+      if (part.Actor)
+      {
+        this->Colors.Apply(part.Choice, part.Actor);
+      }
+      else
+      {
+        this->ColorVolume(part);
+      }
+      const std::string name = part.Choice.GetName();
+      auto& names = this->Result.Arrays;
+      if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
+      {
+        names.push_back(name);
+      }
+    }
+    this->SetAxes(up);
+    this->StretchElevations();
+    this->Measure();
+    return this->Result;
+  }
+
+private:
+  struct Part
+  {
+    vtkActor* Actor = nullptr;
+    vtkVolume* Volume = nullptr;
+    ColorArray Choice;
+  };
+
+  //----------------------------------------------------------------------------
+  void AddDataSet(const FileContents& file, vtkDataSet* data)
+  {
+    auto* picture = vtkImageData::SafeDownCast(data);
+    int size[3] = {};
+    if (picture)
+    {
+      picture->GetDimensions(size);
+    }
+    const ColorArray choice = picture ? this->Colors.Choose(data) : ColorArray();
+    const bool isElevation = choice.Array && !choice.OfCells && size[2] == 1 && size[0] > 1 &&
+      size[1] > 1 && choice.Array->GetNumberOfComponents() < 3;
+    if (std::min({ size[0], size[1], size[2] }) > 1 && choice.Array && !choice.IsColor())
+    {
+      this->AddVolume(picture, choice);
+    }
+    else if (isElevation && !this->Settings.Flat)
+    {
+      this->AddElevation(file, picture, choice.Array);
+    }
+    else
+    {
+      this->AddSurface(data);
+    }
+  }
+
+  //----------------------------------------------------------------------------
+  void AddElevation(const FileContents& file, vtkImageData* picture, vtkDataArray* elevations)
+  {
+    double spacing[3];
+    picture->GetSpacing(spacing);
+    const bool pictureHasLengths = spacing[0] != 1.0 || spacing[1] != 1.0;
+    const auto unscaled = MakeElevationSurface(picture, elevations, file.Place, 1.0);
+    double bounds[6];
+    unscaled->GetCellsBounds(bounds);
+    const double scale = this->Settings.ElevationScale.value_or(ChooseElevationScale(
+      bounds[5] - bounds[4], std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]),
+      file.Place.Known || pictureHasLengths));
+    this->Result.ElevationScale = scale;
+    this->HasElevation = true;
+    const auto surface =
+      scale == 1.0 ? unscaled : MakeElevationSurface(picture, elevations, file.Place, scale);
+    this->Colors.SetTerrain(
+      surface->GetPointData()->GetScalars()->GetName(), !file.Place.Known && pictureHasLengths);
+    this->AddPolyData(surface);
+  }
+
+  //----------------------------------------------------------------------------
+  void AddSurface(vtkDataSet* data)
+  {
+    vtkSmartPointer<vtkPolyData> surface = vtkPolyData::SafeDownCast(data);
+    if (!surface)
+    {
+      vtkNew<vtkDataSetSurfaceFilter> filter;
+      filter->SetInputData(data);
+      filter->Update();
+      surface = filter->GetOutput();
+    }
+    auto* points = vtkPointSet::SafeDownCast(data);
+    if (surface->GetNumberOfCells() == 0 && points)
+    {
+      vtkNew<vtkVertexGlyphFilter> filter;
+      filter->SetInputData(points);
+      filter->Update();
+      surface = filter->GetOutput();
+    }
+    const bool polygonsAlone = surface->GetNumberOfLines() == 0 && surface->GetNumberOfVerts() == 0;
+    if (polygonsAlone && !surface->GetPointData()->GetNormals() &&
+      !surface->GetCellData()->GetNormals())
+    {
+      vtkNew<vtkPolyDataNormals> filter;
+      filter->SetInputData(surface);
+      filter->SetFeatureAngle(30.0);
+      filter->ConsistencyOff();
+      filter->Update();
+      surface = filter->GetOutput();
+    }
+    this->AddPolyData(surface);
+  }
+
+  //----------------------------------------------------------------------------
+  void AddPolyData(vtkPolyData* surface)
+  {
+    if (surface->GetNumberOfCells() == 0)
+    {
+      return;
+    }
+    this->Result.NumberOfCells += surface->GetNumberOfCells();
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(surface);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    vtkProperty* property = actor->GetProperty();
+    property->SetAmbient(0.05);
+    property->SetSpecular(0.1);
+    property->SetSpecularPower(15.0);
+    property->SetPointSize(3.0);
+    property->SetLineWidth(2.0);
+    property->SetOpacity(this->Settings.Opacity);
+    property->SetEdgeVisibility(this->Settings.Edges);
+    const ColorArray choice = this->Colors.Choose(surface);
+    double lengths[3];
+    vtkBoundingBox(surface->GetBounds()).GetLengths(lengths);
+    if (lengths[2] < Scene::LowestOfShapes * std::min(lengths[0], lengths[1]))
+    {
+      this->Colors.SetTerrain(choice.GetName(), true);
+    }
+    this->AddPart({ actor, nullptr, choice });
+  }
+
+  //----------------------------------------------------------------------------
+  void AddVolume(vtkImageData* picture, ColorArray choice)
+  {
+    vtkSmartPointer<vtkImageData> image = vtkSmartPointer<vtkImageData>::New();
+    image->ShallowCopy(picture);
+    if (choice.OfCells)
+    {
+      vtkNew<vtkCellDataToPointData> filter;
+      filter->SetInputData(image);
+      filter->Update();
+      image = vtkImageData::SafeDownCast(filter->GetOutput());
+    }
+    image->GetPointData()->SetActiveScalars(choice.GetName().c_str());
+    if (choice.Array->GetNumberOfComponents() > 1)
+    {
+      vtkNew<vtkImageMagnitude> filter;
+      filter->SetInputData(image);
+      filter->Update();
+      image = filter->GetOutput();
+      image->GetPointData()->GetScalars()->SetName(choice.GetName().c_str());
+    }
+    if (this->Settings.Isosurface)
+    {
+      this->AddIsosurface(image, *this->Settings.Isosurface);
+      return;
+    }
+    vtkNew<vtkSmartVolumeMapper> mapper;
+    mapper->SetInputData(image);
+    vtkNew<vtkVolume> volume;
+    volume->SetMapper(mapper);
+    this->Result.NumberOfVoxels += image->GetNumberOfPoints();
+    this->AddPart({ nullptr, volume, this->Colors.Choose(image) });
+  }
+
+  //----------------------------------------------------------------------------
+  void AddIsosurface(vtkImageData* image, double value)
+  {
+    vtkNew<vtkContourFilter> filter;
+    filter->SetInputData(image);
+    filter->SetValue(0, value);
+    filter->Update();
+    if (filter->GetOutput()->GetNumberOfCells() == 0)
+    {
+      double range[2];
+      image->GetScalarRange(range);
+      throw Failure("--isosurface: nothing has the value " + std::to_string(value) +
+        "; values are from " + std::to_string(range[0]) + " to " + std::to_string(range[1]));
+    }
+    this->AddPolyData(filter->GetOutput());
+  }
+
+  //----------------------------------------------------------------------------
+  void ColorVolume(const Part& part)
+  {
+    double range[2];
+    this->Colors.GetRange(part.Choice.GetName(), range);
+    vtkNew<vtkPiecewiseFunction> opacity;
+    const auto at = [&range](double part) { return range[0] + part * (range[1] - range[0]); };
+    opacity->AddPoint(at(0.0), 0.0);
+    opacity->AddPoint(at(0.3), 0.0);
+    opacity->AddPoint(at(0.5), 0.25 * this->Settings.Opacity);
+    opacity->AddPoint(at(1.0), 0.9 * this->Settings.Opacity);
+    vtkVolumeProperty* property = part.Volume->GetProperty();
+    property->SetScalarOpacity(opacity);
+    property->SetColor(this->Colors.MakeColors(part.Choice.GetName()));
+    property->SetInterpolationTypeToLinear();
+    property->ShadeOn();
+    property->SetScalarOpacityUnitDistance(part.Volume->GetLength() / 60.0);
+  }
+
+  //----------------------------------------------------------------------------
+  void AddPart(const Part& part)
+  {
+    this->Colors.AddToRange(part.Choice);
+    this->Parts.push_back(part);
+    this->Result.Props.emplace_back(part.Actor ? static_cast<vtkProp3D*>(part.Actor) : part.Volume);
+  }
+
+  //----------------------------------------------------------------------------
+  void SetAxes(char up)
+  {
+    const Vector3 x = { 1.0, 0.0, 0.0 };
+    const Vector3 y = { 0.0, 1.0, 0.0 };
+    const Vector3 z = { 0.0, 0.0, 1.0 };
+    const std::array<Vector3, 3> axes = up == 'X' ? std::array{ y, z, x }
+      : up == 'Y'                                 ? std::array{ x, Vector3{ 0.0, 0.0, -1.0 }, y }
+                                                  : std::array{ x, y, z };
+    this->Result.East = axes[0];
+    this->Result.North = axes[1];
+    this->Result.Up = axes[2];
+  }
+
+  //----------------------------------------------------------------------------
+  void StretchElevations()
+  {
+    if (this->HasElevation || !this->Settings.ElevationScale)
+    {
+      return;
+    }
+    const double scale = *this->Settings.ElevationScale;
+    this->Result.ElevationScale = scale;
+    const Vector3& up = this->Result.Up;
+    for (const auto& prop : this->Result.Props)
+    {
+      prop->SetScale(
+        up[0] != 0.0 ? scale : 1.0, up[1] != 0.0 ? scale : 1.0, up[2] != 0.0 ? scale : 1.0);
+    }
+  }
+
+  //----------------------------------------------------------------------------
+  void Measure()
+  {
+    for (const auto& prop : this->Result.Props)
+    {
+      const double* bounds = prop->GetBounds();
+      if (bounds && vtkMath::AreBoundsInitialized(bounds))
+      {
+        this->Result.Bounds.AddBounds(bounds);
+      }
+    }
+    if (!this->Result.Bounds.IsValid())
+    {
+      throw Failure("nothing to draw; give files with points and cells");
+    }
+    double bounds[6];
+    this->Result.Bounds.GetBounds(bounds);
+    if (!std::all_of(bounds, bounds + 6, [](double value) { return std::isfinite(value); }) ||
+      !std::isfinite(this->Result.Bounds.GetDiagonalLength()))
+    {
+      throw Failure("a coordinate is infinite or no number; write the file again");
+    }
+  }
+
+  const Options& Settings;
+  Coloring Colors;
+  Scene Result;
+  std::vector<Part> Parts;
+  bool HasElevation = false;
+};
+}
+
+//------------------------------------------------------------------------------
+Scene MakeScene(const std::vector<FileContents>& files, const Options& options)
+{
+  SceneMaker maker(options);
+  for (const FileContents& file : files)
+  {
+    maker.Add(file);
+  }
+  return maker.Finish(options.Up ? options.Up : files.front().Up);
+}

@@ -1,0 +1,313 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Silhouette.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkImageData.h"
+#include "vtkMapper.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkVolume.h"
+#include "vtkVolumeMapper.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+double GetSide(const double a[2], const double b[2], double x, double y)
+{
+  return (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
+}
+}
+
+//------------------------------------------------------------------------------
+Silhouette::Silhouette(const Scene& scene, vtkCamera* camera, double aspect)
+  : Columns(std::max(16, static_cast<int>(this->Rows * aspect)))
+  , ToClip(camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0))
+  , Covered(static_cast<std::size_t>(this->Columns) * this->Rows)
+{
+  for (const auto& prop : scene.Props)
+  {
+    if (auto* actor = vtkActor::SafeDownCast(prop))
+    {
+      this->DrawSurface(
+        vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput()), actor->GetMatrix());
+    }
+    else if (auto* volume = vtkVolume::SafeDownCast(prop))
+    {
+      this->DrawVolume(volume);
+    }
+  }
+  this->SumUp();
+}
+
+//------------------------------------------------------------------------------
+bool Silhouette::Project(const double* point, vtkMatrix4x4* matrix, double pixel[2]) const
+{
+  double homogeneous[4] = { point[0], point[1], point[2], 1.0 };
+  matrix->MultiplyPoint(homogeneous, homogeneous);
+  if (homogeneous[3] <= 1e-9)
+  {
+    return false;
+  }
+  // Far outside is as good as outside, and keeps the numbers small.
+  pixel[0] = std::clamp(homogeneous[0] / homogeneous[3], -9.0, 9.0);
+  pixel[1] = std::clamp(homogeneous[1] / homogeneous[3], -9.0, 9.0);
+  pixel[0] = 0.5 * (pixel[0] + 1.0) * this->Columns;
+  pixel[1] = 0.5 * (pixel[1] + 1.0) * this->Rows;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void Silhouette::DrawSurface(vtkPolyData* surface, vtkMatrix4x4* toWorld)
+{
+  if (!surface || !surface->GetPoints())
+  {
+    return;
+  }
+  vtkNew<vtkMatrix4x4> matrix;
+  vtkMatrix4x4::Multiply4x4(this->ToClip, toWorld, matrix);
+  const vtkIdType count = surface->GetNumberOfPoints();
+  std::vector<std::array<double, 2>> pixels(count);
+  std::vector<char> inFront(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    double point[3];
+    surface->GetPoint(i, point);
+    inFront[i] = this->Project(point, matrix, pixels[i].data());
+  }
+  const auto forEachCell = [](vtkCellArray* cells, auto&& draw)
+  {
+    auto cell = vtk::TakeSmartPointer(cells->NewIterator());
+    for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+    {
+      vtkIdType size = 0;
+      const vtkIdType* ids = nullptr;
+      cell->GetCurrentCell(size, ids);
+      draw(size, ids);
+    }
+  };
+  const auto drawPoints = [&](vtkIdType size, const vtkIdType* ids)
+  {
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      if (inFront[ids[i]])
+      {
+        this->DrawPoint(pixels[ids[i]].data(), 0);
+      }
+    }
+  };
+  const auto drawTriangle = [&](vtkIdType a, vtkIdType b, vtkIdType c)
+  {
+    if (inFront[a] && inFront[b] && inFront[c])
+    {
+      this->DrawTriangle(pixels[a].data(), pixels[b].data(), pixels[c].data());
+    }
+  };
+  forEachCell(surface->GetVerts(), drawPoints);
+  forEachCell(surface->GetLines(), drawPoints);
+  forEachCell(surface->GetPolys(),
+    [&](vtkIdType size, const vtkIdType* ids)
+    {
+      drawPoints(size, ids);
+      for (vtkIdType i = 2; i < size; ++i)
+      {
+        drawTriangle(ids[0], ids[i - 1], ids[i]);
+      }
+    });
+  forEachCell(surface->GetStrips(),
+    [&](vtkIdType size, const vtkIdType* ids)
+    {
+      for (vtkIdType i = 2; i < size; ++i)
+      {
+        drawTriangle(ids[i - 2], ids[i - 1], ids[i]);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void Silhouette::DrawVolume(vtkVolume* volume)
+{
+  auto* image = vtkImageData::SafeDownCast(volume->GetMapper()->GetDataSetInput());
+  vtkNew<vtkMatrix4x4> matrix;
+  vtkMatrix4x4::Multiply4x4(this->ToClip, volume->GetMatrix(), matrix);
+  vtkPiecewiseFunction* opacity = volume->GetProperty()->GetScalarOpacity();
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  constexpr double most = 64.0;
+  constexpr double opaque = 0.1;
+  int size[3];
+  image->GetDimensions(size);
+  int step[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    step[i] = static_cast<int>(std::ceil(size[i] / most));
+  }
+  for (int k = 0; k < size[2]; k += step[2])
+  {
+    for (int j = 0; j < size[1]; j += step[1])
+    {
+      for (int i = 0; i < size[0]; i += step[0])
+      {
+        const vtkIdType id =
+          i + static_cast<vtkIdType>(size[0]) * (j + static_cast<vtkIdType>(size[1]) * k);
+        double pixel[2];
+        if (opacity->GetValue(scalars->GetComponent(id, 0)) > opaque &&
+          this->Project(image->GetPoint(id), matrix, pixel))
+        {
+          this->DrawPoint(pixel, 2);
+        }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Silhouette::DrawPoint(const double pixel[2], int radius)
+{
+  const int column = static_cast<int>(std::floor(pixel[0]));
+  const int row = static_cast<int>(std::floor(pixel[1]));
+  for (int y = std::max(row - radius, 0); y <= std::min(row + radius, this->Rows - 1); ++y)
+  {
+    for (int x = std::max(column - radius, 0); x <= std::min(column + radius, this->Columns - 1);
+         ++x)
+    {
+      this->Covered[static_cast<std::size_t>(y) * this->Columns + x] = 1;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Silhouette::DrawTriangle(const double a[2], const double b[2], const double c[2])
+{
+  const auto [left, right] = std::minmax({ a[0], b[0], c[0] });
+  const auto [bottom, top] = std::minmax({ a[1], b[1], c[1] });
+  const double area = GetSide(a, b, c[0], c[1]);
+  const int lastColumn = std::min(static_cast<int>(right), this->Columns - 1);
+  const int lastRow = std::min(static_cast<int>(top), this->Rows - 1);
+  for (int row = std::max(static_cast<int>(bottom), 0); row <= lastRow; ++row)
+  {
+    for (int column = std::max(static_cast<int>(left), 0); column <= lastColumn; ++column)
+    {
+      const double x = column + 0.5;
+      const double y = row + 0.5;
+      if (GetSide(a, b, x, y) * area >= 0.0 && GetSide(b, c, x, y) * area >= 0.0 &&
+        GetSide(c, a, x, y) * area >= 0.0)
+      {
+        this->Covered[static_cast<std::size_t>(row) * this->Columns + column] = 1;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Silhouette::SumUp()
+{
+  const int width = this->Columns + 1;
+  this->Sums.assign(static_cast<std::size_t>(width) * (this->Rows + 1), 0);
+  for (int row = 0; row < this->Rows; ++row)
+  {
+    for (int column = 0; column < this->Columns; ++column)
+    {
+      this->Sums[(row + 1) * width + column + 1] = this->Covered[row * this->Columns + column] +
+        this->Sums[row * width + column + 1] + this->Sums[(row + 1) * width + column] -
+        this->Sums[row * width + column];
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool Silhouette::IsCovered(double column, double row) const
+{
+  const int x = std::clamp(static_cast<int>(column), 0, this->Columns - 1);
+  const int y = std::clamp(static_cast<int>(row), 0, this->Rows - 1);
+  return this->Covered[static_cast<std::size_t>(y) * this->Columns + x] != 0;
+}
+
+//------------------------------------------------------------------------------
+double Silhouette::GetCoveredFraction(int column, int row, int radius) const
+{
+  const int left = std::max(column - radius, 0);
+  const int right = std::min(column + radius + 1, this->Columns);
+  const int bottom = std::max(row - radius, 0);
+  const int top = std::min(row + radius + 1, this->Rows);
+  const int width = this->Columns + 1;
+  const int covered = this->Sums[top * width + right] - this->Sums[bottom * width + right] -
+    this->Sums[top * width + left] + this->Sums[bottom * width + left];
+  return covered / static_cast<double>((right - left) * (top - bottom));
+}
+
+//------------------------------------------------------------------------------
+int Silhouette::CountEdges(int column, int row, double radius) const
+{
+  constexpr int directions = 48;
+  int edges = 0;
+  bool former = this->IsCovered(column + radius, row);
+  for (int i = 1; i <= directions; ++i)
+  {
+    const double angle = 2.0 * vtkMath::Pi() * i / directions;
+    const bool covered =
+      this->IsCovered(column + radius * std::cos(angle), row + radius * std::sin(angle));
+    edges += covered != former;
+    former = covered;
+  }
+  return edges;
+}
+
+//------------------------------------------------------------------------------
+double Silhouette::GetScore(int column, int row) const
+{
+  const double near = this->GetCoveredFraction(column, row, this->Rows / 24);
+  if (near < 0.2 || near > 0.75)
+  {
+    return 0.0; // in the open, or behind something
+  }
+  const double wide = this->GetCoveredFraction(column, row, this->Rows / 5);
+  int edges = 0;
+  for (const double radius : { 0.06, 0.12, 0.2 })
+  {
+    edges += this->CountEdges(column, row, radius * this->Rows);
+  }
+  const double x = 2.0 * (column + 0.5) / this->Columns - 1.0;
+  const double y = 2.0 * (row + 0.5) / this->Rows - 1.0;
+  const double offThird = std::min(std::abs(x - 0.33), std::abs(x + 0.33));
+  return 0.5 * (1.0 - std::abs(near - 0.4)) + 0.7 * (1.0 - 2.0 * std::abs(wide - 0.5)) +
+    1.6 * std::min(edges, 16) / 16.0 + 0.8 * (1.0 - offThird) + 0.3 * (1.0 - std::abs(y - 0.35));
+}
+
+//------------------------------------------------------------------------------
+Silhouette::Place Silhouette::FindSun(double lowest) const
+{
+  Place best;
+  const int firstRow =
+    std::max(this->Rows / 4, static_cast<int>(0.5 * (lowest + 1.0) * this->Rows));
+  for (int row = firstRow; row < this->Rows * 9 / 10; ++row)
+  {
+    for (int column = this->Columns / 8; column < this->Columns * 7 / 8; ++column)
+    {
+      const double score = this->GetScore(column, row);
+      if (score > best.Score)
+      {
+        best.X = 2.0 * (column + 0.5) / this->Columns - 1.0;
+        best.Y = 2.0 * (row + 0.5) / this->Rows - 1.0;
+        best.Score = score;
+      }
+    }
+  }
+  return best;
+}
+
+//------------------------------------------------------------------------------
+double Silhouette::GetCoveredFraction() const
+{
+  return this->Sums.back() / static_cast<double>(this->Columns * this->Rows);
+}

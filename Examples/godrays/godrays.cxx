@@ -1,0 +1,356 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * godrays: shows files with god rays.
+ */
+
+#include "Colormaps.h"
+#include "Failure.h"
+#include "Files.h"
+#include "Messages.h"
+#include "Options.h"
+#include "Output.h"
+#include "Scene.h"
+#include "Sky.h"
+#include "Viewpoint.h"
+
+#include "vtkCamera.h"
+#include "vtkGodRaysPass.h"
+#include "vtkGodRaysRadialModel.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+namespace
+{
+constexpr double SunRadius = 0.6;  // [degrees] somewhat larger than the real one, to be seen
+constexpr double GlowRadius = 1.0; // narrower than the pass has it: shafts with more contrast
+constexpr double GlowAngle = 14.0;
+
+/// What --stats tells apart from the pass's own plan and times.
+struct Measured
+{
+  double Reading = 0.0;
+  double Preparing = 0.0;
+  double Drawing = 0.0;
+};
+
+//------------------------------------------------------------------------------
+double GetSeconds()
+{
+  using Clock = std::chrono::steady_clock;
+  return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+}
+
+//------------------------------------------------------------------------------
+void ListPresets()
+{
+  for (int i = 0; i < vtkGodRaysRadialModel::GetNumberOfPresets(); ++i)
+  {
+    std::cout << std::left << std::setw(22) << vtkGodRaysRadialModel::GetPresetName(i) << " "
+              << vtkGodRaysRadialModel::GetPresetDescription(i) << "\n";
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckPreset(const std::string& name)
+{
+  std::string names;
+  for (int i = 0; i < vtkGodRaysRadialModel::GetNumberOfPresets(); ++i)
+  {
+    const std::string preset = vtkGodRaysRadialModel::GetPresetName(i);
+    if (preset == name || name.empty())
+    {
+      return;
+    }
+    names += (i ? ", " : "") + preset;
+  }
+  throw Failure("--preset: '" + name + "' should be one of " + names);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkLight> MakeLight(const Viewpoint& view, const Options& options)
+{
+  auto light = vtkSmartPointer<vtkLight>::New();
+  if (view.LightIsLamp)
+  {
+    light->SetPositional(true);
+    light->SetConeAngle(180.0);
+    light->SetPosition(view.LightPosition.data());
+  }
+  else
+  {
+    light->SetPosition(view.LightDirection.data());
+    light->SetFocalPoint(0.0, 0.0, 0.0);
+  }
+  light->SetColor(options.LightColor.data());
+  return light;
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Light from the sky and from the eye, so that sides away from the sun keep their colours.
+ */
+void AddFill(vtkRenderer* renderer, const Scene& scene, double fill)
+{
+  vtkNew<vtkLight> sky;
+  sky->SetPosition(scene.Up.data());
+  sky->SetFocalPoint(0.0, 0.0, 0.0);
+  sky->SetColor(0.70, 0.82, 1.0);
+  sky->SetIntensity(fill);
+  renderer->AddLight(sky);
+  vtkNew<vtkLight> eye;
+  eye->SetLightTypeToHeadlight();
+  eye->SetColor(0.85, 0.90, 1.0);
+  eye->SetIntensity(fill);
+  renderer->AddLight(eye);
+}
+
+//------------------------------------------------------------------------------
+void SetRays(vtkGodRaysPass* rays, const Viewpoint& view, const Options& options)
+{
+  const std::string usual = view.LightIsLamp ? "default" : "low-sun";
+  rays->ApplyPreset((options.Preset.empty() ? usual : options.Preset).c_str());
+  auto* model = vtkGodRaysRadialModel::SafeDownCast(rays->GetModel());
+  model->SetDensity(options.Density.value_or(model->GetDensity()));
+  model->SetDecay(options.Decay.value_or(model->GetDecay()));
+  model->SetWeight(options.Weight.value_or(model->GetWeight()));
+  model->SetExposure(options.Exposure.value_or(model->GetExposure()));
+  rays->SetIntensity(options.Intensity.value_or(rays->GetIntensity()));
+  rays->SetBackgroundGlow(options.Glow.value_or(rays->GetBackgroundGlow()));
+  rays->SetBackgroundGlowRadius(GlowRadius);
+  rays->SetBackgroundGlowFalloff(options.GlowAngle.value_or(GlowAngle));
+  rays->SetErrorTolerance(options.Tolerance.value_or(rays->GetErrorTolerance()));
+  rays->SetOutput(options.Show == "occlusion" ? vtkGodRaysPass::OCCLUSION
+      : options.Show == "rays"                ? vtkGodRaysPass::SCATTERING
+                                              : vtkGodRaysPass::COMPOSITE);
+  if (view.LightIsLamp)
+  {
+    rays->SetSourceRadius(options.LightSize.value_or(rays->GetSourceRadius()));
+  }
+  else
+  {
+    rays->SetSunAngularRadius(options.LightSize.value_or(SunRadius));
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string ToText(const double values[3])
+{
+  std::ostringstream text;
+  text << values[0] << "," << values[1] << "," << values[2];
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+void PrintScene(const Scene& scene, const Measured& times)
+{
+  double lengths[3];
+  scene.Bounds.GetLengths(lengths);
+  std::cout << "scene      " << scene.NumberOfCells << " cells, " << scene.NumberOfVoxels
+            << " voxels, " << lengths[0] << " x " << lengths[1] << " x " << lengths[2];
+  if (scene.ElevationScale != 1.0)
+  {
+    std::cout << ", heights times " << scene.ElevationScale;
+  }
+  std::cout << "\n";
+  for (const std::string& name : scene.Arrays)
+  {
+    std::cout << "colours    by " << name << "\n";
+  }
+  std::cout << "read in    " << times.Reading << " s\nprepared   in " << times.Preparing
+            << " s\ndrawn in   " << times.Drawing << " s\n";
+}
+
+//------------------------------------------------------------------------------
+void PrintView(const Scene& scene, const Viewpoint& view, vtkCamera* camera)
+{
+  std::cout << "camera     --camera-position " << ToText(camera->GetPosition()) << " --focal-point "
+            << ToText(camera->GetFocalPoint()) << " --view-angle " << camera->GetViewAngle()
+            << "\n";
+  double azimuth = 0.0;
+  double elevation = 0.0;
+  scene.GetAngles(view.LightDirection, azimuth, elevation);
+  std::cout << "light      ";
+  if (view.LightIsLamp)
+  {
+    std::cout << "--light " << ToText(view.LightPosition.data());
+  }
+  else
+  {
+    std::cout << "--sun " << azimuth << "," << elevation;
+  }
+  std::cout << (view.LightWasChosen ? " (chosen)\n" : "\n");
+}
+
+//------------------------------------------------------------------------------
+void PrintRays(vtkGodRaysPass* rays, bool on)
+{
+  if (!on)
+  {
+    std::cout << "rays       none, as --no-rays has it\n";
+    return;
+  }
+  std::cout << "plan\n";
+  std::istringstream plan(rays->GetPlan());
+  for (std::string line; std::getline(plan, line);)
+  {
+    std::cout << "  " << line << "\n";
+  }
+  double seconds[4];
+  rays->GetStageTimes(seconds);
+  const char* names[4] = { "scene", "occlusion", "scattering", "blend" };
+  std::cout << "stage times\n";
+  for (int i = 0; i < 4; ++i)
+  {
+    std::cout << "  " << std::left << std::setw(11) << names[i] << 1000.0 * seconds[i] << " ms\n";
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<FileContents> ReadFiles(const std::vector<std::string>& paths)
+{
+  std::vector<FileContents> files;
+  for (const std::string& path : paths)
+  {
+    files.push_back(ReadFile(path));
+  }
+  return files;
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Tell of what VTK said while it drew. Returns whether there was an error.
+ */
+bool TellMessages(const Messages& messages)
+{
+  for (const std::string& line : messages.GetWarnings())
+  {
+    Messages::Show("godrays: " + line + "\n");
+  }
+  for (const std::string& line : messages.GetErrors())
+  {
+    Messages::Show("godrays: " + line + "\n");
+  }
+  return !messages.GetErrors().empty();
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Draw a scene to where the options say. Returns whether all went well.
+ */
+bool Draw(const Scene& scene, const Viewpoint& view, const Options& options, Measured& times)
+{
+  const bool window = options.Output.empty() || options.Interactive;
+  const Messages messages(!window,
+    "godrays: the display cannot draw with OpenGL 3.2; see that its driver is there (Debian: "
+    "libgl1-mesa-dri)");
+  vtkNew<vtkRenderer> renderer;
+  renderer->AutomaticLightCreationOff();
+  renderer->SetActiveCamera(view.Camera);
+  for (const auto& prop : scene.Props)
+  {
+    renderer->AddViewProp(prop);
+  }
+  const auto light = MakeLight(view, options);
+  renderer->AddLight(light);
+  AddFill(renderer, scene, options.Fill);
+  const Sky sky(renderer, scene, view, options.LightSize.value_or(SunRadius), options);
+
+  vtkNew<vtkGodRaysPass> rays;
+  SetRays(rays, view, options);
+  rays->AddLight(light);
+  rays->SetMeasureTimes(options.Stats);
+
+  vtkNew<vtkRenderWindow> renderWindow;
+  renderWindow->SetOffScreenRendering(!window);
+  renderWindow->SetSize(options.Size[0], options.Size[1]);
+  renderWindow->SetWindowName("godrays");
+  renderWindow->AddRenderer(renderer);
+  renderer->ResetCameraClippingRange();
+  if (options.Rays)
+  {
+    rays->Attach(renderer);
+  }
+  const double start = GetSeconds();
+  renderWindow->Render();
+  times.Drawing = GetSeconds() - start;
+  if (window)
+  {
+    Interact(renderWindow, renderer, rays, options.Preset);
+  }
+  if (!options.Output.empty())
+  {
+    WritePicture(renderWindow, options.Output);
+  }
+  if (options.Stats)
+  {
+    PrintScene(scene, times);
+    PrintView(scene, view, renderer->GetActiveCamera());
+    PrintRays(rays, options.Rays);
+  }
+  rays->Detach(renderer);
+  return !TellMessages(messages);
+}
+
+//------------------------------------------------------------------------------
+int Run(int argc, char* argv[])
+{
+  const auto options = ParseCommandLine(argc, argv);
+  if (!options)
+  {
+    return EXIT_SUCCESS;
+  }
+  if (options->ListPresets || options->ListColormaps)
+  {
+    if (options->ListPresets)
+    {
+      ListPresets();
+    }
+    if (options->ListColormaps)
+    {
+      std::cout << GetColormapNames("\n") << "\n";
+    }
+    return EXIT_SUCCESS;
+  }
+  CheckPreset(options->Preset);
+  if (!options->Output.empty())
+  {
+    CheckOutput(options->Output);
+  }
+  Measured times;
+  const double start = GetSeconds();
+  const auto files = ReadFiles(options->Files);
+  times.Reading = GetSeconds() - start;
+  const Scene scene = MakeScene(files, *options);
+  const Viewpoint view = MakeViewpoint(scene, *options);
+  times.Preparing = GetSeconds() - start - times.Reading;
+  CheckDisplay();
+  return Draw(scene, view, *options, times) ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+}
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  try
+  {
+    return Run(argc, argv);
+  }
+  catch (const std::bad_alloc&)
+  {
+    Messages::Show("godrays: there is not enough memory; give fewer or smaller files\n");
+  }
+  catch (const std::exception& failure)
+  {
+    Messages::Show(std::string("godrays: ") + failure.what() + "\n");
+  }
+  return EXIT_FAILURE;
+}

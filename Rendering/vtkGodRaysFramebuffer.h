@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file    vtkGodRaysFramebuffer.h
+ * @brief   the framebuffer and the OpenGL state that a frame finds; private to this module
+ */
+
+#ifndef vtkGodRaysFramebuffer_h
+#define vtkGodRaysFramebuffer_h
+
+#include "vtkGodRaysTarget.h"
+#include "vtkOpenGLState.h"
+
+/// Keeps the OpenGL state that the stages change, and sets what all of them need.
+class vtkGodRaysStateKeeper
+{
+public:
+  explicit vtkGodRaysStateKeeper(vtkOpenGLState* state);
+  ~vtkGodRaysStateKeeper();
+  vtkGodRaysStateKeeper(const vtkGodRaysStateKeeper&) = delete;
+  void operator=(const vtkGodRaysStateKeeper&) = delete;
+
+private:
+  vtkOpenGLState* State;
+  vtkOpenGLState::ScopedglViewport Viewport;
+  vtkOpenGLState::ScopedglScissor Scissor;
+  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunc;
+  vtkOpenGLState::ScopedglDepthMask DepthMask;
+  vtkOpenGLState::ScopedglDepthFunc DepthFunc;
+  vtkOpenGLState::ScopedglColorMask ColorMask;
+  vtkOpenGLState::ScopedglClearColor ClearColor;
+  vtkOpenGLState::ScopedglActiveTexture ActiveTexture;
+  vtkOpenGLState::ScopedglEnableDisable Blend;
+  vtkOpenGLState::ScopedglEnableDisable DepthTest;
+  vtkOpenGLState::ScopedglEnableDisable ScissorTest;
+  vtkOpenGLState::ScopedglEnableDisable CullFace;
+  vtkOpenGLState::ScopedglEnableDisable StencilTest;
+};
+
+/// The framebuffer that the scene is drawn into: whoever bound it, and of whatever formats.
+struct vtkGodRaysFramebuffer
+{
+  unsigned int Binding;
+  unsigned int ColorBuffer;
+  vtkGodRaysTarget::Format Formats; ///< 0 where there is none that can be copied
+
+  /// The one that is bound for drawing.
+  vtkGodRaysFramebuffer();
+
+  /// Copy a rectangle of colour, depth or both into the framebuffer that is bound for drawing.
+  void CopyTo(vtkOpenGLState* state, const int rectangle[4], unsigned int buffers) const;
+};
+
+#endif

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysScene.h"
+
+#include "vtkActor2D.h"
+#include "vtkCamera.h"
+#include "vtkCameraPass.h"
+#include "vtkFrameBufferObjectBase.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtk_glew.h"
+
+vtkStandardNewMacro(vtkGodRaysScene);
+
+namespace
+{
+/// A prop that draws nothing.
+class Nothing : public vtkProp
+{
+public:
+  static Nothing* New();
+  vtkTypeMacro(Nothing, vtkProp);
+};
+vtkStandardNewMacro(Nothing);
+
+/// All that follows the camera, once that has set the viewport.
+class Steps : public vtkRenderPass
+{
+public:
+  static Steps* New();
+  vtkTypeMacro(Steps, vtkRenderPass);
+  void Render(const vtkRenderState* s) override
+  {
+    vtkRenderer* renderer = s->GetRenderer();
+    this->UpdateLightGeometry(renderer);
+    this->UpdateLights(renderer);
+    this->UpdateGeometry(renderer, s->GetFrameBuffer());
+    this->NumberOfRenderedProps = renderer->GetNumberOfPropsRendered();
+  }
+};
+vtkStandardNewMacro(Steps);
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysScene::vtkGodRaysScene()
+{
+  vtkNew<Steps> steps;
+  this->InFramebuffer->SetDelegatePass(steps);
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysScene::~vtkGodRaysScene() = default;
+
+//------------------------------------------------------------------------------
+void vtkGodRaysScene::Render(const vtkRenderState* s)
+{
+  if (s->GetFrameBuffer())
+  {
+    this->InFramebuffer->Render(s);
+  }
+  else
+  {
+    this->UpdateCamera(s->GetRenderer());
+    this->InFramebuffer->GetDelegatePass()->Render(s);
+  }
+  this->NumberOfRenderedProps = s->GetRenderer()->GetNumberOfPropsRendered();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysScene::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Superclass::ReleaseGraphicsResources(window);
+  this->InFramebuffer->ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysScene::GetViewport(const vtkRenderState* s, int viewport[4])
+{
+  if (vtkFrameBufferObjectBase* framebuffer = s->GetFrameBuffer())
+  {
+    viewport[0] = 0;
+    viewport[1] = 0;
+    framebuffer->GetLastSize(viewport + 2);
+  }
+  else
+  {
+    s->GetRenderer()->GetTiledSizeAndOrigin(viewport + 2, viewport + 3, viewport, viewport + 1);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysScene::UpdateStereo(vtkRenderer* renderer)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  if (!camera->GetStereo() == !window->GetStereoRender())
+  {
+    return;
+  }
+  vtkOpenGLState* state = static_cast<vtkOpenGLRenderWindow*>(window)->GetState();
+  const vtkOpenGLState::ScopedglViewport viewport(state);
+  const vtkOpenGLState::ScopedglScissor scissor(state);
+  const vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+  const vtkTypeBool erase = renderer->GetErase();
+  const bool useScissor = camera->GetUseScissor();
+  renderer->EraseOff();
+  camera->Render(renderer);
+  renderer->SetErase(erase);
+  camera->SetUseScissor(useScissor);
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysOverlays::vtkGodRaysOverlays(const vtkRenderState* s)
+  : State(s)
+{
+  static const vtkSmartPointer<Nothing> nothing = vtkSmartPointer<Nothing>::New();
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    vtkProp*& prop = s->GetPropArray()[i];
+    if (vtkActor2D::SafeDownCast(prop))
+    {
+      this->Overlays.emplace_back(i, prop);
+      prop = nothing;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysOverlays::~vtkGodRaysOverlays()
+{
+  for (const auto& overlay : this->Overlays)
+  {
+    this->State->GetPropArray()[overlay.first] = overlay.second;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysOverlays::Draw()
+{
+  vtkRenderer* renderer = this->State->GetRenderer();
+  for (const auto& overlay : this->Overlays)
+  {
+    vtkProp* prop = overlay.second;
+    prop->RenderOpaqueGeometry(renderer); // where text and scalar bars are prepared
+    if (prop->HasTranslucentPolygonalGeometry())
+    {
+      prop->RenderTranslucentPolygonalGeometry(renderer);
+    }
+    prop->RenderOverlay(renderer);
+  }
+}

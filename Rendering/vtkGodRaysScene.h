@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file    vtkGodRaysScene.h
+ * @brief   how the scene itself is drawn; private to this module
+ */
+
+#ifndef vtkGodRaysScene_h
+#define vtkGodRaysScene_h
+
+#include "vtkNew.h"
+#include "vtkRenderPass.h"
+
+#include <utility>
+#include <vector>
+
+class vtkCameraPass;
+class vtkProp;
+
+/// The renderer's own steps, as it takes them when it has no pass: with its depth peeling, SSAO,
+/// FXAA, shadows and hidden-line removal.
+class vtkGodRaysScene : public vtkRenderPass
+{
+public:
+  static vtkGodRaysScene* New();
+  vtkTypeMacro(vtkGodRaysScene, vtkRenderPass);
+
+  void Render(const vtkRenderState* s) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  /**
+   * Origin and size of the part of the bound framebuffer that a state is for [pixels].
+   */
+  static void GetViewport(const vtkRenderState* s, int viewport[4]);
+
+  /**
+   * Give the renderer's camera the window's stereo. A camera learns of it from its own Render(),
+   * but the first frame after a change needs its matrices before that.
+   */
+  static void UpdateStereo(vtkRenderer* renderer);
+
+protected:
+  vtkGodRaysScene();
+  ~vtkGodRaysScene() override;
+
+private:
+  vtkGodRaysScene(const vtkGodRaysScene&) = delete;
+  void operator=(const vtkGodRaysScene&) = delete;
+
+  vtkNew<vtkCameraPass> InFramebuffer;
+};
+
+/// While it lives, 2-D props are taken out of a state's props; then they can be drawn.
+class vtkGodRaysOverlays
+{
+public:
+  explicit vtkGodRaysOverlays(const vtkRenderState* s);
+  ~vtkGodRaysOverlays();
+  vtkGodRaysOverlays(const vtkGodRaysOverlays&) = delete;
+  void operator=(const vtkGodRaysOverlays&) = delete;
+
+  void Draw();
+
+private:
+  const vtkRenderState* State;
+  std::vector<std::pair<int, vtkProp*>> Overlays;
+};
+
+#endif

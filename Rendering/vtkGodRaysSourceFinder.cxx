@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysSourceFinder.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkGodRaysMath.h"
+#include "vtkGodRaysPass.h"
+#include "vtkLight.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+/// A light is marched to from at most this many picture diagonals away; see MarchScale().
+const double MarchCapDiagonals = 1.5;
+
+/// Where a light stands in the world (w = 1), or in which direction it lies (w = 0).
+bool GetWorldPlace(vtkLight* light, vtkCamera* camera, double place[4])
+{
+  double position[4] = { 0.0, 0.0, 0.0, 1.0 };
+  double focalPoint[4] = { 0.0, 0.0, 0.0, 1.0 };
+  if (light->LightTypeIsHeadlight())
+  {
+    camera->GetPosition(position);
+    camera->GetFocalPoint(focalPoint);
+  }
+  else if (light->LightTypeIsCameraLight())
+  {
+    // as vtkRenderer does for its own lights; this one may be none of them
+    vtkMatrix4x4* matrix = camera->GetCameraLightTransformMatrix();
+    light->GetPosition(position);
+    light->GetFocalPoint(focalPoint);
+    matrix->MultiplyPoint(position, position);
+    matrix->MultiplyPoint(focalPoint, focalPoint);
+  }
+  else
+  {
+    light->GetTransformedPosition(position);
+    light->GetTransformedFocalPoint(focalPoint);
+  }
+  std::copy_n(position, 3, place);
+  place[3] = 1.0;
+  if (!light->GetPositional())
+  {
+    vtkMath::Subtract(position, focalPoint, place);
+    place[3] = 0.0;
+    return vtkMath::Normalize(place) > 0.0;
+  }
+  return true;
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkGodRaysSource> vtkGodRaysSourceFinder::Find(
+  const vtkGodRaysView& view, const std::vector<vtkSmartPointer<vtkLight>>& lights)
+{
+  std::vector<vtkGodRaysSource> sources;
+  this->Plan.clear();
+  int number = 0;
+  for (vtkLight* light : lights)
+  {
+    vtkGodRaysSource source;
+    source.Name = (light->GetPositional() ? "positional, number " : "directional, number ") +
+      std::to_string(number++);
+    double place[4];
+    if (!GetWorldPlace(light, this->Renderer->GetActiveCamera(), place))
+    {
+      this->Plan += "light: " + source.Name + ", skipped: its position is its focal point\n";
+      continue;
+    }
+    source.Place(view, place,
+      light->GetPositional() ? this->FindRadius()
+                             : vtkMath::RadiansFromDegrees(this->SunAngularRadius));
+    this->Add(source, view, light->GetDiffuseColor(),
+      light->GetSwitch() ? light->GetIntensity() : 0.0, sources);
+  }
+
+  vtkCollectionSimpleIterator iterator;
+  vtkPropCollection* props = this->Renderer->GetViewProps();
+  props->InitTraversal(iterator);
+  while (vtkProp* prop = props->GetNextProp(iterator))
+  {
+    const double* bounds = nullptr;
+    if (!prop->GetVisibility() || vtkGodRaysPass::GetRole(prop) != vtkGodRaysPass::LIGHT ||
+      !(bounds = prop->GetBounds()) || !vtkMath::AreBoundsInitialized(bounds))
+    {
+      continue;
+    }
+    vtkGodRaysSource source;
+    source.Name = std::string("prop tagged LIGHT, ") + prop->GetClassName();
+    source.Prop = prop;
+    const double place[4] = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
+      0.5 * (bounds[4] + bounds[5]), 1.0 };
+    const double diagonal[3] = { bounds[1] - bounds[0], bounds[3] - bounds[2],
+      bounds[5] - bounds[4] };
+    source.Place(view, place, 0.5 * vtkMath::Norm(diagonal));
+    double color[3] = { 1.0, 1.0, 1.0 };
+    if (auto actor = vtkActor::SafeDownCast(prop))
+    {
+      actor->GetProperty()->GetColor(color);
+    }
+    this->Add(source, view, color, 1.0, sources);
+  }
+  if (this->Plan.empty())
+  {
+    this->Plan = "light: none; add one with AddLight() or tag a prop LIGHT\n";
+  }
+  return sources;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSourceFinder::Add(vtkGodRaysSource& source, const vtkGodRaysView& view,
+  const double color[3], double intensity, std::vector<vtkGodRaysSource>& sources)
+{
+  source.SetGlow(view, this->BackgroundGlowRadius, this->BackgroundGlowFalloff);
+  this->SetMarch(source, view);
+  double greatest = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double light = this->LinearLight ? vtkGodRays::DecodeDisplay(color[i]) : color[i];
+    source.Color[i] =
+      vtkGodRays::Sanitize(source.Fade * intensity * light, std::numeric_limits<float>::max());
+    greatest = std::max(greatest, source.Color[i]);
+  }
+  this->Plan += "light: " + source.Name;
+  if (source.Fade <= 0.0)
+  {
+    this->Plan += ", skipped: behind the camera\n";
+  }
+  else if (!(greatest > 0.0) && !source.Prop)
+  {
+    this->Plan += ", skipped: off or black\n";
+  }
+  else if (!source.Reaches(view, this->BackgroundGlow > 0.0))
+  {
+    this->Plan += ", skipped: neither it nor its glow can be in the picture\n";
+  }
+  else
+  {
+    this->Plan += source.Fade < 1.0 ? ", fading behind the camera\n" : "\n";
+    sources.push_back(source);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Where a light's shafts start, and how far they are marched.
+void vtkGodRaysSourceFinder::SetMarch(vtkGodRaysSource& source, const vtkGodRaysView& view) const
+{
+  // Parallel rays have no point to lead to: they lead as far as to the point of a perspective
+  // view, so that the shafts of a sun that crosses the direction of view shrink and grow again.
+  const double distance =
+    source.Planar || !view.Parallel ? source.Clip[2] : source.GetPerspectiveDistance(view);
+  const glm::dvec3 clip(source.Clip[0], source.Clip[1], distance);
+  const double diagonal = 2.0 * std::hypot(view.Aspect, 1.0);
+  const bool capped = this->CapsMarch || view.Parallel;
+  const double cap =
+    capped ? MarchCapDiagonals * diagonal * view.ViewScale : std::numeric_limits<float>::max();
+  source.MarchScale = vtkGodRays::MarchScale(clip, view.Aspect, cap);
+  if (!capped && source.Clip[2] <= 0.0)
+  {
+    source.Fade = 0.0; // a published march ends where the light stops being before the camera
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkGodRaysSourceFinder::FindRadius() const
+{
+  if (this->SourceRadius > 0.0)
+  {
+    return this->SourceRadius;
+  }
+  double bounds[6];
+  this->Renderer->ComputeVisiblePropBounds(bounds);
+  if (!vtkMath::AreBoundsInitialized(bounds))
+  {
+    return 1.0;
+  }
+  const double diagonal[3] = { bounds[1] - bounds[0], bounds[3] - bounds[2],
+    bounds[5] - bounds[4] };
+  return 0.02 * vtkMath::Norm(diagonal);
+}

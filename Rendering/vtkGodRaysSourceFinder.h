@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysSourceFinder
+ * @brief   find the lights of a frame; private to this module
+ */
+
+#ifndef vtkGodRaysSourceFinder_h
+#define vtkGodRaysSourceFinder_h
+
+#include "vtkGodRaysSource.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkRenderer;
+
+class vtkGodRaysSourceFinder
+{
+public:
+  vtkRenderer* Renderer;
+  double SourceRadius;          ///< of positional lights [world units]; 0: automatic
+  double SunAngularRadius;      ///< of directional lights [degrees]
+  double BackgroundGlow;        ///< fraction of the light's radiance
+  double BackgroundGlowRadius;  ///< [degrees]
+  double BackgroundGlowFalloff; ///< [degrees]
+  bool LinearLight;             ///< see vtkGodRaysModel
+  bool CapsMarch;               ///< see vtkGodRaysModel
+
+  /**
+   * The lights, and the props tagged LIGHT, of which any light may fall into the layer.
+   */
+  std::vector<vtkGodRaysSource> Find(
+    const vtkGodRaysView& view, const std::vector<vtkSmartPointer<vtkLight>>& lights);
+
+  /**
+   * A line for each light of the last Find(), with the reason if it was left out.
+   */
+  const std::string& GetPlan() const { return this->Plan; }
+
+private:
+  void Add(vtkGodRaysSource& source, const vtkGodRaysView& view, const double color[3],
+    double intensity, std::vector<vtkGodRaysSource>& sources);
+  void SetMarch(vtkGodRaysSource& source, const vtkGodRaysView& view) const;
+  double FindRadius() const;
+
+  std::string Plan;
+};
+
+#endif
