@@ -399,7 +399,8 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   vtkGodRaysView view;
   std::vector<vtkGodRaysSource> sources;
   const char* reason = this->FindReasonForNoRays(s, window);
-  if (!reason)
+  const bool hasLayers = !reason;
+  if (hasLayers)
   {
     int viewport[4];
     vtkGodRaysScene::GetViewport(s, viewport);
@@ -413,6 +414,10 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   {
     self.StagePlan = std::string("rays: none, ") + reason + "\nscene: drawn straight through\n";
     this->RenderScene(s);
+    if (hasLayers && this->Output != COMPOSITE)
+    {
+      this->ShowNoLight(s, window->GetState()); // the layers are dark, not absent
+    }
     return;
   }
 
@@ -652,6 +657,18 @@ bool vtkGodRaysPass::DrawOutput(const int viewport[4], vtkGodRaysTarget& layer)
   request.Screen = blend == SCREEN;
   request.ShowRays = this->Output != COMPOSITE;
   return self.Blending->Draw(request);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysPass::ShowNoLight(const vtkRenderState* s, vtkOpenGLState* state)
+{
+  vtkGodRaysStateKeeper keeper(state);
+  int viewport[4];
+  vtkGodRaysScene::GetViewport(s, viewport);
+  state->vtkglScissor(viewport[0], viewport[1], viewport[2], viewport[3]);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+  state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  state->vtkglClear(GL_COLOR_BUFFER_BIT);
 }
 
 //------------------------------------------------------------------------------

@@ -50,6 +50,7 @@ class vtkImageData;
 class vtkInformationIntegerKey;
 class vtkLight;
 class vtkOpenGLRenderWindow;
+class vtkOpenGLState;
 class vtkProp;
 class vtkRenderer;
 struct vtkGodRaysSource;
@@ -187,7 +188,7 @@ public:
    * Set/Get the radiance of the open background about a light, as a fraction of the light's own
    * [no unit]. The open background is where no prop is drawn; its glow makes shafts also while the
    * light itself is hidden or outside the picture. 0 switches it off. Valid range: [0, 1].
-   * Default is 0.25.
+   * Default is 0.4.
    */
   void SetBackgroundGlow(double glow);
   vtkGetMacro(BackgroundGlow, double);
@@ -198,7 +199,7 @@ public:
    * Set/Get the angle about the light over which the glow is full, and the further angle over
    * which it falls smoothly to 0 [degrees, seen from the eye]. In a parallel projection, which
    * has no angles about a positional light, the picture's height counts as 30 degrees.
-   * Valid range: [0, 180] each. Defaults are 2 and 15.
+   * Valid range: [0, 180] each. Defaults are 2 and 18.
    */
   void SetBackgroundGlowRadius(double degrees);
   vtkGetMacro(BackgroundGlowRadius, double);
@@ -340,6 +341,7 @@ private:
   bool AddToLayerSum(vtkGodRaysTarget& layer);
   bool Scatter(const vtkGodRaysView& view, const vtkGodRaysSource& source, vtkGodRaysTarget& layer);
   bool DrawOutput(const int viewport[4], vtkGodRaysTarget& layer);
+  void ShowNoLight(const vtkRenderState* s, vtkOpenGLState* state);
   void DescribeStages(double margin);
   void Complain(const std::string& complaint);
   void SetMode(const char* name, int& mode, int value, int last);
@@ -353,9 +355,9 @@ private:
   bool UntaggedPropsOcclude = true;
   double SourceRadius = 0.0;
   double SunAngularRadius = 0.2678;
-  double BackgroundGlow = 0.25;
+  double BackgroundGlow = 0.4;
   double BackgroundGlowRadius = 2.0;
-  double BackgroundGlowFalloff = 15.0;
+  double BackgroundGlowFalloff = 18.0;
   double LayerMargin = 0.0;
   int Blend = MODEL_BLEND;
   int Output = COMPOSITE;

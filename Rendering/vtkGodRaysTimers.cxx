@@ -79,5 +79,6 @@ void vtkGodRaysTimers::Release(vtkRenderWindow* window)
     context->PopContext();
   }
   this->Timers.clear();
-  this->BeginFrame(false);
+  this->Used = 0;
+  this->Running = false;
 }

@@ -136,16 +136,16 @@ void AddRayOptions(Parser& parser, Options& options)
   parser.Group = "Rays";
   parser.AddCall("--preset", "NAME", "A named look: see --list-presets",
     [&options](const std::string& text) { options.Preset = text; });
-  parser.Add("--intensity", options.Intensity, 0.0, 1e4, "Factor on all rays");
+  parser.Add("--intensity", options.Intensity, 0.0, 1e4, "Factor on all rays (1.7)");
   parser.Add("--density", options.Density, 0.0, 2.0, "Length of the rays, to the light at 1");
   parser.Add(
     "--decay", options.Decay, 0.0, 1.05, "What remains of the light from sample to sample");
   parser.Add("--weight", options.Weight, 0.0, 100.0, "Weight of each sample");
   parser.Add("--exposure", options.Exposure, 0.0, 100.0, "Factor on the sum of the samples");
   parser.Add("--glow", options.Glow, 0.0, 1.0,
-    "Radiance of the open background about the light, as a fraction of the light's");
+    "Radiance of the open background about the light, as a fraction of the light's (0.6)");
   parser.Add("--glow-angle", options.GlowAngle, 0.0, 180.0,
-    "Angle from the light over which that glow falls to 0, in degrees (14)");
+    "Angle from the light over which that glow falls to 0, in degrees (5, of a lamp 14)");
   parser.Add("--tolerance", options.Tolerance, 1e-6, 0.1,
     "Error that the rays may have, as a fraction of the brightest possible");
   parser.App

@@ -30,9 +30,13 @@
 
 namespace
 {
-constexpr double SunRadius = 0.6;  // [degrees] somewhat larger than the real one, to be seen
-constexpr double GlowRadius = 1.0; // narrower than the pass has it: shafts with more contrast
-constexpr double GlowAngle = 14.0;
+constexpr double SunRadius = 0.6; // [degrees] somewhat larger than the real one, to be seen
+// brighter and narrower than the pass has it: shafts with more contrast
+constexpr double Glow = 0.6;
+constexpr double GlowRadius = 1.0;
+constexpr double SunGlowAngle = 5.0;
+constexpr double LampGlowAngle = 14.0;
+constexpr double Intensity = 1.7;
 
 /// What --stats tells apart from the pass's own plan and times.
 struct Measured
@@ -123,10 +127,11 @@ void SetRays(vtkGodRaysPass* rays, const Viewpoint& view, const Options& options
   model->SetDecay(options.Decay.value_or(model->GetDecay()));
   model->SetWeight(options.Weight.value_or(model->GetWeight()));
   model->SetExposure(options.Exposure.value_or(model->GetExposure()));
-  rays->SetIntensity(options.Intensity.value_or(rays->GetIntensity()));
-  rays->SetBackgroundGlow(options.Glow.value_or(rays->GetBackgroundGlow()));
+  rays->SetIntensity(options.Intensity.value_or(Intensity));
+  rays->SetBackgroundGlow(options.Glow.value_or(Glow));
   rays->SetBackgroundGlowRadius(GlowRadius);
-  rays->SetBackgroundGlowFalloff(options.GlowAngle.value_or(GlowAngle));
+  rays->SetBackgroundGlowFalloff(
+    options.GlowAngle.value_or(view.LightIsLamp ? LampGlowAngle : SunGlowAngle));
   rays->SetErrorTolerance(options.Tolerance.value_or(rays->GetErrorTolerance()));
   rays->SetOutput(options.Show == "occlusion" ? vtkGodRaysPass::OCCLUSION
       : options.Show == "rays"                ? vtkGodRaysPass::SCATTERING

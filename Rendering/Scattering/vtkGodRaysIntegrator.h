@@ -35,14 +35,14 @@ public:
   {
     vtkOpenGLRenderWindow* Window; ///< its context is current
     vtkGodRaysModel* Model;
-    vtkTextureObject* Layer;       ///< the occlusion layer of one light, RGB
-    double LightClip[3];           ///< X, Y and w of the light in the layer's clip coordinates
-    double MarchScale;             ///< see MarchVector() in vtkGodRaysFunctions.glsl
-    double ViewScale;              ///< fraction of the layer's width that the picture covers
-    double Peak;                   ///< greatest value that the layer may hold
+    vtkTextureObject* Layer; ///< the occlusion layer of one light, RGB
+    double LightClip[3];     ///< X, Y and w of the light in the layer's clip coordinates
+    double MarchScale;       ///< see MarchVector() in vtkGodRaysFunctions.glsl
+    double ViewScale;        ///< fraction of the layer's width that the picture covers
+    double Peak;             ///< greatest value that the layer may hold
     double ResolutionScale;
     double ErrorTolerance;
-    vtkGodRaysTarget* Result;      ///< the light scattered by all lights: add to it
+    vtkGodRaysTarget* Result; ///< the light scattered by all lights: add to it
   };
 
   /**

@@ -128,8 +128,7 @@ vtkSmartPointer<vtkLight> MakeSun(std::array<double, 3> towards, std::array<doub
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkLight> MakeLamplight(
-  std::array<double, 3> position, std::array<double, 3> color)
+vtkSmartPointer<vtkLight> MakeLamplight(std::array<double, 3> position, std::array<double, 3> color)
 {
   auto light = MakeSun(position, color);
   light->PositionalOn();
@@ -152,6 +151,9 @@ Stage::Stage(int width, int height)
   camera->SetViewUp(0.0, 1.0, 0.0);
   camera->SetViewAngle(40.0);
   camera->SetClippingRange(1.0, 100.0);
+  // a glow that fills much of the picture
+  this->Rays->SetBackgroundGlow(0.5);
+  this->Rays->SetBackgroundGlowFalloff(25.0);
 }
 
 //------------------------------------------------------------------------------
@@ -300,8 +302,7 @@ double GetErrorOfScattering(vtkGodRaysPass* rays, vtkRenderer* renderer, std::ar
   clip[0] *= viewScale;
   clip[1] *= viewScale;
   const double aspect = renderer->GetTiledAspectRatio();
-  const double cap =
-    model->CapsMarch() ? 3.0 * std::hypot(aspect, 1.0) * viewScale : 1e300;
+  const double cap = model->CapsMarch() ? 3.0 * std::hypot(aspect, 1.0) * viewScale : 1e300;
   const double reach = std::hypot(clip[0] * aspect, clip[1]);
   double distance = clip[2];
   vtkCamera* camera = renderer->GetActiveCamera();
@@ -311,8 +312,7 @@ double GetErrorOfScattering(vtkGodRaysPass* rays, vtkRenderer* renderer, std::ar
     vtkLight* sun = rays->GetLight(0);
     double towards[3];
     vtkMath::Subtract(sun->GetTransformedPosition(), sun->GetTransformedFocalPoint(), towards);
-    const double angle =
-      vtkMath::AngleBetweenVectors(towards, camera->GetDirectionOfProjection());
+    const double angle = vtkMath::AngleBetweenVectors(towards, camera->GetDirectionOfProjection());
     const double tangent = std::tan(vtkMath::RadiansFromDegrees(15.0));
     distance = reach / viewScale * tangent / std::tan(angle); // clip may be of any length
   }
@@ -344,7 +344,8 @@ bool IsLikeBaseline(vtkRenderWindow* window, const std::string& name, int levels
   const std::string file = std::string(GODRAYS_BASELINE_DIR) + "/" + name + ".png";
   const std::string got = std::string(GODRAYS_TEMPORARY_DIR) + "/" + name + ".png";
   vtkSmartPointer<vtkImageData> picture = GetPicture(window);
-  const auto write = [&] {
+  const auto write = [&]
+  {
     vtksys::SystemTools::MakeDirectory(GODRAYS_TEMPORARY_DIR);
     vtkNew<vtkPNGWriter> writer;
     writer->SetInputData(picture);
@@ -362,8 +363,8 @@ bool IsLikeBaseline(vtkRenderWindow* window, const std::string& name, int levels
   reader->SetFileName(file.c_str());
   reader->Update();
   vtkImageData* baseline = reader->GetOutput();
-  bool alike = std::equal(baseline->GetDimensions(), baseline->GetDimensions() + 3,
-    picture->GetDimensions());
+  bool alike =
+    std::equal(baseline->GetDimensions(), baseline->GetDimensions() + 3, picture->GetDimensions());
   int worst = 255;
   if (alike)
   {
@@ -402,12 +403,10 @@ double GetErrorOfSum(const std::vector<unsigned char>& with,
   const std::vector<unsigned char>& without, int width, vtkImageData* light, int x, int y)
 {
   // IEC 61966-2-1, written once more: tests share no formula with the pass
-  const auto decode = [](double shown) {
-    return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4);
-  };
-  const auto encode = [](double linear) {
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-  };
+  const auto decode = [](double shown)
+  { return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4); };
+  const auto encode = [](double linear)
+  { return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055; };
   EXPECT_EQ(with.size(), without.size());
   double worst = 0.0;
   for (int row = 0; row < light->GetDimensions()[1]; ++row)
@@ -416,8 +415,8 @@ double GetErrorOfSum(const std::vector<unsigned char>& with,
     {
       for (int c = 0; c < 3; ++c)
       {
-        const std::size_t i =
-          4 * (static_cast<std::size_t>(y + row) * width + x + column) + static_cast<std::size_t>(c);
+        const std::size_t i = 4 * (static_cast<std::size_t>(y + row) * width + x + column) +
+          static_cast<std::size_t>(c);
         const double sum = decode(without.at(i) / 255.0) + GetValue(light, column, row, c);
         worst = std::max(worst, std::abs(255.0 * std::min(1.0, encode(sum)) - with.at(i)));
       }

@@ -74,8 +74,8 @@ std::vector<unsigned char> GetPixels(vtkRenderWindow* window, bool render = true
 std::vector<float> GetDepths(vtkRenderWindow* window, bool render = true);
 
 /// Largest difference of two pictures in the channels RGB or RGBA, in 8-bit levels.
-int GetLargestDifference(const std::vector<unsigned char>& a, const std::vector<unsigned char>& b,
-  int channels = 3);
+int GetLargestDifference(
+  const std::vector<unsigned char>& a, const std::vector<unsigned char>& b, int channels = 3);
 
 /// How many pixels differ in the channels RGB by more than so many levels.
 int CountDifferentPixels(
@@ -94,13 +94,14 @@ std::array<double, 3> GetClip(vtkRenderer* renderer, std::array<double, 4> world
 /// Largest difference between the light scattered on the graphics card in the last frame and the
 /// model's evaluation in double precision of the occlusion layer read back, as a fraction of the
 /// peak; for one light, of which clip is GetClip(). Fails the test when there were no rays.
-double GetErrorOfScattering(vtkGodRaysPass* rays, vtkRenderer* renderer, std::array<double, 3> clip);
+double GetErrorOfScattering(
+  vtkGodRaysPass* rays, vtkRenderer* renderer, std::array<double, 3> clip);
 
 /// Compare the window with Testing/Baseline/<name>.png: VTK's own regression test, and every pixel
 /// within so many levels of 255. Writes what it got when that fails. Returns whether it is alike;
 /// with quiet, nothing is written and the comparison may fail as a negative control.
-bool IsLikeBaseline(vtkRenderWindow* window, const std::string& name, int levels = 2,
-  bool quiet = false);
+bool IsLikeBaseline(
+  vtkRenderWindow* window, const std::string& name, int levels = 2, bool quiet = false);
 
 /// How far a picture is from another one, without rays, with this light added in linear light: the
 /// largest difference in red, green or blue, in levels of 255. Both are windows of this width; the

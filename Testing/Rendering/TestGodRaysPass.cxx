@@ -110,7 +110,8 @@ TEST(GodRaysPassParameters, AreClampedAndRefuseNaN)
   Messages messages;
   vtkNew<vtkGodRaysPass> rays;
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto check = [&](const char* name, auto set, auto get, double low, double high, double now) {
+  const auto check = [&](const char* name, auto set, auto get, double low, double high, double now)
+  {
     EXPECT_DOUBLE_EQ(get(), now) << name << ", default";
     set(low - 1.0);
     EXPECT_DOUBLE_EQ(get(), low) << name;
@@ -126,16 +127,16 @@ TEST(GodRaysPassParameters, AreClampedAndRefuseNaN)
   };
 #define CHECK(Name, low, high, now)                                                                \
   check(                                                                                           \
-    #Name, [&](double v) { rays->Set##Name(v); }, [&] { return rays->Get##Name(); }, low, high,   \
+    #Name, [&](double v) { rays->Set##Name(v); }, [&] { return rays->Get##Name(); }, low, high,    \
     now)
   CHECK(Intensity, 0.0, 1e4, 1.0);
   CHECK(ErrorTolerance, 1e-6, 0.1, 1.0 / 255.0);
   CHECK(ResolutionScale, 0.125, 1.0, 1.0);
   CHECK(SourceRadius, 0.0, 1e30, 0.0);
   CHECK(SunAngularRadius, 0.01, 90.0, 0.2678);
-  CHECK(BackgroundGlow, 0.0, 1.0, 0.25);
+  CHECK(BackgroundGlow, 0.0, 1.0, 0.4);
   CHECK(BackgroundGlowRadius, 0.0, 180.0, 2.0);
-  CHECK(BackgroundGlowFalloff, 0.0, 180.0, 15.0);
+  CHECK(BackgroundGlowFalloff, 0.0, 180.0, 18.0);
   CHECK(LayerMargin, 0.0, 1.0, 0.0);
 #undef CHECK
 
@@ -154,10 +155,10 @@ TEST(GodRaysPassParameters, AreAllPrinted)
   vtkNew<vtkGodRaysPass> rays;
   std::ostringstream text;
   rays->Print(text);
-  for (const char* name : { "Intensity", "ErrorTolerance", "ResolutionScale",
-         "UntaggedPropsOcclude", "SourceRadius", "SunAngularRadius", "BackgroundGlow:",
-         "BackgroundGlowRadius", "BackgroundGlowFalloff", "LayerMargin", "Blend", "Output",
-         "Precision", "MeasureTimes", "Density", "NumberOfTaps" })
+  for (const char* name :
+    { "Intensity", "ErrorTolerance", "ResolutionScale", "UntaggedPropsOcclude", "SourceRadius",
+      "SunAngularRadius", "BackgroundGlow:", "BackgroundGlowRadius", "BackgroundGlowFalloff",
+      "LayerMargin", "Blend", "Output", "Precision", "MeasureTimes", "Density", "NumberOfTaps" })
   {
     EXPECT_TRUE(Says(text.str(), name)) << name;
   }
@@ -236,6 +237,23 @@ TEST_F(GodRaysPassStraightThrough, ForEveryReason)
   const auto with = GetPixels(this->Scene.Window);
   rays->Detach(this->Scene.Renderer);
   EXPECT_GT(CountDifferentPixels(with, GetPixels(this->Scene.Window)), 128 * 96 / 2);
+}
+
+TEST_F(GodRaysPassStraightThrough, ButLayersWithoutLightAreShownDark)
+{
+  auto sun = this->Scene.AddPillarsAndSun();
+  sun->SetPosition(1.0, 0.2, -0.3);
+  for (const int output : { vtkGodRaysPass::OCCLUSION, vtkGodRaysPass::SCATTERING })
+  {
+    this->Scene.Rays->SetOutput(output);
+    const auto pixels = GetPixels(this->Scene.Window);
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+    {
+      ASSERT_TRUE(i % 4 == 3 || pixels[i] == 0) << i;
+    }
+  }
+  this->Scene.Rays->SetOutput(vtkGodRaysPass::COMPOSITE);
+  this->ExpectIdentical("neither it nor its glow");
 }
 
 TEST_F(GodRaysPassStraightThrough, WhereNoRayReachesThePixelsKeepTheirBytes)
