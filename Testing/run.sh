@@ -9,7 +9,7 @@
 # of both without a screen. The last lines are ctest's own; the exit status is 0 if all passed.
 #
 #   --vtk-only   leave ParaView out
-#   -L <label>   only tests with this label: math, rendering, python, consumer, cli, example, style
+#   -L <label>   only tests with this label: see Testing/CMakeLists.txt
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

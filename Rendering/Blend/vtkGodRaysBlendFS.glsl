@@ -10,15 +10,17 @@ in vec2 texCoord;
 
 uniform sampler2D scene;
 uniform sampler2D rays;
+uniform ivec2 origin;     // of the viewport, whose size the scene and its rays have [pixels]
 uniform float intensity;
 uniform float sceneGain;
 uniform bool linearLight; // whether rays are linear light, or shown values as the scene's colours
 uniform bool screen;      // SCREEN rather than ADD
-uniform bool showRays;    // the rays alone
+uniform bool showRays;    // the rays alone, of whatever size
 
 void main()
 {
-  vec3 light = intensity * texture(rays, texCoord).rgb;
+  ivec2 pixel = ivec2(gl_FragCoord.xy) - origin;
+  vec3 light = intensity * (showRays ? texture(rays, texCoord) : texelFetch(rays, pixel, 0)).rgb;
   if (showRays)
   {
     gl_FragData[0] = vec4(linearLight ? EncodeDisplay(light) : light, 1.0);
@@ -28,7 +30,7 @@ void main()
   {
     discard;
   }
-  vec3 shown = texture(scene, texCoord).rgb;
+  vec3 shown = texelFetch(scene, pixel, 0).rgb;
   vec3 base = sceneGain * (linearLight ? DecodeDisplay(shown) : shown);
   vec3 sum = screen ? BlendScreen(base, light) : BlendAdd(base, light);
   gl_FragData[0] = vec4(linearLight ? EncodeDisplay(sum) : sum, 1.0);

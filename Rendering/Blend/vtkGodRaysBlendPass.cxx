@@ -53,6 +53,7 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
   state->vtkglScissor(
     request.Viewport[0], request.Viewport[1], request.Viewport[2], request.Viewport[3]);
 
+  program->SetUniform2i("origin", request.Viewport);
   program->SetUniformf("intensity", static_cast<float>(request.Intensity));
   program->SetUniformf("sceneGain", static_cast<float>(request.SceneGain));
   program->SetUniformi("linearLight", request.LinearLight);
