@@ -270,7 +270,7 @@ protected:
 TEST_F(GodRaysTapsOnNoise, EqualTheSumInDoublePrecision)
 {
   const double bound = InterpolatesExactly(this->Window) ? 2e-6 : 4e-3;
-  this->MakeLayer(32, 24); // a position in more pixels has fewer bits between them
+  this->MakeLayer(24, 18); // a position in more pixels has fewer bits between them
   for (bool margin : { false, true })
   {
     this->ViewScale = margin ? 0.5 : 1.0;

@@ -3,11 +3,12 @@
 
 // The weighted sum of taps from a pixel of the picture towards the light.
 
-in vec2 texCoord; // of the picture
+in vec2 texCoord; // of the picture, as well as it is interpolated
 
 //VTK::GodRays::Types
 //VTK::GodRays::Functions
 
+uniform vec2 size; // of the picture [pixels]
 uniform sampler2D layer;
 uniform TapSum taps;
 uniform vec3 lightClip;
@@ -18,9 +19,15 @@ uniform sampler2D coarse; // the sum on a coarser grid
 uniform bool refine;      // whether to start from it
 uniform float threshold;  // neighbours that differ by more are not interpolated
 
+// The centre of the pixel, exactly.
+vec2 Picture()
+{
+  return (floor(texCoord * size) + 0.5) / size;
+}
+
 vec3 Evaluate()
 {
-  vec2 uv = 0.5 + (texCoord - 0.5) * viewScale;
+  vec2 uv = 0.5 + (Picture() - 0.5) * viewScale;
   return SumTaps(layer, taps, uv, MarchVector(lightClip, 2.0 * uv - 1.0, marchScale));
 }
 
@@ -35,7 +42,7 @@ void main()
   if (refine)
   {
     ivec2 last = textureSize(coarse, 0) - 1;
-    vec2 position = texCoord * vec2(last + 1) - 0.5;
+    vec2 position = Picture() * vec2(last + 1) - 0.5;
     ivec2 corner = ivec2(floor(position));
     vec2 t = position - vec2(corner);
     vec3 a = texelFetch(coarse, clamp(corner, ivec2(0), last), 0).rgb;

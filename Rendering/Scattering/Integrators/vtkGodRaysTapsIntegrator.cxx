@@ -60,15 +60,18 @@ struct vtkGodRaysTapsIntegrator::Internals
   vtkGodRaysTarget Coarse;
   vtkGodRaysTarget Between[2]; // results of all but the last of several passes
 
-  /// Draw one sum of taps of a layer into the bound framebuffer.
+  /// Draw one sum of taps of a layer into a target.
   bool Draw(const Request& request, const vtkGodRays::TapSum& taps, vtkTextureObject* layer,
-    double viewScale, vtkTextureObject* coarse, double threshold)
+    vtkGodRaysTarget& target, double viewScale, vtkTextureObject* coarse, double threshold)
   {
     vtkShaderProgram* program = this->Quad.Begin(request.Window);
-    if (!program)
+    if (!program || !target.Bind())
     {
       return false;
     }
+    const float size[2] = { static_cast<float>(target.GetWidth()),
+      static_cast<float>(target.GetHeight()) };
+    program->SetUniform2f("size", size);
     SetTaps(program, taps, request.ViewScale);
     const float clip[3] = { static_cast<float>(request.LightClip[0]),
       static_cast<float>(request.LightClip[1]), static_cast<float>(request.LightClip[2]) };
@@ -117,7 +120,7 @@ bool vtkGodRaysTapsIntegrator::Integrate(const Request& request)
     vtkGodRaysTarget& target = this->Internal->Between[i % 2];
     target.Prepare(request.Window, static_cast<int>(layer->GetWidth()),
       static_cast<int>(layer->GetHeight()), { request.Result->GetColorFormat(), 0 });
-    if (!target.Bind() || !this->Internal->Draw(request, passes[i], layer, 1.0, nullptr, 0.0))
+    if (!this->Internal->Draw(request, passes[i], layer, target, 1.0, nullptr, 0.0))
     {
       return false;
     }
@@ -133,8 +136,8 @@ bool vtkGodRaysTapsIntegrator::Integrate(const Request& request)
     vtkGodRaysTarget& target = this->Internal->Coarse;
     target.Prepare(request.Window, scaled(request.Result->GetWidth()),
       scaled(request.Result->GetHeight()), { request.Result->GetColorFormat(), 0 });
-    if (!target.Bind() ||
-      !this->Internal->Draw(request, passes.back(), layer, request.ViewScale, nullptr, 0.0))
+    if (!this->Internal->Draw(
+          request, passes.back(), layer, target, request.ViewScale, nullptr, 0.0))
     {
       return false;
     }
@@ -144,8 +147,8 @@ bool vtkGodRaysTapsIntegrator::Integrate(const Request& request)
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
   const double threshold = request.ErrorTolerance * model->GetFlatGain() * request.Peak;
-  return request.Result->Bind() &&
-    this->Internal->Draw(request, passes.back(), layer, request.ViewScale, coarse, threshold);
+  return this->Internal->Draw(
+    request, passes.back(), layer, *request.Result, request.ViewScale, coarse, threshold);
 }
 
 //------------------------------------------------------------------------------
