@@ -52,7 +52,6 @@ void Clear(vtkGodRaysTarget& target, vtkOpenGLState* state)
   state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   state->vtkglClear(GL_COLOR_BUFFER_BIT);
 }
-
 }
 
 //------------------------------------------------------------------------------
@@ -76,12 +75,13 @@ struct vtkGodRaysPass::Internals
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the resources
   vtkMTimeType ContextTime = 0;                 // when its context was made
-  vtkWeakPointer<vtkRenderer> LastRenderer;
-  bool HasScattering = false; // of the last frame
+  bool HasScattering = false;                   // of the last frame
   bool HasLayer = false;
   bool HasLayerSum = false;
   bool KeepLayerSum = false;
-  int NumberOfSources = 0; // of the last frame
+  int NumberOfSources = 0;    // of the last frame
+  bool DrawsScene = false;    // at this moment
+  bool IsOwnDelegate = false; // its delegate called it while it drew the scene
   std::string LightPlan;
   std::string StagePlan;
   std::string Complaint; // that has been made already
@@ -305,7 +305,8 @@ void vtkGodRaysPass::Attach(vtkRenderer* renderer)
 void vtkGodRaysPass::Detach(vtkRenderer* renderer)
 {
   Internals& self = *this->Internal;
-  if (!renderer || self.Attached != renderer)
+  const bool attached = renderer && self.Attached == renderer;
+  if (!renderer || (!attached && renderer->GetPass() != this))
   {
     return;
   }
@@ -317,7 +318,11 @@ void vtkGodRaysPass::Detach(vtkRenderer* renderer)
   }
   if (renderer->GetPass() == this)
   {
-    renderer->SetPass(self.FormerPass);
+    renderer->SetPass(attached ? self.FormerPass : nullptr);
+  }
+  if (!attached)
+  {
+    return;
   }
   this->SetDelegatePass(self.FormerDelegate);
   self.FormerPass = nullptr;
@@ -329,14 +334,15 @@ void vtkGodRaysPass::Detach(vtkRenderer* renderer)
 bool vtkGodRaysPass::GetOcclusionImage(vtkImageData* image)
 {
   Internals& self = *this->Internal;
-  if (self.HasLayer && !self.HasLayerSum && self.NumberOfSources > 1)
+  if (self.HasLayer && !self.HasLayerSum && self.NumberOfSources > 1 && self.Window)
   {
     // one layer texture served all lights in turn
     self.KeepLayerSum = true;
     self.Window->Render();
     self.KeepLayerSum = false;
   }
-  if (!image || !self.HasLayer || !self.Window)
+  const bool hasAll = self.HasLayerSum || self.NumberOfSources == 1;
+  if (!image || !self.HasLayer || !hasAll || !self.Window)
   {
     if (image)
     {
@@ -389,6 +395,12 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   Internals& self = *this->Internal;
   vtkRenderer* renderer = s->GetRenderer();
   auto window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (self.DrawsScene)
+  {
+    self.IsOwnDelegate = true;
+    self.RendererSteps->Render(s);
+    return;
+  }
   self.LightPlan.clear();
   self.HasScattering = false;
   self.HasLayer = false;
@@ -433,7 +445,11 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   self.Timers.Start(vtkGodRaysTimers::SCENE);
   this->RenderScene(s);
   self.Timers.Stop();
-  if (!this->RenderRays(s, view, sources))
+  if (self.IsOwnDelegate)
+  {
+    self.StagePlan = "rays: none, the delegate leads back to this pass\n";
+  }
+  else if (!this->RenderRays(s, view, sources))
   {
     this->Complain("the framebuffer of this window cannot be copied or drawn into by the rays' "
                    "stages. Render into a window or framebuffer with a depth buffer and 8-bit or "
@@ -493,7 +509,17 @@ void vtkGodRaysPass::RenderScene(const vtkRenderState* s)
   {
     scene = this->Internal->RendererSteps;
   }
+  Internals& self = *this->Internal;
+  self.IsOwnDelegate = false;
+  self.DrawsScene = true;
   scene->Render(s);
+  self.DrawsScene = false;
+  if (self.IsOwnDelegate)
+  {
+    this->Complain("the delegate of this pass leads back to it. Set another delegate, or none; a "
+                   "pass that has this one for its delegate is what the renderer takes, by "
+                   "SetPass(), without Attach()");
+  }
   this->NumberOfRenderedProps = scene->GetNumberOfRenderedProps();
 }
 

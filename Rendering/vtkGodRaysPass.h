@@ -27,6 +27,9 @@
  * The pass belongs to one renderer at a time, and that renderer's window must be an OpenGL one;
  * with any other window the scene is drawn without rays, after one warning.
  *
+ * Numbers beyond a valid range are clamped to it. NaN, infinities, and modes that are none of those
+ * listed are errors, and change nothing.
+ *
  * Setting the environment variable GODRAYS_DISABLE to anything but 0 draws every scene straight
  * through, to compare a picture with and without rays.
  *
@@ -94,7 +97,8 @@ public:
    * intensity. Positional lights are spheres of SourceRadius, directional ones suns of
    * SunAngularRadius. Camera lights and headlights count by their transformed position. A light
    * that is switched off, or has intensity 0, makes no shafts. The light need not be one of the
-   * renderer's. Adding null, or a light twice, changes nothing.
+   * renderer's. Adding null, or a light twice, changes nothing. GetLight() is null for an index that
+   * is out of range.
    */
   void AddLight(vtkLight* light);
   void RemoveLight(vtkLight* light);
@@ -139,7 +143,7 @@ public:
   /**
    * Set/Get the error that the rays may have, as a fraction of the brightest possible result
    * [no unit]; the integrator chooses its work by it. Valid range: [1e-6, 0.1].
-   * Default is 1/255, half of a step of an 8-bit picture to either side.
+   * Default is 1/255, a level of an 8-bit picture.
    */
   void SetErrorTolerance(double tolerance);
   vtkGetMacro(ErrorTolerance, double);
@@ -273,8 +277,10 @@ public:
    * peeling, SSAO, FXAA, shadows and hidden-line removal. A delegate must leave the scene's depth
    * in the framebuffer that it got: vtkSSAAPass, vtkToneMappingPass and vtkGaussianBlurPass do not,
    * so that nothing would block light; let them have this pass as their delegate instead.
-   * Detach: release everything on the graphics card and restore the renderer's former pass.
-   * Attaching to another renderer detaches from the one before.
+   * If it has this pass for its own delegate already, give it to the renderer by SetPass() instead.
+   * Detach: release everything on the graphics card and restore the renderer's former pass; a
+   * renderer that got this pass by SetPass() has none then. For any other renderer nothing happens.
+   * Attaching to another renderer detaches from the one before. A null renderer is an error.
    */
   void Attach(vtkRenderer* renderer);
   void Detach(vtkRenderer* renderer);
@@ -286,7 +292,8 @@ public:
    * formulations that sum shown colours), one value a pixel of the viewport (the occlusion layer:
    * of the viewport and its margin), origin at the lower left. With several lights the occlusion
    * layers are added, for which the window is rendered once more unless Output is OCCLUSION.
-   * Returns false, and empties the image, when the last frame had no rays.
+   * Returns false, and empties the image, when the last frame had no rays, or when it is asked for
+   * the layers of several lights while the window renders.
    */
   bool GetOcclusionImage(vtkImageData* image);
   bool GetScatteringImage(vtkImageData* image);

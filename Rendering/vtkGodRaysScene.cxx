@@ -19,13 +19,13 @@ vtkStandardNewMacro(vtkGodRaysScene);
 namespace
 {
 /// A prop that draws nothing.
-class Nothing : public vtkProp
+class NoProp : public vtkProp
 {
 public:
-  static Nothing* New();
-  vtkTypeMacro(Nothing, vtkProp);
+  static NoProp* New();
+  vtkTypeMacro(NoProp, vtkProp);
 };
-vtkStandardNewMacro(Nothing);
+vtkStandardNewMacro(NoProp);
 
 /// All that follows the camera, once that has set the viewport.
 class Steps : public vtkRenderPass
@@ -117,14 +117,17 @@ void vtkGodRaysScene::UpdateStereo(vtkRenderer* renderer)
 vtkGodRaysOverlays::vtkGodRaysOverlays(const vtkRenderState* s)
   : State(s)
 {
-  static const vtkSmartPointer<Nothing> nothing = vtkSmartPointer<Nothing>::New();
   for (int i = 0; i < s->GetPropArrayCount(); ++i)
   {
     vtkProp*& prop = s->GetPropArray()[i];
     if (vtkActor2D::SafeDownCast(prop))
     {
+      if (!this->Nothing)
+      {
+        this->Nothing = vtkSmartPointer<NoProp>::New();
+      }
       this->Overlays.emplace_back(i, prop);
-      prop = nothing;
+      prop = this->Nothing;
     }
   }
 }

@@ -9,13 +9,14 @@
 #define vtkGodRaysScene_h
 
 #include "vtkNew.h"
+#include "vtkProp.h" // For vtkSmartPointer
 #include "vtkRenderPass.h"
+#include "vtkSmartPointer.h"
 
 #include <utility>
 #include <vector>
 
 class vtkCameraPass;
-class vtkProp;
 
 /// The renderer's own steps, as it takes them when it has no pass: with its depth peeling, SSAO,
 /// FXAA, shadows and hidden-line removal.
@@ -64,6 +65,7 @@ public:
 private:
   const vtkRenderState* State;
   std::vector<std::pair<int, vtkProp*>> Overlays;
+  vtkSmartPointer<vtkProp> Nothing; ///< in their places
 };
 
 #endif

@@ -73,7 +73,8 @@ std::vector<vtkGodRaysSource> vtkGodRaysSourceFinder::Find(
     double place[4];
     if (!GetWorldPlace(light, this->Renderer->GetActiveCamera(), place))
     {
-      this->Plan += "light: " + source.Name + ", skipped: its position is its focal point\n";
+      this->Plan +=
+        "light: " + source.Name + ", skipped: its position is its focal point, or no number\n";
       continue;
     }
     source.Place(view, place,
@@ -88,14 +89,18 @@ std::vector<vtkGodRaysSource> vtkGodRaysSourceFinder::Find(
   props->InitTraversal(iterator);
   while (vtkProp* prop = props->GetNextProp(iterator))
   {
-    const double* bounds = nullptr;
-    if (!prop->GetVisibility() || vtkGodRaysPass::GetRole(prop) != vtkGodRaysPass::LIGHT ||
-      !(bounds = prop->GetBounds()) || !vtkMath::AreBoundsInitialized(bounds))
+    if (vtkGodRaysPass::GetRole(prop) != vtkGodRaysPass::LIGHT)
     {
       continue;
     }
     vtkGodRaysSource source;
     source.Name = std::string("prop tagged LIGHT, ") + prop->GetClassName();
+    const double* bounds = prop->GetVisibility() ? prop->GetBounds() : nullptr;
+    if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
+    {
+      this->Plan += "light: " + source.Name + ", skipped: it is invisible or has no geometry\n";
+      continue;
+    }
     source.Prop = prop;
     const double place[4] = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
       0.5 * (bounds[4] + bounds[5]), 1.0 };

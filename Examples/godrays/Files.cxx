@@ -12,6 +12,7 @@
 #include "vtkActorCollection.h"
 #include "vtkBMPReader.h"
 #include "vtkBYUReader.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -39,6 +40,7 @@
 #include "vtkTIFFReader.h"
 #include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLMultiBlockDataReader.h"
 #include "vtkXMLPImageDataReader.h"
@@ -66,10 +68,43 @@ namespace
 namespace fs = std::filesystem;
 
 //------------------------------------------------------------------------------
+/**
+ * Readers do not see whether the points of a cell are there; filters and mappers crash where not.
+ */
+void CheckCells(const std::string& path, vtkDataObject* data)
+{
+  std::vector<vtkCellArray*> all;
+  vtkIdType numberOfPoints = 0;
+  if (auto* surface = vtkPolyData::SafeDownCast(data))
+  {
+    all = { surface->GetVerts(), surface->GetLines(), surface->GetPolys(), surface->GetStrips() };
+    numberOfPoints = surface->GetNumberOfPoints();
+  }
+  else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    all = { grid->GetCells() };
+    numberOfPoints = grid->GetNumberOfPoints();
+  }
+  for (vtkCellArray* cells : all)
+  {
+    double range[2] = { 0.0, -1.0 };
+    if (cells && cells->GetNumberOfConnectivityIds() > 0)
+    {
+      cells->GetConnectivityArray()->GetRange(range);
+    }
+    if (range[0] < 0.0 || range[1] >= numberOfPoints || (cells && !cells->IsValid()))
+    {
+      throw Failure(path + ": has a cell with a point that is not there; write it again");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void AddDataObject(vtkDataObject* object, FileContents& contents)
 {
   if (auto* dataSet = vtkDataSet::SafeDownCast(object))
   {
+    CheckCells(contents.Path, dataSet);
     contents.DataSets.emplace_back(dataSet);
   }
   else if (auto* composite = vtkCompositeDataSet::SafeDownCast(object))
@@ -149,6 +184,7 @@ void ImportActors(vtkImporter* importer, FileContents& contents)
     if (actor->GetMapper())
     {
       actor->GetMapper()->Update();
+      CheckCells(contents.Path, actor->GetMapper()->GetInput());
       SimplifyMaterial(actor);
       contents.Actors.emplace_back(actor);
     }

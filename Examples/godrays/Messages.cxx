@@ -30,6 +30,23 @@ void EndAfterCrash(int)
 }
 
 //------------------------------------------------------------------------------
+void CatchCrashes()
+{
+  static char stack[1 << 16]; // the program's own may be what is full
+  stack_t other = {};
+  other.ss_sp = stack;
+  other.ss_size = sizeof(stack);
+  sigaltstack(&other, nullptr);
+  struct sigaction action = {};
+  action.sa_handler = EndAfterCrash;
+  action.sa_flags = SA_ONSTACK;
+  for (const int signal : CrashSignals)
+  {
+    sigaction(signal, &action, nullptr);
+  }
+}
+
+//------------------------------------------------------------------------------
 std::string OneLine(std::string text)
 {
   // "ERROR: In file.cxx, line 12\nvtkClass (0x1234): what happened\n\n"
@@ -111,10 +128,7 @@ Messages::Messages(bool catchStandardError, const std::string& onCrash)
   {
     userError = STDERR_FILENO; // then the user sees them
   }
-  for (const int signal : CrashSignals)
-  {
-    std::signal(signal, EndAfterCrash);
-  }
+  CatchCrashes();
 }
 
 //------------------------------------------------------------------------------

@@ -99,7 +99,16 @@ public:
   void AddCall(const std::string& name, const std::string& form, const std::string& help,
     const std::function<void(const std::string&)>& call)
   {
-    this->App.add_option_function<std::string>(name, call, help)
+    const auto checked = [name, call](const std::string& text)
+    {
+      if (text.empty())
+      {
+        throw Failure(name.substr(name.find("--")) + ": needs a value; see godrays --help");
+      }
+      call(text);
+    };
+    this->App.add_option_function<std::string>(name, checked, help)
+      ->take_last()
       ->type_name(form)
       ->group(this->Group);
   }

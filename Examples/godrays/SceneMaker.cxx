@@ -66,6 +66,10 @@ public:
   Scene Finish(char up)
   {
     this->Colors.CheckFound();
+    if (this->Settings.Isosurface && !this->HasIsosurface)
+    {
+      throw Failure("--isosurface: no file holds a 3-D image with values; leave it out");
+    }
     for (const Part& part : this->Parts)
     {
       if (part.Actor)
@@ -255,6 +259,7 @@ private:
       throw Failure("--isosurface: nothing has the value " + std::to_string(value) +
         "; values are from " + std::to_string(range[0]) + " to " + std::to_string(range[1]));
     }
+    this->HasIsosurface = true;
     this->AddPolyData(filter->GetOutput());
   }
 
@@ -345,6 +350,7 @@ private:
   Scene Result;
   std::vector<Part> Parts;
   bool HasElevation = false;
+  bool HasIsosurface = false;
 };
 }
 

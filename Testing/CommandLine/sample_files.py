@@ -3,6 +3,7 @@
 """Small files of every type that the program godrays reads."""
 
 import json
+import os
 import struct
 
 import numpy
@@ -131,6 +132,8 @@ def write(writer, data, path, **settings):
     writer.SetInputDataObject(0, data)
     for name, value in settings.items():
         getattr(writer, "Set" + name)(value)
+    if os.environ.get("GODRAYS_INLINE_DATA") and hasattr(writer, "SetDataModeToBinary"):
+        writer.SetDataModeToBinary()
     writer.Write()
 
 

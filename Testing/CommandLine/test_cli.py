@@ -43,6 +43,10 @@ class ProgramTest(unittest.TestCase):
         path.unlink(missing_ok=True)
         done = godrays(*arguments, "--size", "{}x{}".format(*size), "--output", path)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return self.read(path, size)
+
+    def read(self, path, size):
+        """A picture in a file, which has this size, as rows of RGB."""
         reader = vtkPNGReader()
         reader.SetFileName(str(path))
         reader.Update()
@@ -120,6 +124,29 @@ class DamagedFiles(ProgramTest):
                 path.write_text("This is a letter, not data.\n" * 20)
                 self.fails(path, "--output", self.folder / "p.png", says=[str(path)])
 
+    def test_cells_with_points_that_are_not_there(self):
+        corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+        ply = "ply\nformat ascii 1.0\nelement vertex 3\n" + "".join(
+            f"property float {axis}\n" for axis in "xyz")
+        ply += "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        vtk = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET {}\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\n"
+        for name, text in (
+            ("cells.obj", corners + "f 1 2 9\n"),
+            ("cells.ply", ply + "0 0 0\n1 0 0\n0 1 0\n3 0 1 77\n"),
+            ("lines.vtk", vtk.format("POLYDATA") + "LINES 1 3\n2 0 -5\n"),
+            ("cells.vtk", vtk.format("UNSTRUCTURED_GRID") + "CELLS 1 4\n3 0 1 3\nCELL_TYPES 1\n5\n"),
+        ):
+            with self.subTest(name):
+                path = self.folder / name
+                path.write_text(text)
+                self.fails(path, "--output", self.folder / "p.png", says=[name, "not there"])
+
+    def test_a_reader_that_fills_the_stack(self):
+        path = self.folder / "cycle.gltf"
+        path.write_text('{"asset":{"version":"2.0"},"nodes":[{"children":[0]}],"scene":0,'
+                        '"scenes":[{"nodes":[0]}]}')
+        self.fails(path, "--output", self.folder / "p.png", says=["cycle.gltf", "cannot be read"])
+
     def test_empty_file(self):
         for extension in (".vtp", ".stl", ".png"):
             path = self.folder / ("empty" + extension)
@@ -185,6 +212,9 @@ class Arguments(ProgramTest):
             (["--decay", "2"], ["--decay"]),
             (["--weight", "1e9"], ["--weight"]),
             (["--exposure", ""], ["--exposure"]),
+            (["--preset", ""], ["--preset", "needs a value"]),
+            (["--output", ""], ["--output", "needs a value"]),
+            (["--isosurface", "1"], ["--isosurface", "3-D image"]),
             (["--glow", "1.5"], ["--glow", "0 to 1"]),
             (["--glow-angle", "200"], ["--glow-angle"]),
             (["--tolerance", "0"], ["--tolerance"]),
@@ -236,6 +266,7 @@ class Arguments(ProgramTest):
 
 class Pictures(ProgramTest):
     def test_size(self):
+        self.draw(self.mesh, "--size", "9x9")  # given again after it: the last one counts
         self.draw(self.mesh, size=(130, 70))
 
     def test_jpeg(self):

@@ -17,6 +17,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderer,
     vtkRenderWindow,
 )
+from vtkmodules.vtkRenderingOpenGL2 import vtkToneMappingPass
 
 
 def make_actor(source):
@@ -75,6 +76,19 @@ class Enable(unittest.TestCase):
             self.assertIsNone(renderer.GetPass())
             godrays.disable(target)  # again: nothing happens
 
+    def test_disable_takes_off_a_pass_set_by_hand(self):
+        _, renderer, _ = make_scene()
+        rays = vtkGodRaysPass()
+        renderer.SetPass(rays)
+        godrays.disable(renderer)
+        self.assertIsNone(renderer.GetPass())
+        outer = vtkToneMappingPass()
+        outer.SetDelegatePass(rays)
+        renderer.SetPass(outer)
+        with self.assertRaisesRegex(ValueError, "vtkToneMappingPass.*SetDelegatePass"):
+            godrays.disable(renderer)
+        self.assertIs(outer.GetDelegatePass(), rays)
+
     def test_wrong_targets(self):
         with self.assertRaisesRegex(TypeError, "vtkRenderer.*not int"):
             godrays.enable(1, light=BEHIND)
@@ -97,8 +111,9 @@ class Enable(unittest.TestCase):
         _, renderer, _ = make_scene()
         with self.assertRaisesRegex(TypeError, "vtkLight.*not str"):
             godrays.enable(renderer, light=["sun"])
-        with self.assertRaisesRegex(ValueError, "no direction"):
-            godrays.enable(renderer, light=(0, 0, 0))
+        for direction in ((0, 0, 0), (float("nan"), 0, 1), (float("inf"), 0, 1)):
+            with self.assertRaisesRegex(ValueError, "no direction"):
+                godrays.enable(renderer, light=direction)
 
     def test_the_renderers_own_lights(self):
         _, renderer, cone = make_scene()
@@ -162,6 +177,13 @@ class Parameters(unittest.TestCase):
         self.assertEqual(rays.GetOutput(), vtkGodRaysPass.SCATTERING)
         self.assertEqual(rays.GetModel().GetFormulation(), rays.GetModel().MITCHELL)
 
+    def test_an_unknown_constant_changes_nothing(self):
+        with self.assertRaisesRegex(ValueError, "output='bogus'.*vtkGodRaysPass.*scattering"):
+            self.enable(output="bogus")
+        with self.assertRaisesRegex(ValueError, "formulation='nobody'.*RadialModel.*three_js"):
+            self.enable(formulation="nobody")
+        self.assertIsNone(self.renderer.GetPass())
+
     def test_a_model_of_ones_own(self):
         model = godrays.vtkGodRaysRadialModel()
         rays = self.enable(model=model, decay=0.9)
@@ -199,6 +221,7 @@ class Tag(unittest.TestCase):
         godrays.enable(renderer, light=BEHIND, occluders=[cone], ignored=sphere)
         self.assertEqual(vtkGodRaysPass.GetRole(cone), vtkGodRaysPass.OCCLUDER)
         self.assertEqual(vtkGodRaysPass.GetRole(sphere), vtkGodRaysPass.IGNORED)
+        godrays.enable(renderer, occluders=None, ignored=None)  # nothing
 
     def test_errors(self):
         with self.assertRaisesRegex(ValueError, "automatic, occluder, light, ignored"):

@@ -91,6 +91,12 @@ std::vector<std::string> Messages::Take()
 }
 
 //------------------------------------------------------------------------------
+bool Says(const std::string& text, const std::string& words)
+{
+  return text.find(words) != std::string::npos;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkActor> MakeBox(
   std::array<double, 3> center, std::array<double, 3> size, std::array<double, 3> color)
 {

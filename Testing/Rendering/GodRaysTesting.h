@@ -37,6 +37,9 @@ public:
   std::vector<std::string> Take();
 };
 
+/// Whether a plan or message has these words.
+bool Says(const std::string& text, const std::string& words);
+
 /// A box of this size about a centre.
 vtkSmartPointer<vtkActor> MakeBox(std::array<double, 3> center, std::array<double, 3> size,
   std::array<double, 3> color = { 0.5, 0.5, 0.5 });

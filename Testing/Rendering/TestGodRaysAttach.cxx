@@ -6,6 +6,7 @@
 
 #include "GodRaysTesting.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -13,6 +14,7 @@
 #include "vtkRenderState.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkTextureObject.h"
+#include "vtkToneMappingPass.h"
 #include "vtk_glew.h"
 
 #include <algorithm>
@@ -67,6 +69,69 @@ TEST(GodRaysAttach, IsToOneRendererAtATime)
   EXPECT_EQ(b.Renderer->GetPass(), a.Rays);
   a.Rays->Detach(b.Renderer);
   EXPECT_EQ(b.Renderer->GetPass(), nullptr);
+}
+
+TEST(GodRaysAttach, DetachTakesOffAPassThatWasSetWithoutAttach)
+{
+  Messages messages;
+  Stage scene;
+  Stage other;
+  vtkNew<vtkRenderStepsPass> delegate;
+  scene.Rays->SetDelegatePass(delegate);
+  scene.Rays->AddLight(MakeSun({ 0.1, 0.1, -1.0 }));
+  scene.Renderer->SetPass(scene.Rays);
+  scene.Window->Render();
+  vtkNew<vtkImageData> image;
+  EXPECT_TRUE(scene.Rays->GetScatteringImage(image));
+  scene.Rays->Detach(other.Renderer); // has it not
+  EXPECT_EQ(scene.Renderer->GetPass(), scene.Rays);
+  scene.Rays->Detach(scene.Renderer);
+  EXPECT_EQ(scene.Renderer->GetPass(), nullptr);
+  EXPECT_EQ(scene.Rays->GetDelegatePass(), delegate);
+  EXPECT_FALSE(scene.Rays->GetScatteringImage(image))
+    << "what was on the graphics card is released";
+
+  scene.Rays->Attach(scene.Renderer); // and as well by mistake on a second renderer
+  other.Renderer->SetPass(scene.Rays);
+  scene.Rays->Detach(other.Renderer);
+  EXPECT_EQ(other.Renderer->GetPass(), nullptr);
+  EXPECT_EQ(scene.Renderer->GetPass(), scene.Rays);
+}
+
+TEST(GodRaysAttach, APassThatIsItsOwnDelegateIsToldOnceAndTheSceneIsDrawnWithoutRays)
+{
+  Messages messages;
+  Stage scene;
+  scene.AddPillarsAndSun();
+  scene.Rays->Detach(scene.Renderer);
+  const auto plain = GetPixels(scene.Window);
+
+  scene.Rays->SetDelegatePass(scene.Rays);
+  scene.Rays->Attach(scene.Renderer);
+  for (bool measured : { false, true })
+  {
+    scene.Rays->SetMeasureTimes(measured);
+    EXPECT_EQ(plain, GetPixels(scene.Window));
+    EXPECT_TRUE(Says(scene.Rays->GetPlan(), "rays: none, the delegate leads back"));
+  }
+  const auto said = messages.Take();
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_TRUE(Says(said[0], "leads back to it. Set another delegate")) << said[0];
+
+  // the same over another pass, which had the god rays before they were attached
+  scene.Rays->Detach(scene.Renderer);
+  scene.Rays->SetDelegatePass(nullptr);
+  vtkNew<vtkToneMappingPass> outer;
+  outer->SetDelegatePass(scene.Rays);
+  scene.Renderer->SetPass(outer);
+  scene.Rays->Attach(scene.Renderer);
+  scene.Window->Render();
+  EXPECT_TRUE(Says(scene.Rays->GetPlan(), "rays: none, the delegate leads back"));
+  scene.Rays->Detach(scene.Renderer);
+  EXPECT_EQ(scene.Renderer->GetPass(), outer);
+  scene.Window->Render();
+  EXPECT_TRUE(Says(scene.Rays->GetPlan(), "blend: additive")) << "set right, they are there again";
+  outer->SetDelegatePass(nullptr);
 }
 
 TEST(GodRaysAttach, LeavesAPassThatWasSetSince)
@@ -138,6 +203,20 @@ TEST(GodRaysAttach, KeepsThePassAliveWhileTheRendererIs)
   EXPECT_EQ(lit, GetPixels(scene.Window));
   scene.Renderer->SetPass(nullptr); // without Detach
   EXPECT_EQ(bare, GetPixels(scene.Window));
+}
+
+TEST(GodRaysAttach, NoticesANewContextOfItsWindow)
+{
+  Messages messages;
+  Stage scene;
+  scene.AddPillarsAndSun();
+  const auto expected = GetPixels(scene.Window);
+  scene.Renderer->SetPass(nullptr); // so that the pass does not hear of the end of the context
+  scene.Window->Finalize();
+  GetPixels(scene.Window);
+  scene.Renderer->SetPass(scene.Rays);
+  EXPECT_EQ(expected, GetPixels(scene.Window));
+  EXPECT_EQ(expected, GetPixels(scene.Window));
 }
 
 TEST(GodRaysReadbacks, AreEmptyWithoutRays)
@@ -216,6 +295,40 @@ TEST(GodRaysReadbacks, AddTheLayersOfAllLights)
     }
   }
   EXPECT_LT(worst, 1e-5);
+}
+
+TEST(GodRaysReadbacks, OfSeveralLightsAreNotOneOfThemWhereTheWindowCannotRenderOnceMore)
+{
+  Messages messages;
+  vtkNew<vtkGodRaysPass> rays;
+  vtkNew<vtkImageData> image;
+  {
+    Stage scene;
+    rays->AddLight(MakeSun({ 0.1, 0.1, -1.0 }));
+    rays->AddLight(MakeSun({ -0.1, 0.1, -1.0 }));
+    rays->Attach(scene.Renderer);
+    int readbacks = 0;
+    vtkNew<vtkCallbackCommand> duringRender;
+    auto readBack = std::make_pair(rays.Get(), &readbacks);
+    duringRender->SetClientData(&readBack);
+    duringRender->SetCallback(
+      [](vtkObject*, unsigned long, void* data, void*)
+      {
+        auto both = static_cast<decltype(readBack)*>(data);
+        vtkNew<vtkImageData> layer;
+        EXPECT_FALSE(both->first->GetOcclusionImage(layer));
+        EXPECT_EQ(layer->GetNumberOfPoints(), 0);
+        ++*both->second;
+      });
+    scene.Renderer->AddObserver(vtkCommand::EndEvent, duringRender);
+    scene.Window->Render();
+    EXPECT_EQ(readbacks, 1);
+    scene.Renderer->RemoveAllObservers();
+    EXPECT_TRUE(rays->GetOcclusionImage(image));
+    scene.Window->Render();
+    scene.Renderer->SetPass(nullptr); // the pass is not told that the window goes
+  }
+  EXPECT_FALSE(rays->GetOcclusionImage(image));
 }
 
 TEST(GodRaysStageTimes, AreThereWhenAskedFor)

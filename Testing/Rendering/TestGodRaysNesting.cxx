@@ -8,13 +8,19 @@
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkFramebufferPass.h"
 #include "vtkGaussianBlurPass.h"
+#include "vtkObjectFactory.h"
 #include "vtkOpenGLFXAAPass.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPropCollection.h"
 #include "vtkProperty.h"
+#include "vtkRenderState.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkSSAAPass.h"
 #include "vtkTextureObject.h"
 #include "vtkToneMappingPass.h"
 #include "vtkTranslucentPass.h"
+#include "vtk_glew.h"
 
 #include <cmath>
 #include <functional>
@@ -186,6 +192,8 @@ TEST(GodRaysDelegate, OfRenderStepsDrawsAsTheRenderer)
   scene.AddPillarsAndSun();
   const auto expected = GetPixels(scene.Window);
   const auto depths = GetDepths(scene.Window, false);
+  const int rendered = scene.Rays->GetNumberOfRenderedProps();
+  EXPECT_EQ(rendered, scene.Renderer->GetViewProps()->GetNumberOfItems());
   scene.Rays->Detach(scene.Renderer);
   vtkNew<vtkRenderStepsPass> steps;
   scene.Renderer->SetPass(steps);
@@ -193,6 +201,7 @@ TEST(GodRaysDelegate, OfRenderStepsDrawsAsTheRenderer)
   EXPECT_EQ(scene.Rays->GetDelegatePass(), steps);
   EXPECT_EQ(GetPixels(scene.Window), expected);
   EXPECT_EQ(GetDepths(scene.Window, false), depths);
+  EXPECT_EQ(scene.Rays->GetNumberOfRenderedProps(), rendered);
   scene.Rays->Detach(scene.Renderer);
   EXPECT_EQ(scene.Renderer->GetPass(), steps);
   EXPECT_EQ(scene.Rays->GetDelegatePass(), nullptr);
@@ -231,4 +240,68 @@ TEST(GodRaysDelegate, ThatIsAFramebufferPassOrFXAAGivesRays)
   scene.Rays->SetDelegatePass(smoothing);
   scene.Rays->Attach(scene.Renderer);
   EXPECT_LT(GetMeanDifference(GetPixels(scene.Window), expected), 2.0);
+}
+
+namespace
+{
+/// Draws the scene, then leaves OpenGL in a state in which little is drawn.
+class UntidySteps : public vtkRenderStepsPass
+{
+public:
+  static UntidySteps* New();
+  vtkTypeMacro(UntidySteps, vtkRenderStepsPass);
+  void Render(const vtkRenderState* s) override
+  {
+    this->Superclass::Render(s);
+    auto window = vtkOpenGLRenderWindow::SafeDownCast(s->GetRenderer()->GetRenderWindow());
+    vtkOpenGLState* state = window->GetState();
+    state->vtkglEnable(GL_CULL_FACE);
+    state->vtkglCullFace(GL_FRONT_AND_BACK);
+    state->vtkglDepthFunc(GL_NEVER);
+    state->vtkglDepthMask(GL_FALSE);
+    state->vtkglClearDepth(0.25);
+    state->vtkglClearColor(1.0f, 0.0f, 1.0f, 1.0f);
+    state->vtkglEnable(GL_SCISSOR_TEST);
+    state->vtkglScissor(3, 3, 5, 5);
+    state->vtkglViewport(3, 3, 5, 5);
+    state->vtkglBlendFuncSeparate(GL_ZERO, GL_ONE, GL_ZERO, GL_ONE);
+    state->vtkglActiveTexture(GL_TEXTURE5);
+  }
+};
+vtkStandardNewMacro(UntidySteps);
+}
+
+TEST(GodRaysDelegate, MayLeaveOpenGLInAnyState)
+{
+  Messages messages;
+  Stage scene(Width, Height);
+  Arrange(scene);
+  for (bool drawsProps : { false, true }) // props into the layers, by which VTK tidies up
+  {
+    if (drawsProps)
+    {
+      auto lamp = MakeLamp({ 2.0, 1.0, -2.0 }, 0.5);
+      vtkGodRaysPass::SetRole(lamp, vtkGodRaysPass::LIGHT);
+      scene.Renderer->AddActor(lamp);
+      scene.Renderer->AddActor(MakeGlass());
+      scene.Rays->SetLayerMargin(0.2);
+    }
+    std::vector<unsigned char> pictures[2];
+    for (bool untidy : { false, true })
+    {
+      vtkNew<vtkRenderStepsPass> tidySteps;
+      vtkNew<UntidySteps> untidySteps;
+      scene.Rays->Detach(scene.Renderer);
+      scene.Renderer->SetPass(untidy ? untidySteps : tidySteps);
+      scene.Rays->Attach(scene.Renderer);
+      pictures[untidy] = GetPixels(scene.Window);
+      EXPECT_TRUE(Says(scene.Rays->GetPlan(), "blend: additive"));
+      scene.Rays->Detach(scene.Renderer);
+      scene.Renderer->SetPass(nullptr);
+      auto state = vtkOpenGLRenderWindow::SafeDownCast(scene.Window)->GetState();
+      state->vtkglDisable(GL_CULL_FACE);
+      state->vtkglCullFace(GL_BACK);
+    }
+    EXPECT_EQ(pictures[0], pictures[1]) << drawsProps;
+  }
 }

@@ -26,14 +26,6 @@ using vtkLODActor = vtkActor;
 
 using namespace GodRaysTesting;
 
-namespace
-{
-bool Says(const std::string& text, const std::string& words)
-{
-  return text.find(words) != std::string::npos;
-}
-}
-
 TEST(GodRaysPassRoles, AreKeptBesideOtherKeys)
 {
   Messages messages;
@@ -322,6 +314,12 @@ TEST(GodRaysPassErrors, AnUnsupportedModelIsToldOnceAndDrawnWithoutRays)
   const auto said = messages.Take();
   ASSERT_EQ(said.size(), 1u);
   EXPECT_TRUE(Says(said[0], "cannot evaluate") && Says(said[0], "Set an integrator")) << said[0];
+  vtkGodRaysIntegrator* integrator = scene.Rays->GetIntegrator();
+  for (vtkGodRaysModel* unsupported : std::vector<vtkGodRaysModel*>{ model, nullptr })
+  {
+    EXPECT_FALSE(integrator->Supports(unsupported));
+    EXPECT_TRUE(Says(integrator->Describe(unsupported, 1.0), "taps: none"));
+  }
   EXPECT_FALSE(scene.Rays->ApplyPreset("mitchell"));
   EXPECT_EQ(messages.Take().size(), 1u);
   scene.Rays->Detach(scene.Renderer);

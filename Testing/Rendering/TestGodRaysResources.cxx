@@ -395,6 +395,8 @@ TEST(GodRaysResources, AreAsBeforeAfterFiftyToggles)
     const Counts first = Draw(scene);
     EXPECT_GT(first.Textures, 4) << first;
     EXPECT_GT(first.Queries, 4) << first;
+    vtkNew<vtkImageData> layers; // whose sum has a texture of its own
+    EXPECT_TRUE(scene.Rays->GetOcclusionImage(layers));
     scene.Rays->Detach(scene.Renderer);
     EXPECT_TRUE(Now.AliveAs(before)) << i << ": " << before << "\n" << Now;
     EXPECT_TRUE(i > 4 || Now.Queries == before.Queries) << i << ": " << before << "\n" << Now;

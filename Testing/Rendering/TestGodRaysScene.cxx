@@ -314,6 +314,50 @@ TEST(GodRaysSceneEdges, StayAntiAliasedUnderRays)
   EXPECT_GT(smoothed[1][1], 0.85 * smoothed[1][0]);
 }
 
+TEST(GodRaysSceneEdges, KeepTheirSamplesWhereNoRayReachesThem)
+{
+  // A later layer tells the samples of a pixel apart: its sheet hides those of the background only.
+  Messages messages;
+  Stage scene;
+  scene.Window->SetMultiSamples(8);
+  auto board = MakeBox({ -1.5, -0.5, 0.0 }, { 3.0, 3.0, 0.1 }, { 0.8, 0.8, 0.8 });
+  board->RotateZ(17.0);
+  scene.Renderer->AddActor(board);
+  scene.Rays->AddLight(MakeLamplight({ 2.5, 1.5, -3.0 }));
+  scene.Rays->SetSourceRadius(0.3);
+  scene.Rays->SetBackgroundGlow(0.0);
+  scene.Rays->SetPrecision(vtkGodRaysPass::SINGLE);
+  vtkGodRaysRadialModel::SafeDownCast(scene.Rays->GetModel())->SetDensity(0.5);
+  vtkNew<vtkRenderer> later;
+  auto sheet = MakeBox({ 0.0, 0.0, -5.0 }, { 30.0, 30.0, 0.1 }, { 0.2, 0.9, 0.4 });
+  sheet->GetProperty()->LightingOff();
+  later->AddActor(sheet);
+  later->SetLayer(1);
+  later->PreserveDepthBufferOn();
+  later->SetActiveCamera(scene.Renderer->GetActiveCamera());
+  scene.Window->SetNumberOfLayers(2);
+  scene.Window->AddRenderer(later);
+  const auto without = GetPixels(scene.Window);
+  scene.Rays->Attach(scene.Renderer);
+  const auto with = GetPixels(scene.Window);
+  vtkNew<vtkImageData> rays;
+  ASSERT_TRUE(scene.Rays->GetScatteringImage(rays));
+  int lit = 0;
+  for (int y = 0; y < Height; ++y)
+  {
+    for (int x = 0; x < Width; ++x)
+    {
+      const std::size_t i = 4 * (static_cast<std::size_t>(y) * Width + x);
+      const bool reached = GetValue(rays, x, y) > 0.0;
+      lit += reached;
+      EXPECT_TRUE(reached || std::equal(&with[i], &with[i] + 4, &without[i])) << x << ", " << y;
+    }
+  }
+  EXPECT_GT(lit, 20);
+  EXPECT_LT(lit, Width * Height / 2);
+  EXPECT_GT(CountSmoothedEdges(with), 50);
+}
+
 namespace
 {
 /// The picture with rays, held against a formula of the scene's value and the rays', both 0..1.

@@ -10,6 +10,7 @@
 The classes are those of C++, vtkGodRaysPass first of all; their documentation is theirs.
 """
 
+import math
 import numbers
 
 try:
@@ -18,6 +19,7 @@ try:
     from vtkmodules.vtkRenderingCore import vtkLight, vtkProp, vtkRenderer, vtkRenderWindow
     from vtkmodules.vtkRenderingOpenGL2 import vtkImageProcessingPass
 
+    from .vtkGodRaysFilters import *
     from .vtkGodRaysRendering import *
 except ImportError as error:
     raise ImportError(
@@ -100,8 +102,6 @@ def enable(target, light=None, occluders=(), ignored=(), preset=None, **paramete
     owners = (rays, rays.GetModel(), rays.GetIntegrator())
     for name, value in settings.items():
         owner = next(owner for owner in owners if name in _properties(owner))
-        if isinstance(value, str):
-            value = getattr(owner, value.upper(), value)
         getattr(owner, "Set" + name)(value)
 
     if not known:
@@ -110,11 +110,20 @@ def enable(target, light=None, occluders=(), ignored=(), preset=None, **paramete
 
 
 def disable(target):
-    """Take the god rays off a renderer, window or plotter; nothing happens if it has none."""
+    """Take the god rays off a renderer, window or plotter; nothing happens if it has none.
+
+    ValueError: they are the delegate of another pass, which has to be given another one.
+    """
     renderer = _renderer(target)
     rays = _find(renderer)
-    if rays is not None:
-        rays.Detach(renderer)
+    if rays is None:
+        return
+    if renderer.GetPass() is not rays:
+        raise ValueError(
+            f"the god rays are a delegate of the renderer's {renderer.GetPass().GetClassName()}: "
+            "take them out of it with SetDelegatePass()"
+        )
+    rays.Detach(renderer)
 
 
 def tag(prop, role):
@@ -164,6 +173,8 @@ def _is_list(thing):
 
 
 def _list(things):
+    if things is None:
+        return []
     return list(things) if _is_list(things) else [things]
 
 
@@ -193,8 +204,8 @@ def _lights(light):
 
 
 def _sun(direction):
-    if not any(direction):
-        raise ValueError("light=(0, 0, 0) is no direction; say where the light comes from")
+    if not any(direction) or not all(map(math.isfinite, direction)):
+        raise ValueError(f"light={tuple(direction)} is no direction; say where the light comes from")
     sun = vtkLight()
     sun.SetPosition(*direction)
     sun.SetFocalPoint(0, 0, 0)
@@ -223,7 +234,27 @@ def _settings(rays, parameters):
     if unknown:
         valid = ", ".join(sorted(_snake(name) for name in names.values()))
         raise TypeError(f"there is no parameter {', '.join(unknown)}; there are: {valid}")
-    return {names[name]: value for name, value in simple.items()}
+    settings = {names[name]: value for name, value in simple.items()}
+    for name, value in settings.items():
+        owner = next(owner for owner in owners if name in _properties(owner))
+        if isinstance(value, str):
+            settings[name] = _constant(owner, name, value)
+    return settings
+
+
+def _constant(owner, name, text):
+    """The value of an owner's constant, such as 1 for "occlusion"."""
+    constants = {
+        each.lower(): getattr(owner, each)
+        for each in dir(owner)
+        if each.isupper() and isinstance(getattr(owner, each), int)
+    }
+    if text.lower() not in constants:
+        raise ValueError(
+            f"{_snake(name)}={text!r} is none of the constants of {owner.GetClassName()}: "
+            f"{', '.join(constants)}"
+        )
+    return constants[text.lower()]
 
 
 def _snake(name):

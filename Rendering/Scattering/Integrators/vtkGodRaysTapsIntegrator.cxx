@@ -155,6 +155,10 @@ bool vtkGodRaysTapsIntegrator::Integrate(const Request& request)
 std::string vtkGodRaysTapsIntegrator::Describe(vtkGodRaysModel* model, double resolutionScale)
 {
   auto radial = vtkGodRaysRadialModel::SafeDownCast(model);
+  if (!radial)
+  {
+    return "taps: none, only a vtkGodRaysRadialModel can be evaluated";
+  }
   std::vector<vtkGodRays::TapSum> passes;
   radial->GetTapSums(passes, this->NumberOfTaps);
   std::ostringstream text;

@@ -40,6 +40,7 @@
  * picture, not of the march.
  *
  * Density, Weight or Exposure 0 means no rays, in every formulation.
+ * Numbers beyond a valid range are clamped to it; NaN and infinities are errors and change nothing.
  *
  * Cost: one texture read a tap.
  *
