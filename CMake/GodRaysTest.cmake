@@ -9,17 +9,19 @@ include(GoogleTest)
 #   LIBRARIES <target>...)
 #
 # A GoogleTest program whose cases are tests of their own, under one label. With an empty list of
-# sources there is no program. Tests may include the module's private headers.
+# sources there is no program. Tests may include private headers of the modules.
 function(godrays_add_test_program name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABEL" "SOURCES;LIBRARIES")
   if(NOT arg_SOURCES)
     return()
   endif()
   add_executable(${name} ${arg_SOURCES})
-  target_link_libraries(${name} PRIVATE GodRays::Rendering glm::glm ${arg_LIBRARIES})
+  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} glm::glm)
   target_compile_options(${name} PRIVATE ${godrays_warnings})
   target_include_directories(${name} PRIVATE
-    "${CMAKE_CURRENT_SOURCE_DIR}" "${PROJECT_SOURCE_DIR}/Rendering")
+    "${CMAKE_CURRENT_SOURCE_DIR}"
+    "${PROJECT_SOURCE_DIR}/Rendering"
+    "${PROJECT_SOURCE_DIR}/Rendering/Math")
   # PRE_TEST: the cases are asked for when the tests run, not while the program is built.
   gtest_discover_tests(${name}
     DISCOVERY_MODE PRE_TEST

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysReferenceFilter
+ * @brief   the converged radial sum of an image, exact in double precision
+ *
+ * The limit of vtkGodRaysRadialModel's INVARIANT formulation for any number of taps, and so the
+ * measure of everything that approximates it. With n = NumberOfSamples, d = Decay and the march
+ * m(x) = vtkGodRays::MarchVector(LightClip, ndc(x), MarchScale) [uv], each pixel x of the result is
+ *
+ *     L(x) = G integral_0^1 K(t) s(x + t Density m(x)) dt
+ *     K(t) = e^(-k t)/phi(k),  phi(k) = (1 - e^-k)/k,  k = -n ln d
+ *     G = Exposure Weight (1 - d^n)/(1 - d)   (n Exposure Weight for d = 1)
+ *
+ * Limits: Decay 0 leaves the pixel itself, L = G s(x); so do Density 0 and a march of 0. A Decay
+ * above 1 (k < 0) is a kernel that grows towards the light.
+ *
+ * s is the image as GL_LINEAR with GL_CLAMP_TO_BORDER and border 0 reads it: bilinear between the
+ * centres of pixels, falling to 0 within half a pixel beyond the image's edges. The march is walked
+ * from one line of pixel centres to the next; between two such lines s is a quadratic polynomial of
+ * t, whose integral with the exponential has a closed form. So there is no step and no quadrature
+ * error, and since no terms cancel, rounding alone remains: below 1e-12 of the largest possible
+ * result (G times the brightest value) always, and below 1e-12 of each result that is at least a
+ * thousandth of that. Documentation/Accuracy.md has measured figures.
+ *
+ * Input: a 2-D vtkImageData (any extent in x and y, one slice) with 1 to 4 components of type
+ * unsigned char, float or double. Bytes count as value/255. Components are independent, alpha
+ * included. Spacing and origin have no influence: lengths are fractions of the picture. Values are
+ * taken through vtkGodRays::Sanitize: NaN and negative ones count as 0, those above the largest
+ * float (3.4e38, infinity included) as that; so no pixel can spread NaN.
+ *
+ * Output: an image of the same extent, spacing, origin and number of components, its scalars double
+ * or, on demand, float (at most 3.4e38). Only the requested extent is computed: UpdateExtent() of a
+ * single pixel is cheap. Bytes of the result do not depend on the number of threads.
+ *
+ * An input that cannot be used is one error that says what to do, and the output is empty. The
+ * output is empty, too, after AbortExecute, which is looked at whenever progress is told, a hundred
+ * times, on the calling thread.
+ *
+ * Cost: some 30 ns for each line of pixel centres that a march crosses, half of that for Decay 1;
+ * see Documentation/Accuracy.md. Memory: a copy of the input's scalars.
+ *
+ * @sa vtkGodRaysRadialModel
+ */
+
+#ifndef vtkGodRaysReferenceFilter_h
+#define vtkGodRaysReferenceFilter_h
+
+#include "vtkGodRaysFiltersModule.h" // For export macro
+#include "vtkImageAlgorithm.h"
+
+class VTKGODRAYSFILTERS_EXPORT vtkGodRaysReferenceFilter : public vtkImageAlgorithm
+{
+public:
+  static vtkGodRaysReferenceFilter* New();
+  vtkTypeMacro(vtkGodRaysReferenceFilter, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get how far towards the light the march goes [fraction of the way]. Above 1 it goes past
+   * the light. 0 leaves every pixel by itself, times G. NaN and infinities are an error and change
+   * nothing, as for all real parameters. Valid range: [0, 2]. Default is 0.97.
+   */
+  void SetDensity(double density);
+  vtkGetMacro(Density, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the factor from one of the NumberOfSamples samples to the next one towards the light
+   * [no unit]. Above 1 the samples near the light count most. Valid range: [0, 1.05].
+   * Default is 0.98.
+   */
+  void SetDecay(double decay);
+  vtkGetMacro(Decay, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the factor on each of the NumberOfSamples samples [no unit]. 0 means no rays.
+   * Valid range: [0, 100]. Default is 0.03.
+   */
+  void SetWeight(double weight);
+  vtkGetMacro(Weight, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the factor on the whole sum [no unit]. 0 means no rays. Valid range: [0, 100].
+   * Default is 1.
+   */
+  void SetExposure(double exposure);
+  vtkGetMacro(Exposure, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the number of samples that Decay and Weight refer to [no unit]. It is no cost.
+   * Valid range: [1, 1024]. Default is 100.
+   */
+  vtkSetClampMacro(NumberOfSamples, int, 1, 1024);
+  vtkGetMacro(NumberOfSamples, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the light's clip coordinates (X, Y, w): it is seen at (X/w, Y/w), where (-1, -1) is the
+   * picture's lower left corner and (1, 1) its upper right one; w = 0 is a light at infinity, w < 0
+   * one behind the camera. Infinite numbers and NaN are an error and change nothing. Valid range:
+   * [-1e30, 1e30] each. Default is (0, 0, 1), the picture's centre.
+   */
+  void SetLightClip(double x, double y, double w);
+  void SetLightClip(const double light[3]) { this->SetLightClip(light[0], light[1], light[2]); }
+  vtkGetVector3Macro(LightClip, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the factor of vtkGodRays::MarchVector [1/clip unit]: 1/w marches exactly to the light.
+   * Valid range: [-1e30, 1e30]. Default is 1.
+   */
+  void SetMarchScale(double scale);
+  vtkGetMacro(MarchScale, double);
+  ///@}
+
+  /**
+   * Put the light at a point of the picture [fractions of its width and height; (0, 0) is the lower
+   * left corner, (1, 1) the upper right one; it may lie outside], and march exactly to it: sets
+   * LightClip and MarchScale.
+   */
+  void SetLightPosition(double u, double v);
+
+  /**
+   * Put the light at infinity, so that all shafts are parallel: (du, dv) is the march of every
+   * pixel towards the light [fractions of the picture's width and height], of which Density is a
+   * part. Sets LightClip and MarchScale.
+   */
+  void SetLightDirection(double du, double dv);
+
+  ///@{
+  /**
+   * Set/Get the type of the result's scalars, VTK_DOUBLE or VTK_FLOAT. Any other is an error and
+   * changes nothing. Default is VTK_DOUBLE.
+   */
+  void SetOutputScalarType(int type);
+  vtkGetMacro(OutputScalarType, int);
+  void SetOutputScalarTypeToDouble();
+  void SetOutputScalarTypeToFloat();
+  ///@}
+
+protected:
+  vtkGodRaysReferenceFilter() = default;
+  ~vtkGodRaysReferenceFilter() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+private:
+  vtkGodRaysReferenceFilter(const vtkGodRaysReferenceFilter&) = delete;
+  void operator=(const vtkGodRaysReferenceFilter&) = delete;
+
+  double Density = 0.97;
+  double Decay = 0.98;
+  double Weight = 0.03;
+  double Exposure = 1.0;
+  double LightClip[3] = { 0.0, 0.0, 1.0 };
+  double MarchScale = 1.0;
+  int NumberOfSamples = 100;
+  int OutputScalarType = VTK_DOUBLE;
+};
+
+#endif
