@@ -343,7 +343,15 @@ private:
     {
       throw Failure("a coordinate is infinite or no number; write the file again");
     }
+    if (this->Result.Bounds.GetDiagonalLength() < LeastSize &&
+      this->Result.Bounds.GetDiagonalLength() > 0.0)
+    {
+      throw Failure("all points lie within 1e-15 of each other, too near for VTK's cameras; write "
+                    "the file in a smaller unit");
+    }
   }
+
+  static constexpr double LeastSize = 1e-15;
 
   const Options& Settings;
   Coloring Colors;

@@ -30,7 +30,8 @@ public:
   vtkTypeMacro(vtkGodRaysIntegrator, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// What an integrator gets to do its work.
+  /// What an integrator gets to do its work. Its target is private to the module: integrators are
+  /// written there, see CONTRIBUTING.md.
   struct Request
   {
     vtkOpenGLRenderWindow* Window; ///< its context is current

@@ -181,6 +181,11 @@ class DamagedFiles(ProgramTest):
         path.write_text("# vtk DataFile Version 3.0\nempty\nASCII\nDATASET POLYDATA\n")
         self.fails(path, "--output", "p.png", says=["nothing to draw"])
 
+    def test_file_of_no_size(self):
+        path = self.folder / "speck.obj"
+        path.write_text("v 0 0 0\nv 1e-30 0 0\nv 0 1e-30 0\nf 1 2 3\n")
+        self.fails(path, "--output", "p.png", says=["too near", "smaller unit"])
+
     def test_table(self):
         path = self.folder / "table.vtk"
         path.write_text(
