@@ -1,0 +1,1064 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// This file is compiled several times: by foreach_target.h, once for each set of vector
+// instructions, and at last for the baseline, with HWY_ONCE.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "vtkGodRaysSweepKernels.cxx"
+// Sets that differ too little from the others to be worth their code, and those whose registers
+// have no size when the program is compiled (arm64 has NEON as well).
+#define HWY_DISABLED_TARGETS                                                                       \
+  (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#include <hwy/foreach_target.h> // must come before highway.h
+
+#include "vtkGodRaysSweepKernels.h"
+
+#include <hwy/contrib/math/math-inl.h>
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace vtkGodRays
+{
+namespace HWY_NAMESPACE
+{
+namespace hn = hwy::HWY_NAMESPACE;
+
+using FloatTag = HWY_CAPPED(float, 16);
+using Float = hn::Vec<FloatTag>;
+using IntTag = hn::RebindToSigned<FloatTag>;
+using Int = hn::Vec<IntTag>;
+
+constexpr float LargestFloat = std::numeric_limits<float>::max();
+
+// Pixels that have the same number of taps.
+constexpr int GroupedPixels = 16;
+
+// Lanes that are computed together, in one or several registers: positions are rounded alike then.
+constexpr int Group = 16;
+
+// Sums below this are 0: numbers too small to be normalised are slow.
+constexpr float Negligible = 1e-36f;
+
+//------------------------------------------------------------------------------
+HWY_INLINE int GetLanes()
+{
+  return static_cast<int>(hn::Lanes(FloatTag()));
+}
+
+//------------------------------------------------------------------------------
+// c + a b and c - a b, rounded twice: the same on every processor. This file is compiled with
+// -ffp-contract=off, or compilers would join them where they can.
+HWY_INLINE Float AddProduct(Float a, Float b, Float c)
+{
+  return a * b + c;
+}
+HWY_INLINE Float SubtractProduct(Float a, Float b, Float c)
+{
+  return c - a * b;
+}
+
+//------------------------------------------------------------------------------
+// Where a row is read: as many places as there are lanes, step apart.
+struct Places
+{
+  std::ptrdiff_t Base;
+  Int Index; // from Base
+  Float Fraction;
+};
+
+//------------------------------------------------------------------------------
+// Lanes of a group of 16 from the given one on; position is that of the group's first. Rounding does
+// not depend on how many lanes there are. maximum: of Index, when rounding goes beyond it.
+HWY_INLINE Places FindPlaces(double position, float step, int lane, int maximum)
+{
+  const FloatTag d;
+  const IntTag di;
+  const double base = std::floor(position);
+  const float start = static_cast<float>(position - base);
+  const Float local = hn::Iota(d, static_cast<float>(lane)) * hn::Set(d, step) + hn::Set(d, start);
+  const int first = static_cast<int>(static_cast<float>(lane) * step + start);
+  Places places;
+  places.Base = static_cast<std::ptrdiff_t>(base) + first;
+  places.Index = hn::Min(hn::ConvertTo(di, local) - hn::Set(di, first), hn::Set(di, maximum));
+  places.Fraction = local - hn::ConvertTo(d, places.Index + hn::Set(di, first));
+  return places;
+}
+
+//------------------------------------------------------------------------------
+// Lanes index[i] of Registers consecutive registers.
+template <int Registers>
+HWY_INLINE Float Look(const float* values, Int index)
+{
+  const FloatTag d;
+  const IntTag di;
+  const int lanes = GetLanes();
+  if constexpr (Registers == 1)
+  {
+    return hn::TableLookupLanes(hn::LoadU(d, values), hn::IndicesFromVec(d, index));
+  }
+  else
+  {
+#if HWY_TARGET == HWY_AVX3
+    if constexpr (Registers == 2)
+    {
+      return Float{ _mm512_permutex2var_ps(
+        _mm512_loadu_ps(values), index.raw, _mm512_loadu_ps(values + 16)) };
+    }
+#endif
+    const auto lane = hn::IndicesFromVec(d, hn::And(index, hn::Set(di, lanes - 1)));
+    Float result = hn::TableLookupLanes(hn::LoadU(d, values), lane);
+    for (int i = 1; i < Registers; ++i)
+    {
+      const auto beyond = hn::RebindMask(d, hn::Gt(index, hn::Set(di, i * lanes - 1)));
+      result = hn::IfThenElse(
+        beyond, hn::TableLookupLanes(hn::LoadU(d, values + i * lanes), lane), result);
+    }
+    return result;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Linear between neighbours. Steps from one place to the next are at most Registers.
+template <int Registers>
+HWY_INLINE Float Read(const float* row, const Places& places)
+{
+  const Float left = Look<Registers>(row + places.Base, places.Index);
+  const Float right = Look<Registers>(row + places.Base + 1, places.Index);
+  return AddProduct(places.Fraction, right - left, left);
+}
+
+//------------------------------------------------------------------------------
+// The cubic through b and c with the slopes (c - a)/2 and (d - b)/2 there.
+HWY_INLINE Float Interpolate(Float a, Float b, Float c, Float e, Float fraction)
+{
+  const FloatTag d;
+  const Float half = hn::Set(d, 0.5f);
+  const Float difference = c - b;
+  const Float slope = half * (c - a);
+  const Float end = half * (e - b);
+  // b + f (slope + f (3 difference - 2 slope - end + f (slope + end - 2 difference)))
+  const Float third = SubtractProduct(hn::Set(d, 2.0f), difference, slope + end);
+  const Float second = difference - slope - third;
+  return AddProduct(fraction, AddProduct(fraction, AddProduct(fraction, third, second), slope), b);
+}
+
+//------------------------------------------------------------------------------
+// Cubic between neighbours. Registers 0: for steps of any length.
+template <int Registers>
+HWY_INLINE Float ReadSmoothly(const float* row, const Places& places)
+{
+  const FloatTag d;
+  const float* from = row + places.Base;
+  if constexpr (Registers == 0)
+  {
+    return Interpolate(hn::GatherIndex(d, from - 1, places.Index),
+      hn::GatherIndex(d, from, places.Index), hn::GatherIndex(d, from + 1, places.Index),
+      hn::GatherIndex(d, from + 2, places.Index), places.Fraction);
+  }
+  else
+  {
+    return Interpolate(Look<Registers>(from - 1, places.Index), Look<Registers>(from, places.Index),
+      Look<Registers>(from + 1, places.Index), Look<Registers>(from + 2, places.Index),
+      places.Fraction);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Four rows of four become columns.
+HWY_INLINE void Transpose4(
+  const float* from, std::ptrdiff_t fromStride, float* to, std::ptrdiff_t toStride)
+{
+#if HWY_TARGET == HWY_SCALAR
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      to[j * toStride + i] = from[i * fromStride + j];
+    }
+  }
+#else
+  const hn::FixedTag<float, 4> d;
+  const hn::FixedTag<double, 2> wide;
+  const auto a = hn::LoadU(d, from);
+  const auto b = hn::LoadU(d, from + fromStride);
+  const auto c = hn::LoadU(d, from + 2 * fromStride);
+  const auto e = hn::LoadU(d, from + 3 * fromStride);
+  const auto lowAB = hn::BitCast(wide, hn::InterleaveLower(d, a, b));
+  const auto lowCE = hn::BitCast(wide, hn::InterleaveLower(d, c, e));
+  const auto highAB = hn::BitCast(wide, hn::InterleaveUpper(d, a, b));
+  const auto highCE = hn::BitCast(wide, hn::InterleaveUpper(d, c, e));
+  hn::StoreU(hn::BitCast(d, hn::InterleaveLower(wide, lowAB, lowCE)), d, to);
+  hn::StoreU(hn::BitCast(d, hn::InterleaveUpper(wide, lowAB, lowCE)), d, to + toStride);
+  hn::StoreU(hn::BitCast(d, hn::InterleaveLower(wide, highAB, highCE)), d, to + 2 * toStride);
+  hn::StoreU(hn::BitCast(d, hn::InterleaveUpper(wide, highAB, highCE)), d, to + 3 * toStride);
+#endif
+}
+
+//------------------------------------------------------------------------------
+// One band of a wedge on its way along the rows.
+class BandSweep
+{
+public:
+  BandSweep(const SweepPlan& plan, const SweepWedge& wedge, int band, const SweepImage& image,
+    SweepWorkspace& workspace, const SweepResult& result)
+    : Wedge(wedge)
+    , Image(image)
+    , Result(result)
+    , Gain(static_cast<float>(
+        plan.March.Gain / MeanKernel(plan.March.K) / static_cast<double>(SweepImage::Scale)))
+    , Last(band + 1 == wedge.Bands)
+    , First(band == 0)
+    , LowSlope(wedge.FirstSlope + band * wedge.BandWidth)
+    , HighSlope(wedge.FirstSlope + (band + 1) * wedge.BandWidth)
+    , Stride(wedge.GetStride())
+    , LightValue(static_cast<float>(image.Sample(plan.Light[0], plan.Light[1])))
+  {
+    this->Prepare(workspace);
+  }
+
+  template <int Powers>
+  void Run()
+  {
+    const SweepRow* previous = nullptr;
+    for (const SweepRow& row : this->Wedge.Schedule)
+    {
+      if (row.Refine)
+      {
+        this->Refine<Powers>(*previous, row);
+      }
+      if (this->FindLines(row))
+      {
+        this->LoadRow(row);
+        this->AdvanceLines<Powers>(row);
+        if (row.Output)
+        {
+          if (row.Tail >= 0)
+          {
+            this->SubtractTail(row);
+          }
+          this->WriteRow(row);
+        }
+      }
+      previous = &row;
+    }
+    this->FlushStrip();
+  }
+
+private:
+  static constexpr int StripRows = 16;
+  static constexpr int StripMargin = 48;
+
+  // phi(k), the mean of e^(-k t) over t in [0, 1].
+  static double MeanKernel(double k) { return std::abs(k) < 1e-12 ? 1.0 : -std::expm1(-k) / k; }
+
+  void Prepare(SweepWorkspace& workspace)
+  {
+    const int powers = this->Wedge.Powers;
+    Resize(workspace.Lines, static_cast<std::size_t>(2 * powers + 4) * this->Stride);
+    float* lines = workspace.Lines.data();
+    for (int j = 0; j <= powers; ++j) // the last one holds the image at the row before
+    {
+      const float factor = static_cast<float>(j < powers ? this->Wedge.InitialState[j] : 1.0);
+      this->State[j] = lines + j * this->Stride;
+      this->Spare[j] = lines + (powers + 1 + j) * this->Stride;
+      const bool lit = this->Wedge.StartsAtLight;
+      std::fill_n(this->State[j], this->Stride, lit ? factor * this->LightValue : 0.0f);
+      std::fill_n(this->Spare[j], this->Stride, 0.0f);
+    }
+    this->Sums = lines + (2 * powers + 2) * this->Stride;
+    this->Tail = this->Sums + this->Stride;
+    std::fill_n(this->Sums, 2 * this->Stride, 0.0f);
+
+    const int width = this->Stride + StripMargin * 2;
+    Resize(workspace.Pixels, 2 * static_cast<std::size_t>(width));
+    this->Raw = workspace.Pixels.data();
+    this->Smooth = this->Raw + width;
+
+    Resize(workspace.History, static_cast<std::size_t>(this->Wedge.HistorySize));
+    this->History = workspace.History.data();
+    if (this->Wedge.HasTail)
+    {
+      std::fill(workspace.History.begin(), workspace.History.end(), 0.0f);
+    }
+    if (this->Wedge.Transposed)
+    {
+      const auto address = reinterpret_cast<std::uintptr_t>(this->Result.Values) / sizeof(float);
+      this->OutputShift = static_cast<int>(address % StripRows);
+      // Zeros about the pixels, as in the image.
+      this->StripStride = (this->Wedge.Columns + 15) / 16 * 16 + 2 * SweepImage::Padding;
+      const std::size_t size =
+        3 * StripRows * static_cast<std::size_t>(this->StripStride) + SweepImage::Padding;
+      if (workspace.Strips.size() != size || workspace.StripColumns != this->Wedge.Columns)
+      {
+        workspace.Strips.assign(size, 0.0f);
+        workspace.StripColumns = this->Wedge.Columns;
+      }
+      this->Strips = workspace.Strips.data() + SweepImage::Padding;
+    }
+  }
+
+  static void Resize(std::vector<float>& values, std::size_t size)
+  {
+    if (values.size() < size)
+    {
+      values.resize(size);
+    }
+  }
+
+  // Slope of a band's line 0 in an octave.
+  double GetSlope(const SweepOctave& octave) const
+  {
+    return this->LowSlope - SweepWedge::Margin * octave.SlopeStep;
+  }
+
+  // The lines of the band that are over the image in a row, as whole groups; false if none.
+  bool FindLines(const SweepRow& row)
+  {
+    const SweepOctave& octave = this->Wedge.Octaves[row.Octave];
+    const double s = row.Distance;
+    this->Position = this->Wedge.LightColumn + this->GetSlope(octave) * s;
+    this->Step = octave.SlopeStep * s;
+    // Two more on each side: the neighbours of pixels at the edges.
+    const double first = std::max(0.0, std::floor((-1.0 - this->Position) / this->Step) - 2.0);
+    const double last = std::min(
+      octave.Lines - 1.0, std::ceil((this->Wedge.Columns - this->Position) / this->Step) + 2.0);
+    if (!(first <= last))
+    {
+      return false;
+    }
+    this->FirstLine = static_cast<int>(first) / Group * Group;
+    this->EndLine = (static_cast<int>(last) / Group + 1) * Group;
+    return true;
+  }
+
+  //----------------------------------------------------------------------------
+  // Rows of pixels.
+
+  // The pixels that the lines meet, smoothed, in Smooth[0 ... PixelCount + some].
+  void LoadRow(const SweepRow& row)
+  {
+    const int lanes = GetLanes();
+    const int first =
+      static_cast<int>(std::floor(this->Position + this->FirstLine * this->Step)) - 1;
+    const int last =
+      static_cast<int>(std::floor(this->Position + (this->EndLine - 1) * this->Step)) + 2;
+    this->FirstPixel = first;
+    const int count = last - first + 1;
+    if (row.Blend == 0.0f)
+    {
+      this->SmoothPixels(row, this->GetPixels(row.Row) + first, count);
+      return;
+    }
+    float* raw = this->Raw + lanes;
+    this->CopyPixels(row.Row, first - 1, count + 2, raw - 1);
+    this->CopyPixels(row.Row + 1, first - 1, count + 2, this->Smooth);
+    BlendPixels(raw - 1, this->Smooth, count + 2, row.Blend);
+    this->SmoothPixels(row, raw, count);
+  }
+
+  // Pixels first to first + count of a row, 0 outside the image.
+  void CopyPixels(int row, int first, int count, float* to)
+  {
+    const int begin = std::min(std::max(0, first), first + count);
+    const int end = std::max(begin, std::min(this->Wedge.Columns, first + count));
+    if (row < 0 || row >= this->Wedge.Rows)
+    {
+      std::fill_n(to, count, 0.0f);
+      return;
+    }
+    const float* from = this->GetPixels(row);
+    std::fill_n(to, begin - first, 0.0f);
+    std::copy(from + begin, from + end, to + (begin - first));
+    std::fill_n(to + (end - first), first + count - end, 0.0f);
+  }
+
+  static void BlendPixels(float* pixels, const float* next, int count, float blend)
+  {
+    const FloatTag d;
+    for (int i = 0; i < count; i += GetLanes())
+    {
+      const Float a = hn::LoadU(d, pixels + i);
+      const Float b = hn::LoadU(d, next + i);
+      hn::StoreU(AddProduct(hn::Set(d, blend), b - a, a), d, pixels + i);
+    }
+  }
+
+  // c = (h slope)^2/12, slope = (x - light)/s; see vtkGodRaysSectorSweep.h.
+  void SmoothPixels(const SweepRow& row, const float* raw, int count)
+  {
+    const FloatTag d;
+    const int lanes = GetLanes();
+    const double scale = this->Wedge.Smooth ? row.Height / (std::sqrt(12.0) * row.Distance) : 0.0;
+    const double start = scale * (this->FirstPixel - this->Wedge.LightColumn);
+    const Float step = hn::Set(d, static_cast<float>(scale));
+    const Float largest = hn::Set(d, 0.25f);
+    for (int i = 0; i < count; i += lanes)
+    {
+      const Float slope =
+        AddProduct(hn::Iota(d, static_cast<float>(i)), step, hn::Set(d, static_cast<float>(start)));
+      const Float c = hn::Min(slope * slope, largest);
+      const Float middle = hn::LoadU(d, raw + i);
+      const Float sides = hn::LoadU(d, raw + i - 1) + hn::LoadU(d, raw + i + 1);
+      hn::StoreU(AddProduct(c, SubtractProduct(hn::Set(d, 2.0f), middle, sides), middle), d,
+        this->Smooth + i);
+    }
+  }
+
+  // A row of the wedge, from its first pixel on.
+  const float* GetPixels(int row)
+  {
+    return this->Wedge.Transposed ? this->GetTransposed(row) : this->Image.GetRow(row);
+  }
+
+  // Columns of the image become rows 16 at a time, in two strips by turns: rows between pixels need
+  // one of each.
+  const float* GetTransposed(int column)
+  {
+    const int strip = column / StripRows;
+    float* values = this->Strips + (strip % 2) * StripRows * this->StripStride;
+    if (this->LoadedStrip[strip % 2] != strip)
+    {
+      this->LoadedStrip[strip % 2] = strip;
+      int first;
+      int last;
+      this->FindStripRange(strip, first, last);
+      const int begin = std::max(0, first) / 4 * 4;
+      const int end = std::min(this->Wedge.Columns, last + 1);
+      for (int y = begin; y < end; y += 4)
+      {
+        for (int x = 0; x < StripRows; x += 4)
+        {
+          Transpose4(this->Image.GetRow(y) + strip * StripRows + x, this->Image.Stride,
+            values + x * this->StripStride + y, this->StripStride);
+        }
+      }
+    }
+    return values + (column % StripRows) * this->StripStride;
+  }
+
+  // What the band may read in a strip's rows.
+  void FindStripRange(int strip, int& first, int& last) const
+  {
+    const SweepWedge& w = this->Wedge;
+    const double margin = StripMargin;
+    double low = w.Columns;
+    double high = 0.0;
+    for (const int row : { strip * StripRows - 1, strip * StripRows + StripRows })
+    {
+      const double s = std::max(0.0, w.Direction * (row - w.LightRow));
+      low = std::min(low, w.LightColumn + this->LowSlope * s);
+      high = std::max(high, w.LightColumn + this->HighSlope * s);
+    }
+    first = static_cast<int>(std::max(low - margin, -1.0));
+    last = static_cast<int>(std::min(high + margin, w.Columns + 1.0));
+  }
+
+  //----------------------------------------------------------------------------
+  // Lines.
+
+  // From one row to the next; then the sums that make the result.
+  template <int Powers>
+  void AdvanceLines(const SweepRow& row)
+  {
+    const FloatTag d;
+    const int lanes = GetLanes();
+    Float pole[Powers];
+    Float before[Powers];
+    Float after[Powers];
+    Float factor[Powers];
+    for (int j = 0; j < Powers; ++j)
+    {
+      pole[j] = hn::Set(d, row.Pole[j]);
+      before[j] = hn::Set(d, row.Before[j]);
+      after[j] = hn::Set(d, row.After[j]);
+      factor[j] = hn::Set(d, this->Wedge.Factors[j]);
+    }
+    const double position = this->Position - this->FirstPixel;
+    const float step = static_cast<float>(this->Step);
+    const Float negligible = hn::Set(d, Negligible);
+    for (int l = this->FirstLine; l < this->EndLine; l += lanes)
+    {
+      const int lane = l % Group;
+      const Float now = Read<1>(
+        this->Smooth, FindPlaces(position + (l - lane) * this->Step, step, lane, lanes - 1));
+      const Float then = hn::LoadU(d, this->State[Powers] + l);
+      hn::StoreU(now, d, this->State[Powers] + l);
+      Float sum = hn::Zero(d);
+      for (int j = 0; j < Powers; ++j)
+      {
+        Float state = AddProduct(before[j], then, after[j] * now);
+        state = AddProduct(pole[j], hn::LoadU(d, this->State[j] + l), state);
+        state = hn::IfThenElseZero(hn::Gt(hn::Abs(state), negligible), state);
+        hn::StoreU(state, d, this->State[j] + l);
+        sum = AddProduct(factor[j], state, sum);
+      }
+      hn::StoreU(sum, d, this->Sums + l);
+    }
+    if (row.Store >= 0)
+    {
+      this->StoreHistory<Powers>(row.Store, row.Distance, this->FirstLine, this->EndLine);
+    }
+  }
+
+  // The sum that ends of marches subtract, times s: it is smoother than the sum near the light.
+  template <int Powers>
+  void StoreHistory(int entry, double distance, int first, int end)
+  {
+    const FloatTag d;
+    float* history = this->History + this->Wedge.HistoryOffsets[entry];
+    const Float scale = hn::Set(d, static_cast<float>(distance));
+    for (int l = first; l < end; l += GetLanes())
+    {
+      Float sum = hn::Zero(d);
+      for (int j = 0; j < Powers; ++j)
+      {
+        const Float factor = hn::Set(d, this->Wedge.TailFactors[j]);
+        sum = AddProduct(factor, hn::LoadU(d, this->State[j] + l), sum);
+      }
+      hn::StoreU(scale * sum, d, history + l);
+    }
+  }
+
+  // Where a line of one octave lies among those of a coarser one.
+  static double FindCoarse(int line, double ratio)
+  {
+    return SweepWedge::Margin + (line - SweepWedge::Margin) * ratio;
+  }
+
+  // The two rows of the history are blended where there are fewer lines: in their own octave.
+  void SubtractTail(const SweepRow& row)
+  {
+    const FloatTag d;
+    const int lanes = GetLanes();
+    const float* here = this->History + this->Wedge.HistoryOffsets[row.Tail];
+    const float* next = this->History + this->Wedge.HistoryOffsets[row.Tail + 1];
+    const double ratio = std::ldexp(1.0, row.Octave - this->Wedge.HistoryOctaves[row.Tail]);
+    const int first = static_cast<int>(FindCoarse(this->FirstLine, ratio)) / Group * Group;
+    const int end = static_cast<int>(FindCoarse(this->EndLine, ratio)) + 2;
+    const Float blend = hn::Set(d, row.TailBlend);
+    const Float scale = hn::Set(d, row.TailScale);
+    for (int l = first; l < end; l += lanes)
+    {
+      const Float a = hn::LoadU(d, here + l);
+      const Float b = hn::LoadU(d, next + l);
+      hn::StoreU(AddProduct(blend, b - a, a) * scale, d, this->Tail + l);
+    }
+    for (int l = this->FirstLine; l < this->EndLine; l += lanes)
+    {
+      const int lane = l % Group;
+      const Places places =
+        FindPlaces(FindCoarse(l - lane, ratio), static_cast<float>(ratio), lane, lanes - 1);
+      const Float tail = Read<1>(this->Tail, places);
+      hn::StoreU(hn::LoadU(d, this->Sums + l) - tail, d, this->Sums + l);
+    }
+  }
+
+  // Interpolate the states to the lines of a finer octave.
+  template <int Powers>
+  void Refine(const SweepRow& previous, const SweepRow& row)
+  {
+    const FloatTag d;
+    const int lanes = GetLanes();
+    const double ratio = std::ldexp(1.0, row.Octave - previous.Octave);
+    const int lines = this->Wedge.Octaves[row.Octave].Lines;
+    for (int j = 0; j <= Powers; ++j)
+    {
+      for (int l = 0; l < lines; l += lanes)
+      {
+        const int lane = l % Group;
+        const Places places =
+          FindPlaces(FindCoarse(l - lane, ratio), static_cast<float>(ratio), lane, lanes - 1);
+        hn::StoreU(ReadSmoothly<1>(this->State[j], places), d, this->Spare[j] + l);
+      }
+      std::swap(this->State[j], this->Spare[j]);
+    }
+    if (row.RefineStore >= 0)
+    {
+      this->StoreHistory<Powers>(row.RefineStore, previous.Distance, 0, lines);
+    }
+  }
+
+  //----------------------------------------------------------------------------
+  // Results.
+
+  // Whether the wedge owns a pixel; the wedges together own each pixel once.
+  bool Owns(int column, double distance) const
+  {
+    const double across = std::abs(column - this->Wedge.LightColumn);
+    return this->Wedge.Transposed ? across < distance : across <= distance;
+  }
+
+  // Pixels of the band in a row; wedge and image end them at both sides.
+  void FindPixels(const SweepRow& row, int& first, int& last) const
+  {
+    const SweepWedge& w = this->Wedge;
+    const double end = w.Columns - 1.0;
+    const double s = row.Distance;
+    auto find = [&](double slope)
+    { return static_cast<int>(std::ceil(Clamp(w.LightColumn + slope * s, -2.0, end + 2.0))); };
+    first = std::max(0, this->First ? find(-1.0) - 1 : find(this->LowSlope));
+    last = std::min(w.Columns - 1, this->Last ? find(1.0) + 1 : find(this->HighSlope) - 1);
+    while (first <= last && !this->Owns(first, s))
+    {
+      ++first;
+    }
+    while (first <= last && !this->Owns(last, s))
+    {
+      --last;
+    }
+  }
+
+  static double Clamp(double value, double low, double high)
+  {
+    return std::min(std::max(value, low), high);
+  }
+
+  void WriteRow(const SweepRow& row)
+  {
+    int first;
+    int last;
+    this->FindPixels(row, first, last);
+    if (first > last)
+    {
+      return;
+    }
+    const double position = (first - this->Position) / this->Step; // in lines
+    const double step = 1.0 / this->Step;
+    float* to = this->GetOutput(row.Row, first, last);
+    const int lanes = GetLanes();
+    if ((lanes - 1) * step + 1.0 < lanes)
+    {
+      this->WritePixels<1>(position, step, lanes - 1, to, last - first + 1);
+    }
+    else if ((lanes - 1) * step + 1.0 < 2 * lanes)
+    {
+      this->WritePixels<2>(position, step, 2 * lanes - 1, to, last - first + 1);
+    }
+    else
+    {
+      this->WritePixels<0>(position, step, std::numeric_limits<int>::max(), to, last - first + 1);
+    }
+  }
+
+  template <int Registers>
+  HWY_INLINE void WritePixels(double position, double step, int maximum, float* to, int count)
+  {
+    const FloatTag d;
+    const IntTag di;
+    const int lanes = GetLanes();
+    const Float gain = hn::Set(d, this->Gain);
+    const Float largest = hn::Set(d, LargestFloat);
+    for (int i = 0; i < count; i += lanes)
+    {
+      const int lane = i % Group;
+      const double start = std::max(1.0, position + (i - lane) * step);
+      Places places = FindPlaces(start, static_cast<float>(step), lane, maximum);
+      if (count - i < lanes)
+      {
+        // Those beyond the last pixel read lines that may not exist; they are dropped.
+        places.Base = std::min<std::ptrdiff_t>(places.Base, this->Stride - 3);
+        places.Index =
+          hn::Min(places.Index, hn::Set(di, static_cast<int>(this->Stride - 3 - places.Base)));
+      }
+      const Float sum = ReadSmoothly<Registers>(this->Sums, places) * gain;
+      const Float value = hn::Max(hn::Min(sum, largest), hn::Zero(d));
+      if (count - i >= lanes)
+      {
+        hn::StoreU(value, d, to + i);
+      }
+      else
+      {
+        HWY_ALIGN float rest[Group];
+        hn::Store(value, d, rest);
+        std::copy(rest, rest + (count - i), to + i);
+      }
+    }
+  }
+
+  // Where pixels first to last of a row are written.
+  float* GetOutput(int row, int first, int last)
+  {
+    if (!this->Wedge.Transposed)
+    {
+      return this->Result.Values + row * this->Result.Stride + first;
+    }
+    const int strip = (row + this->OutputShift) / StripRows;
+    if (strip != this->OutputStrip)
+    {
+      this->FlushStrip();
+      this->OutputStrip = strip;
+    }
+    const int column = (row + this->OutputShift) % StripRows;
+    this->OutputFirst[column] = first;
+    this->OutputLast[column] = last;
+    return this->GetOutputRow(column) + first;
+  }
+
+  float* GetOutputRow(int column) const
+  {
+    return this->Strips + (2 * StripRows + column) * this->StripStride;
+  }
+
+  // Write a strip of columns into the image; most 4 x 4 blocks are complete.
+  void FlushStrip()
+  {
+    if (this->OutputStrip < 0)
+    {
+      return;
+    }
+    for (int column = 0; column < StripRows; column += 4)
+    {
+      this->FlushColumns(column);
+    }
+    std::fill_n(this->OutputFirst, StripRows, 0);
+    std::fill_n(this->OutputLast, StripRows, -1);
+    this->OutputStrip = -1;
+  }
+
+  void FlushColumns(int column)
+  {
+    const int* first = this->OutputFirst + column;
+    const int* last = this->OutputLast + column;
+    int fullBegin = 0;
+    int fullEnd = std::numeric_limits<int>::max();
+    for (int i = 0; i < 4; ++i)
+    {
+      fullBegin = std::max(fullBegin, first[i]);
+      fullEnd = std::min(fullEnd, last[i] + 1);
+    }
+    fullEnd = std::max(fullBegin, fullEnd);
+    fullEnd = fullBegin + (fullEnd - fullBegin) / 4 * 4;
+    float* to = this->Result.Values + (this->OutputStrip * StripRows + column - this->OutputShift);
+    for (int y = fullBegin; y < fullEnd; y += 4)
+    {
+      Transpose4(this->GetOutputRow(column) + y, this->StripStride, to + y * this->Result.Stride,
+        this->Result.Stride);
+    }
+    for (int i = 0; i < 4; ++i)
+    {
+      const float* from = this->GetOutputRow(column + i);
+      for (int y = first[i]; y <= last[i]; ++y)
+      {
+        if (y == fullBegin && fullEnd > fullBegin)
+        {
+          y = fullEnd - 1;
+          continue;
+        }
+        to[y * this->Result.Stride + i] = from[y];
+      }
+    }
+  }
+
+  const SweepWedge& Wedge;
+  const SweepImage& Image;
+  const SweepResult& Result;
+  const float Gain;
+  const bool Last;
+  const bool First;
+  const double LowSlope;
+  const double HighSlope;
+  const int Stride;
+  const float LightValue;
+
+  float* State[MaximumPowers + 1] = {};
+  float* Spare[MaximumPowers + 1] = {};
+  float* Sums = nullptr;
+  float* Tail = nullptr;
+  float* Raw = nullptr;
+  float* Smooth = nullptr;
+  float* History = nullptr;
+  float* Strips = nullptr;
+  std::ptrdiff_t StripStride = 0;
+  int LoadedStrip[2] = { -1, -1 };
+  int OutputStrip = -1;
+  int OutputShift = 0; // so that columns of a strip share lines of the cache
+  int OutputFirst[StripRows] = {};
+  int OutputLast[StripRows] = { -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1 };
+
+  // In the present row:
+  double Position = 0.0; // of line 0 [pixels]
+  double Step = 0.0;     // from one line to the next [pixels]
+  int FirstLine = 0;
+  int EndLine = 0;
+  int FirstPixel = 0; // Smooth[0]
+};
+
+//------------------------------------------------------------------------------
+void RunBand(const SweepPlan& plan, const SweepWedge& wedge, int band, const SweepImage& image,
+  SweepWorkspace& workspace, const SweepResult& result)
+{
+  BandSweep sweep(plan, wedge, band, image, workspace, result);
+  switch (wedge.Powers)
+  {
+    case 1:
+      return sweep.Run<1>();
+    case 2:
+      return sweep.Run<2>();
+    case 3:
+      return sweep.Run<3>();
+    case 4:
+      return sweep.Run<4>();
+    case 5:
+      return sweep.Run<5>();
+    default:
+      return sweep.Run<6>();
+  }
+}
+
+//------------------------------------------------------------------------------
+// Taps.
+
+//------------------------------------------------------------------------------
+// The part of t in [0, 1] where position + t velocity is in [-1, size].
+HWY_INLINE void Clip(Float position, Float velocity, float size, Float& begin, Float& end)
+{
+  const FloatTag d;
+  const Float low = hn::Set(d, -1.0f);
+  const Float high = hn::Set(d, size);
+  const auto still = hn::Lt(hn::Abs(velocity), hn::Set(d, 1e-20f));
+  const Float safe = hn::IfThenElse(still, hn::Set(d, 1.0f), velocity);
+  const Float a = (low - position) / safe;
+  const Float b = (high - position) / safe;
+  begin = hn::IfThenElse(still, begin, hn::Max(begin, hn::Min(a, b)));
+  end = hn::IfThenElse(still, end, hn::Min(end, hn::Max(a, b)));
+}
+
+//------------------------------------------------------------------------------
+// The image between four pixels, 0 outside.
+HWY_INLINE Float SampleImage(const SweepImage& image, Float x, Float y)
+{
+  const FloatTag d;
+  const IntTag di;
+  x = hn::Max(hn::Min(x, hn::Set(d, static_cast<float>(image.Width))), hn::Set(d, -1.0f));
+  y = hn::Max(hn::Min(y, hn::Set(d, static_cast<float>(image.Height))), hn::Set(d, -1.0f));
+  const Float left = hn::Floor(x);
+  const Float low = hn::Floor(y);
+  const Float fx = x - left;
+  const Float fy = y - low;
+  const Int stride = hn::Set(di, static_cast<int>(image.Stride));
+  const Int index = hn::ConvertTo(di, low) * stride + hn::ConvertTo(di, left);
+  const float* origin = image.GetRow(0);
+  const Float a = hn::GatherIndex(d, origin, index);
+  const Float b = hn::GatherIndex(d, origin + 1, index);
+  const Float c = hn::GatherIndex(d, origin + image.Stride, index);
+  const Float e = hn::GatherIndex(d, origin + image.Stride + 1, index);
+  const Float lower = AddProduct(fx, b - a, a);
+  const Float upper = AddProduct(fx, e - c, c);
+  return AddProduct(fy, upper - lower, lower);
+}
+
+//------------------------------------------------------------------------------
+// Within how much of t in [0, reach] a march is over the image.
+inline double FindStretch(
+  const SweepMarch& march, const SweepImage& image, double reach, const double position[2])
+{
+  const double size[2] = { static_cast<double>(image.Width), static_cast<double>(image.Height) };
+  double begin = 0.0;
+  double end = reach;
+  for (int i = 0; i < 2; ++i)
+  {
+    const double velocity = march.Constant[i] - march.Slope * position[i];
+    if (velocity != 0.0)
+    {
+      const double a = (-1.0 - position[i]) / velocity;
+      const double b = (size[i] - position[i]) / velocity;
+      begin = std::max(begin, std::min(a, b));
+      end = std::min(end, std::max(a, b));
+    }
+  }
+  return std::max(0.0, end - begin);
+}
+
+//------------------------------------------------------------------------------
+// How many taps the longest march of some pixels of row y needs: the number does not depend on how
+// many lanes there are. Taps h pixels apart miss at most 0.06 h^2 of what a single bright pixel, or
+// a steep kernel, contributes.
+inline int CountTaps(const SweepMarch& march, const SweepImage& image, double reach,
+  double tolerance, int y, int first, int last)
+{
+  double length = 0.0;
+  double stretch = 0.0;
+  for (const int x : { first, (first + last) / 2, last })
+  {
+    const double position[2] = { static_cast<double>(x), static_cast<double>(y) };
+    const double part = FindStretch(march, image, reach, position);
+    stretch = std::max(stretch, part);
+    length = std::max(length,
+      part * std::hypot(march.Constant[0] - march.Slope * x, march.Constant[1] - march.Slope * y));
+  }
+  const double steepness = std::abs(march.K) * stretch;
+  const double spacing = std::sqrt(tolerance / 0.09);
+  const double wanted = std::max({ 4.0, length / std::min(std::max(spacing, 0.02), 1.0),
+    steepness / std::sqrt(8.0 * tolerance) });
+  return static_cast<int>(std::ceil(std::min(wanted, 1e6)));
+}
+
+//------------------------------------------------------------------------------
+// Midpoint taps; each has the weight that the kernel has in its stretch:
+//   L = Gain/phi(k) sum_i e^(-k t_i) sinh(z)/z dt s(p + t_i v),  z = k dt/2
+void RunTaps(const SweepMarch& march, const SweepImage& image, double tolerance, int y,
+  int firstPixel, int lastPixel, const SweepResult& result)
+{
+  const FloatTag d;
+  const int lanes = GetLanes();
+  const double k = march.K;
+  const float origin = k < 0.0 ? 1.0f : 0.0f; // of t, so that the weights are at most 1
+  const double mean = std::abs(k) < 1e-12 ? 1.0 : k < 0.0 ? std::expm1(k) / k : -std::expm1(-k) / k;
+  const double gain = march.Gain / mean / static_cast<double>(SweepImage::Scale);
+  // Beyond it is nothing of importance.
+  const double reach = std::min(1.0, std::log(100.0 / tolerance) / std::max(k, 1e-300));
+  const Float rate = hn::Set(d, static_cast<float>(-k));
+  const Float one = hn::Set(d, 1.0f);
+  const Float lane = hn::Iota(d, 0.0f);
+  const Float vy =
+    hn::Set(d, static_cast<float>(march.Constant[1] - march.Slope * static_cast<double>(y)));
+  const Float py = hn::Set(d, static_cast<float>(y));
+  for (int group = firstPixel; group <= lastPixel; group += GroupedPixels)
+  {
+    const int groupEnd = std::min(group + GroupedPixels, lastPixel + 1);
+    const int taps = CountTaps(march, image, reach, tolerance, y, group, groupEnd - 1);
+    for (int x = group; x < groupEnd; x += lanes)
+    {
+      const Float offset = lane + hn::Set(d, static_cast<float>(x - group));
+      const Float px = hn::Set(d, static_cast<float>(group)) + offset;
+      const Float vx = SubtractProduct(offset, hn::Set(d, static_cast<float>(march.Slope)),
+        hn::Set(d, static_cast<float>(march.Constant[0] - march.Slope * group)));
+      Float begin = hn::Zero(d);
+      Float end = hn::Set(d, static_cast<float>(reach));
+      Clip(px, vx, static_cast<float>(image.Width), begin, end);
+      Clip(py, vy, static_cast<float>(image.Height), begin, end);
+      const Float step = (hn::Max(begin, end) - begin) * hn::Set(d, static_cast<float>(1.0 / taps));
+      const Float z = hn::Set(d, 0.5f) * rate * step;
+      const Float z2 = z * z;
+      const Float sinhc =
+        AddProduct(z2, AddProduct(z2, hn::Set(d, 1.0f / 120.0f), hn::Set(d, 1.0f / 6.0f)), one);
+      Float sum = hn::Zero(d);
+      for (int i = 0; i < taps; ++i)
+      {
+        const Float t = AddProduct(hn::Set(d, i + 0.5f), step, begin);
+        const Float weight = hn::Exp(d, rate * (t - hn::Set(d, origin)));
+        const Float sample = SampleImage(image, AddProduct(t, vx, px), AddProduct(t, vy, py));
+        sum = AddProduct(weight, sample, sum);
+      }
+      Float value = sum * step * sinhc * hn::Set(d, static_cast<float>(gain));
+      value = hn::Max(hn::Min(value, hn::Set(d, LargestFloat)), hn::Zero(d));
+      HWY_ALIGN float values[16];
+      hn::Store(value, d, values);
+      std::copy_n(values, std::min(lanes, groupEnd - x), result.Values + y * result.Stride + x);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// NaN and negative numbers become 0, infinity the largest float.
+void LoadFloats(const float* pixels, int step, int count, float* row)
+{
+  const FloatTag d;
+  const int lanes = GetLanes();
+  const Float zero = hn::Zero(d);
+  const Float largest = hn::Set(d, LargestFloat);
+  const Float scale = hn::Set(d, SweepImage::Scale);
+  int i = 0;
+  if (step == 1)
+  {
+    for (; i + lanes <= count; i += lanes)
+    {
+      const Float value = hn::LoadU(d, pixels + i);
+      const Float positive = hn::IfThenElse(hn::Gt(value, zero), value, zero);
+      hn::StoreU(hn::Min(positive, largest) * scale, d, row + i);
+    }
+  }
+  for (; i < count; ++i)
+  {
+    const float value = pixels[static_cast<std::ptrdiff_t>(i) * step];
+    row[i] = (value > 0.0f ? std::min(value, LargestFloat) : 0.0f) * SweepImage::Scale;
+  }
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace vtkGodRays
+{
+HWY_EXPORT(RunBand);
+HWY_EXPORT(RunTaps);
+HWY_EXPORT(LoadFloats);
+
+//------------------------------------------------------------------------------
+void SweepBand(const SweepPlan& plan, const SweepWedge& wedge, int band, const SweepImage& image,
+  SweepWorkspace& workspace, const SweepResult& result)
+{
+  HWY_DYNAMIC_DISPATCH(RunBand)(plan, wedge, band, image, workspace, result);
+}
+
+//------------------------------------------------------------------------------
+void SumClippedTaps(const SweepMarch& march, const SweepImage& image, double tolerance, int y,
+  int first, int last, const SweepResult& result)
+{
+  HWY_DYNAMIC_DISPATCH(RunTaps)(march, image, tolerance, y, first, last, result);
+}
+
+//------------------------------------------------------------------------------
+void LoadPixels(const float* pixels, int step, int count, float* row)
+{
+  HWY_DYNAMIC_DISPATCH(LoadFloats)(pixels, step, count, row);
+}
+
+//------------------------------------------------------------------------------
+void LoadPixels(const unsigned char* pixels, int step, int count, float* row)
+{
+  const float scale = SweepImage::Scale / 255.0f;
+  for (int i = 0; i < count; ++i)
+  {
+    row[i] = scale * pixels[static_cast<std::ptrdiff_t>(i) * step];
+  }
+}
+
+//------------------------------------------------------------------------------
+void LoadPixels(const double* pixels, int step, int count, float* row)
+{
+  const double largest = std::numeric_limits<float>::max();
+  for (int i = 0; i < count; ++i)
+  {
+    const double value = pixels[static_cast<std::ptrdiff_t>(i) * step];
+    row[i] = static_cast<float>(
+      (value > 0.0 ? std::min(value, largest) : 0.0) * static_cast<double>(SweepImage::Scale));
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> GetInstructionSets()
+{
+  hwy::SetSupportedTargetsForTest(0);
+  std::vector<std::string> names;
+  for (const int64_t target : hwy::SupportedAndGeneratedTargets())
+  {
+    names.push_back(hwy::TargetName(target));
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+bool UseInstructionSet(const std::string& name)
+{
+  hwy::SetSupportedTargetsForTest(0);
+  bool found = name.empty();
+  for (const int64_t target : hwy::SupportedAndGeneratedTargets())
+  {
+    if (hwy::TargetName(target) == name)
+    {
+      hwy::SetSupportedTargetsForTest(target);
+      found = true;
+    }
+  }
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  return found;
+}
+}
+#endif
