@@ -25,17 +25,9 @@
 
 vtkStandardNewMacro(vtkGodRaysReferenceFilter);
 
-vtkGodRaysSetFiniteMacro(vtkGodRaysReferenceFilter, Density, 0.0, 2.0);
-vtkGodRaysSetFiniteMacro(vtkGodRaysReferenceFilter, Decay, 0.0, 1.05);
-vtkGodRaysSetFiniteMacro(vtkGodRaysReferenceFilter, Weight, 0.0, 100.0);
-vtkGodRaysSetFiniteMacro(vtkGodRaysReferenceFilter, Exposure, 0.0, 100.0);
-vtkGodRaysSetFiniteMacro(vtkGodRaysReferenceFilter, MarchScale, -1e30, 1e30);
-
 namespace
 {
-constexpr int MaximumComponents = 4;
 constexpr double LargestFloat = std::numeric_limits<float>::max();
-constexpr double LargestClip = 1e30; // with the march scale's: its products stay finite
 
 //------------------------------------------------------------------------------
 // The input's pixels, sanitised, with a border of zeros one pixel wide.
@@ -339,7 +331,7 @@ bool Evaluate(vtkAlgorithm* self, const PaddedImage<Scalar>& image, const Sum& s
     vtkSMPTools::For(first, std::min(first + band, count),
       [&](vtkIdType begin, vtkIdType end)
       {
-        double values[MaximumComponents];
+        double values[vtkGodRaysRadialFilter::MaximumComponents];
         for (vtkIdType i = begin; i < end; ++i)
         {
           const int x = static_cast<int>(extent[0] + i % columns);
@@ -385,118 +377,14 @@ bool Evaluate(vtkGodRaysReferenceFilter* self, vtkDataArray* scalars, const int 
   }
 }
 
-//------------------------------------------------------------------------------
-// Why the input cannot be used, and what to do; empty if it can.
-std::string FindFault(vtkImageData* input, vtkDataArray* scalars)
-{
-  if (!input)
-  {
-    return "there is no input. Connect an image with SetInputConnection() or SetInputData().";
-  }
-  int dimensions[3];
-  input->GetDimensions(dimensions);
-  const std::string size = std::to_string(dimensions[0]) + " x " + std::to_string(dimensions[1]) +
-    " x " + std::to_string(dimensions[2]);
-  if (dimensions[0] < 1 || dimensions[1] < 1 || dimensions[2] < 1)
-  {
-    return "the input is empty: it has " + size + " points. Update what makes it, or allocate it.";
-  }
-  if (dimensions[2] != 1)
-  {
-    return "the input is not a picture in x and y: it has " + size +
-      " points. Cut out one slice with vtkExtractVOI, or turn it with vtkImagePermute.";
-  }
-  if (!scalars)
-  {
-    return "the input has no scalars. Make an array of its point data the active one, or name it "
-           "with SetInputArrayToProcess().";
-  }
-  const std::string array =
-    scalars->GetName() ? "the array \"" + std::string(scalars->GetName()) + "\"" : "the array";
-  if (scalars->GetNumberOfTuples() != input->GetNumberOfPoints())
-  {
-    return array + " has " + std::to_string(scalars->GetNumberOfTuples()) +
-      " values for an image of " + size + " points. Take an array of the point data.";
-  }
-  const int type = scalars->GetDataType();
-  if (type != VTK_UNSIGNED_CHAR && type != VTK_FLOAT && type != VTK_DOUBLE)
-  {
-    return array + " is of type " + scalars->GetDataTypeAsString() +
-      ", and only unsigned char, float and double can be summed. Convert it with vtkImageCast or "
-      "vtkImageShiftScale.";
-  }
-  if (scalars->GetNumberOfComponents() < 1 || scalars->GetNumberOfComponents() > MaximumComponents)
-  {
-    return array + " has " + std::to_string(scalars->GetNumberOfComponents()) +
-      " components, and only 1 to 4 can be summed. Take some with vtkImageExtractComponents.";
-  }
-  return {};
-}
 }
 
 //------------------------------------------------------------------------------
 void vtkGodRaysReferenceFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Density: " << this->Density << "\n";
-  os << indent << "Decay: " << this->Decay << "\n";
-  os << indent << "Weight: " << this->Weight << "\n";
-  os << indent << "Exposure: " << this->Exposure << "\n";
-  os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
-  os << indent << "LightClip: " << this->LightClip[0] << " " << this->LightClip[1] << " "
-     << this->LightClip[2] << "\n";
-  os << indent << "MarchScale: " << this->MarchScale << "\n";
   os << indent << "OutputScalarType: " << vtkImageScalarTypeNameMacro(this->OutputScalarType)
      << "\n";
-}
-
-//------------------------------------------------------------------------------
-void vtkGodRaysReferenceFilter::SetLightClip(double x, double y, double w)
-{
-  if (!vtkMath::IsFinite(x) || !vtkMath::IsFinite(y) || !vtkMath::IsFinite(w))
-  {
-    vtkErrorMacro("LightClip must be three finite numbers in ["
-      << -LargestClip << ", " << LargestClip << "], not (" << x << ", " << y << ", " << w
-      << "); it stays (" << this->LightClip[0] << ", " << this->LightClip[1] << ", "
-      << this->LightClip[2] << ").");
-    return;
-  }
-  const double light[3] = { x, y, w };
-  for (int i = 0; i < 3; ++i)
-  {
-    const double clamped = vtkMath::ClampValue(light[i], -LargestClip, LargestClip);
-    if (this->LightClip[i] != clamped)
-    {
-      this->LightClip[i] = clamped;
-      this->Modified();
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGodRaysReferenceFilter::SetLightPosition(double u, double v)
-{
-  if (!vtkMath::IsFinite(u) || !vtkMath::IsFinite(v))
-  {
-    vtkErrorMacro("The light's position must be two finite numbers, not ("
-      << u << ", " << v << "); it stays where it is.");
-    return;
-  }
-  this->SetLightClip(2.0 * u - 1.0, 2.0 * v - 1.0, 1.0);
-  this->SetMarchScale(1.0);
-}
-
-//------------------------------------------------------------------------------
-void vtkGodRaysReferenceFilter::SetLightDirection(double du, double dv)
-{
-  if (!vtkMath::IsFinite(du) || !vtkMath::IsFinite(dv))
-  {
-    vtkErrorMacro("The light's direction must be two finite numbers, not ("
-      << du << ", " << dv << "); it stays as it is.");
-    return;
-  }
-  this->SetLightClip(2.0 * du, 2.0 * dv, 0.0);
-  this->SetMarchScale(1.0);
 }
 
 //------------------------------------------------------------------------------
@@ -529,21 +417,6 @@ void vtkGodRaysReferenceFilter::SetOutputScalarTypeToFloat()
 }
 
 //------------------------------------------------------------------------------
-int vtkGodRaysReferenceFilter::FillInputPortInformation(int port, vtkInformation* info)
-{
-  // Optional, so that it is this filter that tells what to do without one.
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  return this->Superclass::FillInputPortInformation(port, info);
-}
-
-//------------------------------------------------------------------------------
-int vtkGodRaysReferenceFilter::FillOutputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkImageData");
-  return 1;
-}
-
-//------------------------------------------------------------------------------
 int vtkGodRaysReferenceFilter::RequestInformation(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
@@ -558,20 +431,6 @@ int vtkGodRaysReferenceFilter::RequestInformation(
   const bool known = scalars && scalars->Has(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS());
   vtkDataObject::SetPointDataActiveScalarInfo(outputInfo, this->OutputScalarType,
     known ? scalars->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()) : 1);
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkGodRaysReferenceFilter::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
-{
-  // Any pixel may need all of the image.
-  if (vtkInformation* info = input[0]->GetInformationObject(0))
-  {
-    int whole[6];
-    info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
-    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
-  }
   return 1;
 }
 

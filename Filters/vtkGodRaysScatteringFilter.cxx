@@ -25,11 +25,6 @@
 
 vtkStandardNewMacro(vtkGodRaysScatteringFilter);
 
-vtkGodRaysSetFiniteMacro(vtkGodRaysScatteringFilter, Density, 0.0, 2.0);
-vtkGodRaysSetFiniteMacro(vtkGodRaysScatteringFilter, Decay, 0.0, 1.05);
-vtkGodRaysSetFiniteMacro(vtkGodRaysScatteringFilter, Weight, 0.0, 100.0);
-vtkGodRaysSetFiniteMacro(vtkGodRaysScatteringFilter, Exposure, 0.0, 100.0);
-vtkGodRaysSetFiniteMacro(vtkGodRaysScatteringFilter, MarchScale, -1e30, 1e30);
 vtkGodRaysSetFiniteMacro(vtkGodRaysScatteringFilter, ErrorTolerance, 1e-5, 0.1);
 
 namespace
@@ -41,9 +36,6 @@ using vtkGodRays::SweepPlan;
 using vtkGodRays::SweepResult;
 using vtkGodRays::SweepWedge;
 using vtkGodRays::SweepWorkspace;
-
-constexpr int MaximumComponents = 4;
-constexpr double LargestClip = 1e30; // with the march scale's: its products stay finite
 
 // Below these the sweep is not faster, or not as accurate, as taps.
 constexpr double ShortestMarch = 8.0; // [pixels]
@@ -153,48 +145,6 @@ bool ChooseEffort(
     }
   }
   return false;
-}
-
-//------------------------------------------------------------------------------
-// Why the input cannot be used, and what to do; empty if it can.
-std::string FindFault(vtkImageData* input, vtkDataArray* scalars)
-{
-  if (!input)
-  {
-    return "there is no input. Connect an image with SetInputConnection() or SetInputData().";
-  }
-  int size[3];
-  input->GetDimensions(size);
-  std::ostringstream text;
-  text << size[0] << " x " << size[1] << " x " << size[2] << " points. ";
-  if (size[0] < 1 || size[1] < 1 || size[2] < 1)
-  {
-    return "the input is empty: it has " + text.str() + "Update what makes it, or allocate it.";
-  }
-  if (size[2] != 1)
-  {
-    return "the input is not a picture in x and y: it has " + text.str() +
-      "Cut out one slice with vtkExtractVOI, or turn it with vtkImagePermute.";
-  }
-  if (!scalars || scalars->GetNumberOfTuples() != input->GetNumberOfPoints())
-  {
-    return "the input has no scalars for its points. Make an array of its point data the active "
-           "one, or name it with SetInputArrayToProcess().";
-  }
-  const int type = scalars->GetDataType();
-  if (type != VTK_UNSIGNED_CHAR && type != VTK_FLOAT && type != VTK_DOUBLE)
-  {
-    return std::string("the scalars are of type ") + scalars->GetDataTypeAsString() +
-      ", and only unsigned char, float and double can be summed. Convert them with vtkImageCast or "
-      "vtkImageShiftScale.";
-  }
-  const int components = scalars->GetNumberOfComponents();
-  if (components < 1 || components > MaximumComponents)
-  {
-    return "the scalars have " + std::to_string(components) +
-      " components, and only 1 to 4 can be summed. Take some with vtkImageExtractComponents.";
-  }
-  return {};
 }
 
 //------------------------------------------------------------------------------
@@ -498,66 +448,9 @@ vtkGodRaysScatteringFilter::~vtkGodRaysScatteringFilter() = default;
 void vtkGodRaysScatteringFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Density: " << this->Density << "\n";
-  os << indent << "Decay: " << this->Decay << "\n";
-  os << indent << "Weight: " << this->Weight << "\n";
-  os << indent << "Exposure: " << this->Exposure << "\n";
-  os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
-  os << indent << "LightClip: " << this->LightClip[0] << " " << this->LightClip[1] << " "
-     << this->LightClip[2] << "\n";
-  os << indent << "MarchScale: " << this->MarchScale << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "Method: " << this->Method << "\n";
   os << indent << "Plan: " << this->GetPlan() << "\n";
-}
-
-//------------------------------------------------------------------------------
-void vtkGodRaysScatteringFilter::SetLightClip(double x, double y, double w)
-{
-  if (!vtkMath::IsFinite(x) || !vtkMath::IsFinite(y) || !vtkMath::IsFinite(w))
-  {
-    vtkErrorMacro("LightClip must be three finite numbers in ["
-      << -LargestClip << ", " << LargestClip << "], not (" << x << ", " << y << ", " << w
-      << "); it stays (" << this->LightClip[0] << ", " << this->LightClip[1] << ", "
-      << this->LightClip[2] << ").");
-    return;
-  }
-  const double light[3] = { x, y, w };
-  for (int i = 0; i < 3; ++i)
-  {
-    const double clamped = vtkMath::ClampValue(light[i], -LargestClip, LargestClip);
-    if (this->LightClip[i] != clamped)
-    {
-      this->LightClip[i] = clamped;
-      this->Modified();
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGodRaysScatteringFilter::SetLightPosition(double u, double v)
-{
-  if (!vtkMath::IsFinite(u) || !vtkMath::IsFinite(v))
-  {
-    vtkErrorMacro("The light's position must be two finite numbers, not ("
-      << u << ", " << v << "); it stays where it is.");
-    return;
-  }
-  this->SetLightClip(2.0 * u - 1.0, 2.0 * v - 1.0, 1.0);
-  this->SetMarchScale(1.0);
-}
-
-//------------------------------------------------------------------------------
-void vtkGodRaysScatteringFilter::SetLightDirection(double du, double dv)
-{
-  if (!vtkMath::IsFinite(du) || !vtkMath::IsFinite(dv))
-  {
-    vtkErrorMacro("The light's direction must be two finite numbers, not ("
-      << du << ", " << dv << "); it stays as it is.");
-    return;
-  }
-  this->SetLightClip(2.0 * du, 2.0 * dv, 0.0);
-  this->SetMarchScale(1.0);
 }
 
 //------------------------------------------------------------------------------
@@ -570,21 +463,6 @@ std::string vtkGodRaysScatteringFilter::GetPlan() const
 void vtkGodRaysScatteringFilter::ReleaseMemory()
 {
   this->Internals.reset(new vtkInternals);
-}
-
-//------------------------------------------------------------------------------
-int vtkGodRaysScatteringFilter::FillInputPortInformation(int port, vtkInformation* info)
-{
-  // Optional, so that it is this filter that tells what to do without one.
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  return this->Superclass::FillInputPortInformation(port, info);
-}
-
-//------------------------------------------------------------------------------
-int vtkGodRaysScatteringFilter::FillOutputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkImageData");
-  return 1;
 }
 
 //------------------------------------------------------------------------------
@@ -602,20 +480,6 @@ int vtkGodRaysScatteringFilter::RequestInformation(
   const bool known = scalars && scalars->Has(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS());
   vtkDataObject::SetPointDataActiveScalarInfo(
     outputInfo, VTK_FLOAT, known ? scalars->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()) : 1);
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkGodRaysScatteringFilter::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
-{
-  // Any pixel may need all of the image.
-  if (vtkInformation* info = input[0]->GetInformationObject(0))
-  {
-    int whole[6];
-    info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
-    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
-  }
   return 1;
 }
 
