@@ -57,7 +57,10 @@ cmake --build --preset dev
 
 find_file() # <package> <end of the path>
 {
-  dpkg -L "$1" | grep -m 1 "$2\$" || die "package $1 has no file $2; install it again."
+  # All of the list is read: a reader that leaves early would make dpkg fail, now and then.
+  local found
+  found=$(dpkg -L "$1" | grep "$2\$") || die "package $1 has no file $2; install it again."
+  echo "${found%%$'\n'*}"
 }
 
 echo "== Data"
