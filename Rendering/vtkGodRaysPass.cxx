@@ -10,6 +10,7 @@
 #include "vtkGodRaysScene.h"
 #include "vtkGodRaysSetGet.h"
 #include "vtkGodRaysSourceFinder.h"
+#include "vtkGodRaysSum.h"
 #include "vtkGodRaysTapsIntegrator.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysTimers.h"
@@ -45,13 +46,6 @@ bool IsDisabledByEnvironment()
   const char* value = std::getenv("GODRAYS_DISABLE");
   return value && *value && std::string(value) != "0";
 }
-
-void Clear(vtkGodRaysTarget& target, vtkOpenGLState* state)
-{
-  target.Bind();
-  state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-  state->vtkglClear(GL_COLOR_BUFFER_BIT);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -68,17 +62,17 @@ struct vtkGodRaysPass::Internals
   vtkNew<vtkGodRaysScene> RendererSteps;
   vtkNew<vtkGodRaysOcclusionPass> Occlusion;
   vtkNew<vtkGodRaysBlendPass> Blending;
-  vtkGodRaysTarget Scene;      // colour and depth of the viewport
-  vtkGodRaysTarget Scattering; // light of all layers
-  vtkGodRaysTarget LayerSum;   // of several lights, when it is asked for
+  vtkGodRaysTarget Scene;   // colour and depth of the viewport
+  vtkGodRaysSum Scattering; // light of all layers
+  vtkGodRaysSum Layers;     // their sum; of several lights only when it is asked for
   vtkGodRaysTimers Timers;
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the resources
   vtkMTimeType ContextTime = 0;                 // when its context was made
   bool HasScattering = false;                   // of the last frame
   bool HasLayer = false;
-  bool HasLayerSum = false;
-  bool KeepLayerSum = false;
+  bool HasAllLayers = false;
+  bool KeepAllLayers = false;
   int NumberOfSources = 0;    // of the last frame
   bool DrawsScene = false;    // at this moment
   bool IsOwnDelegate = false; // its delegate called it while it drew the scene
@@ -96,11 +90,11 @@ struct vtkGodRaysPass::Internals
     this->Blending->ReleaseGraphicsResources(window);
     this->Scene.Release(window);
     this->Scattering.Release(window);
-    this->LayerSum.Release(window);
+    this->Layers.Release(window);
     this->Timers.Release(this->Window);
     this->HasScattering = false;
     this->HasLayer = false;
-    this->HasLayerSum = false;
+    this->HasAllLayers = false;
     this->Window = nullptr;
   }
 };
@@ -334,15 +328,14 @@ void vtkGodRaysPass::Detach(vtkRenderer* renderer)
 bool vtkGodRaysPass::GetOcclusionImage(vtkImageData* image)
 {
   Internals& self = *this->Internal;
-  if (self.HasLayer && !self.HasLayerSum && self.NumberOfSources > 1 && self.Window)
+  if (self.HasLayer && !self.HasAllLayers && self.Window)
   {
     // one layer texture served all lights in turn
-    self.KeepLayerSum = true;
+    self.KeepAllLayers = true;
     self.Window->Render();
-    self.KeepLayerSum = false;
+    self.KeepAllLayers = false;
   }
-  const bool hasAll = self.HasLayerSum || self.NumberOfSources == 1;
-  if (!image || !self.HasLayer || !hasAll || !self.Window)
+  if (!image || !self.HasAllLayers || !self.Window)
   {
     if (image)
     {
@@ -351,8 +344,7 @@ bool vtkGodRaysPass::GetOcclusionImage(vtkImageData* image)
     return false;
   }
   self.Window->MakeCurrent();
-  (self.HasLayerSum ? self.LayerSum : self.Occlusion->GetLayer()).Download(image);
-  return true;
+  return self.Layers.Download(image);
 }
 
 //------------------------------------------------------------------------------
@@ -368,8 +360,7 @@ bool vtkGodRaysPass::GetScatteringImage(vtkImageData* image)
     return false;
   }
   self.Window->MakeCurrent();
-  self.Scattering.Download(image);
-  return true;
+  return self.Scattering.Download(image);
 }
 
 //------------------------------------------------------------------------------
@@ -404,7 +395,7 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   self.LightPlan.clear();
   self.HasScattering = false;
   self.HasLayer = false;
-  self.HasLayerSum = false;
+  self.HasAllLayers = false;
   self.Timers.BeginFrame(this->MeasureTimes);
   this->NumberOfGeometryPasses = 1;
 
@@ -566,6 +557,7 @@ bool vtkGodRaysPass::RenderRays(
   occlusion.View = &view;
   occlusion.DepthFormat = bound.Formats.Depth;
   occlusion.ColorFormat = precision;
+  occlusion.OneColorFormat = self.Integrator->GetOneColorFormat(window, self.Model, precision);
   occlusion.Margin = this->LayerMargin;
   occlusion.UntaggedPropsOcclude = this->UntaggedPropsOcclude;
   occlusion.LinearLight = self.Model->GetLinearLight();
@@ -591,20 +583,14 @@ bool vtkGodRaysPass::RenderRays(
   self.Timers.Stop();
   this->NumberOfGeometryPasses = self.Occlusion->GetRenderedOccluders() ? 2 : 1;
 
-  self.Scattering.Prepare(window, viewport[2], viewport[3], { precision, 0 });
-  Clear(self.Scattering, state);
-  const bool sumLayers = sources.size() > 1 && (this->Output == OCCLUSION || self.KeepLayerSum);
-  vtkGodRaysTarget& layer = self.Occlusion->GetLayer();
-  if (sumLayers)
-  {
-    self.LayerSum.Prepare(window, layer.GetWidth(), layer.GetHeight(), { precision, 0 });
-    Clear(self.LayerSum, state);
-  }
-
+  self.Scattering.Begin(window, viewport[2], viewport[3], precision);
+  const bool keepLayers = sources.size() == 1 || this->Output == OCCLUSION || self.KeepAllLayers;
   for (const vtkGodRaysSource& source : sources)
   {
     self.Timers.Start(vtkGodRaysTimers::OCCLUSION);
-    if (!self.Occlusion->Compose(source) || (sumLayers && !this->AddToLayerSum(layer)))
+    if (!self.Occlusion->Compose(source) ||
+      (keepLayers &&
+        !this->KeepLayer(source, &source == &sources.front(), sources.size() == 1, precision)))
     {
       return false;
     }
@@ -612,7 +598,7 @@ bool vtkGodRaysPass::RenderRays(
     if (this->Output != OCCLUSION)
     {
       self.Timers.Start(vtkGodRaysTimers::SCATTERING);
-      if (!this->Scatter(view, source, layer))
+      if (!this->Scatter(view, source))
       {
         return false;
       }
@@ -620,43 +606,40 @@ bool vtkGodRaysPass::RenderRays(
     }
   }
   self.HasLayer = true;
-  self.HasLayerSum = sumLayers;
+  self.HasAllLayers = keepLayers;
   self.HasScattering = this->Output != OCCLUSION;
 
   self.Timers.Start(vtkGodRaysTimers::BLEND);
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, bound.Binding);
-  const bool blended = this->DrawOutput(viewport, sumLayers ? self.LayerSum : layer);
+  const bool blended = this->DrawOutput(viewport);
   self.Timers.Stop();
   this->DescribeStages(this->LayerMargin);
   return blended;
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysPass::AddToLayerSum(vtkGodRaysTarget& layer)
+bool vtkGodRaysPass::KeepLayer(
+  const vtkGodRaysSource& source, bool isFirst, bool isOnlyOne, unsigned int precision)
 {
   Internals& self = *this->Internal;
-  vtkGodRaysBlendPass::Request request;
-  request.Window = self.Window;
-  request.Viewport[0] = 0;
-  request.Viewport[1] = 0;
-  request.Viewport[2] = layer.GetWidth();
-  request.Viewport[3] = layer.GetHeight();
-  request.Rays = layer.GetColor();
-  request.LinearLight = false; // as it is
-  request.ShowRays = true;
-  request.Accumulate = true;
-  return self.LayerSum.Bind() && self.Blending->Draw(request);
+  vtkGodRaysTarget& layer = *self.Occlusion->GetLayer();
+  if (isFirst)
+  {
+    self.Layers.Begin(self.Window, layer.GetWidth(), layer.GetHeight(), precision);
+  }
+  return isOnlyOne ? self.Layers.Lend(layer, source.Color, 1.0)
+                   : self.Layers.Add(layer, source.Color, 1.0);
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysPass::Scatter(
-  const vtkGodRaysView& view, const vtkGodRaysSource& source, vtkGodRaysTarget& layer)
+bool vtkGodRaysPass::Scatter(const vtkGodRaysView& view, const vtkGodRaysSource& source)
 {
   Internals& self = *this->Internal;
   vtkGodRaysIntegrator::Request request;
   request.Window = self.Window;
   request.Model = self.Model;
-  request.Layer = layer.GetColor();
+  request.Layer = self.Occlusion->GetLayer();
+  std::copy_n(source.Color, 3, request.Color);
   std::copy_n(source.Clip, 3, request.LightClip);
   request.MarchScale = source.MarchScale;
   request.ViewScale = view.ViewScale;
@@ -668,14 +651,16 @@ bool vtkGodRaysPass::Scatter(
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysPass::DrawOutput(const int viewport[4], vtkGodRaysTarget& layer)
+bool vtkGodRaysPass::DrawOutput(const int viewport[4])
 {
   Internals& self = *this->Internal;
+  const vtkGodRaysSum& light = this->Output == OCCLUSION ? self.Layers : self.Scattering;
   vtkGodRaysBlendPass::Request request;
   request.Window = self.Window;
   std::copy_n(viewport, 4, request.Viewport);
   request.Scene = self.Scene.GetColor();
-  request.Rays = this->Output == OCCLUSION ? layer.GetColor() : self.Scattering.GetColor();
+  request.Rays = light.GetTexture();
+  request.Tint = light.GetTint();
   request.Intensity = this->Output == OCCLUSION ? 1.0 : this->Intensity;
   request.SceneGain = self.Model->GetSceneGain();
   request.LinearLight = self.Model->GetLinearLight();

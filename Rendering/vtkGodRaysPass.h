@@ -48,7 +48,6 @@
 
 class vtkGodRaysIntegrator;
 class vtkGodRaysModel;
-class vtkGodRaysTarget;
 class vtkImageData;
 class vtkInformationIntegerKey;
 class vtkLight;
@@ -345,9 +344,10 @@ private:
   void RenderScene(const vtkRenderState* s);
   bool RenderRays(const vtkRenderState* s, const vtkGodRaysView& view,
     const std::vector<vtkGodRaysSource>& sources);
-  bool AddToLayerSum(vtkGodRaysTarget& layer);
-  bool Scatter(const vtkGodRaysView& view, const vtkGodRaysSource& source, vtkGodRaysTarget& layer);
-  bool DrawOutput(const int viewport[4], vtkGodRaysTarget& layer);
+  bool KeepLayer(
+    const vtkGodRaysSource& source, bool isFirst, bool isOnlyOne, unsigned int precision);
+  bool Scatter(const vtkGodRaysView& view, const vtkGodRaysSource& source);
+  bool DrawOutput(const int viewport[4]);
   void ShowNoLight(const vtkRenderState* s, vtkOpenGLState* state);
   void DescribeStages(double margin);
   void Complain(const std::string& complaint);

@@ -27,28 +27,43 @@ vtkGodRaysQuad::vtkGodRaysQuad(const char* name, const char* source)
 vtkGodRaysQuad::~vtkGodRaysQuad() = default;
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* vtkGodRaysQuad::Begin(vtkOpenGLRenderWindow* window)
+vtkShaderProgram* vtkGodRaysQuad::Begin(
+  vtkOpenGLRenderWindow* window, std::initializer_list<Term> terms)
 {
   if (this->Failed)
   {
     return nullptr;
   }
   this->Window = window;
-  if (!this->Helper)
+  unsigned int key = 1;
+  for (const Term& term : terms)
   {
+    key = 2 * key + (term.Value ? 1 : 0);
+  }
+  auto& helper = this->Helpers[key];
+  if (!helper)
+  {
+    std::string constants;
+    for (const Term& term : terms)
+    {
+      constants +=
+        std::string("const bool ") + term.Name + (term.Value ? " = true;\n" : " = false;\n");
+    }
     std::string source = this->Source;
+    vtkShaderProgram::Substitute(source, "//VTK::GodRays::Terms", constants);
     vtkShaderProgram::Substitute(source, "//VTK::GodRays::Types", vtkGodRaysTypes);
     vtkShaderProgram::Substitute(source, "//VTK::GodRays::Functions", vtkGodRaysFunctions);
-    this->Helper = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, source.c_str(), nullptr);
+    helper = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, source.c_str(), nullptr);
   }
-  else if (this->Helper->Program)
+  else if (helper->Program)
   {
-    window->GetShaderCache()->ReadyShaderProgram(this->Helper->Program);
+    window->GetShaderCache()->ReadyShaderProgram(helper->Program);
   }
+  this->Helper = helper.get();
   if (!this->Helper->Program || !this->Helper->Program->GetCompiled())
   {
+    this->Release();
     this->Failed = true;
-    this->Helper.reset();
     vtkGenericWarningMacro("The shader " << this->Name
                                          << " does not compile on this OpenGL driver, so the scene "
                                             "is drawn without rays. Use a driver with OpenGL 3.2 "
@@ -85,7 +100,8 @@ void vtkGodRaysQuad::End()
 //------------------------------------------------------------------------------
 void vtkGodRaysQuad::Release()
 {
-  this->Helper.reset();
+  this->Helper = nullptr;
+  this->Helpers.clear();
   this->Failed = false;
   this->Window = nullptr;
 }

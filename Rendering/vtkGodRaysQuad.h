@@ -4,8 +4,10 @@
  * @class   vtkGodRaysQuad
  * @brief   a fragment shader over the shared mathematics, drawn as a quad; private to this module
  *
- * The shader text may use the tags //VTK::GodRays::Types and //VTK::GodRays::Functions. It is built
- * at the first Begin() and kept until Release(): numbers are uniforms, never text.
+ * The shader text may use the tags //VTK::GodRays::Types and //VTK::GodRays::Functions, and
+ * //VTK::GodRays::Terms, which becomes a constant bool for each term that a frame needs or does not:
+ * so that what is not needed costs nothing. A shader is built at the first Begin() with its terms
+ * and kept until Release(): numbers are uniforms, never text.
  */
 
 #ifndef vtkGodRaysQuad_h
@@ -13,6 +15,8 @@
 
 #include "vtkSmartPointer.h"
 
+#include <initializer_list>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -33,10 +37,18 @@ public:
   vtkGodRaysQuad(const vtkGodRaysQuad&) = delete;
   void operator=(const vtkGodRaysQuad&) = delete;
 
+  /// A constant of the shader.
+  struct Term
+  {
+    const char* Name;
+    bool Value;
+  };
+
   /**
    * Make the shader current, building it if need be; null, after one error, when that fails.
+   * Always give all terms, in one order.
    */
-  vtkShaderProgram* Begin(vtkOpenGLRenderWindow* window);
+  vtkShaderProgram* Begin(vtkOpenGLRenderWindow* window, std::initializer_list<Term> terms = {});
 
   /**
    * Bind a texture to a sampler of the shader until the next End().
@@ -55,7 +67,8 @@ private:
   const char* Source;
   bool Failed = false;
   vtkOpenGLRenderWindow* Window = nullptr;
-  std::unique_ptr<vtkOpenGLQuadHelper> Helper;
+  std::map<unsigned int, std::unique_ptr<vtkOpenGLQuadHelper>> Helpers; // by values of the terms
+  vtkOpenGLQuadHelper* Helper = nullptr;                                // that Begin() chose
   std::vector<vtkSmartPointer<vtkTextureObject>> Textures;
 };
 

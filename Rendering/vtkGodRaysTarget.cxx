@@ -9,8 +9,15 @@
 #include "vtkTextureObject.h"
 #include "vtk_glew.h"
 
+#include <cstddef>
+
 namespace
 {
+bool HasOneChannel(unsigned int format)
+{
+  return format == GL_R16F || format == GL_R32F;
+}
+
 /// A colour texture that filters linearly and is 0 outside unless told otherwise.
 vtkSmartPointer<vtkTextureObject> MakeColor(
   vtkOpenGLRenderWindow* window, int width, int height, unsigned int format)
@@ -18,14 +25,15 @@ vtkSmartPointer<vtkTextureObject> MakeColor(
   auto texture = vtkSmartPointer<vtkTextureObject>::New();
   texture->SetContext(window);
   texture->SetInternalFormat(format);
-  texture->SetFormat(GL_RGBA);
+  texture->SetFormat(HasOneChannel(format) ? GL_RED : GL_RGBA);
   texture->SetDataType(format == GL_RGBA8 ? GL_UNSIGNED_BYTE : GL_FLOAT);
   texture->SetWrapS(vtkTextureObject::ClampToEdge);
   texture->SetWrapT(vtkTextureObject::ClampToEdge);
   texture->SetMinificationFilter(vtkTextureObject::Linear);
   texture->SetMagnificationFilter(vtkTextureObject::Linear);
   texture->SetBorderColor(0.0f, 0.0f, 0.0f, 0.0f);
-  texture->Allocate2D(width, height, 4, format == GL_RGBA8 ? VTK_UNSIGNED_CHAR : VTK_FLOAT);
+  texture->Allocate2D(width, height, HasOneChannel(format) ? 1 : 4,
+    format == GL_RGBA8 ? VTK_UNSIGNED_CHAR : VTK_FLOAT);
   return texture;
 }
 
@@ -171,19 +179,54 @@ void vtkGodRaysTarget::Release(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysTarget::Download(vtkImageData* image)
+bool vtkGodRaysTarget::HasOneChannel() const
+{
+  return ::HasOneChannel(this->Formats.Color);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysTarget::Read(unsigned int format, unsigned int type, void* pixels, int rowLength)
+{
+  vtkOpenGLState* state = this->Framebuffer->GetContext()->GetState();
+  state->PushReadFramebufferBinding();
+  this->Framebuffer->Bind(vtkOpenGLFramebufferObject::GetReadMode());
+  this->Framebuffer->ActivateReadBuffer(0);
+  state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glPixelStorei(GL_PACK_ROW_LENGTH, rowLength); // which vtkOpenGLState does not know
+  glReadPixels(0, 0, this->Width, this->Height, format, type, pixels);
+  glPixelStorei(GL_PACK_ROW_LENGTH, 0);
+  state->PopReadFramebufferBinding();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysTarget::Write(unsigned int format, unsigned int type, const void* pixels)
+{
+  this->Color->Activate();
+  vtkOpenGLState* state = this->Framebuffer->GetContext()->GetState();
+  state->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, this->Width, this->Height, format, type, pixels);
+  this->Color->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysTarget::Download(vtkImageData* image, const double tint[3])
 {
   image->SetDimensions(this->Width, this->Height, 1);
   image->SetOrigin(0.0, 0.0, 0.0);
   image->SetSpacing(1.0, 1.0, 1.0);
   image->AllocateScalars(VTK_FLOAT, 3);
-
-  vtkOpenGLRenderWindow* window = this->Framebuffer->GetContext();
-  vtkOpenGLState* state = window->GetState();
-  state->PushFramebufferBindings();
-  this->Framebuffer->Bind();
-  this->Framebuffer->ActivateReadBuffer(0);
-  state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, this->Width, this->Height, GL_RGB, GL_FLOAT, image->GetScalarPointer());
-  state->PopFramebufferBindings();
+  auto* values = static_cast<float*>(image->GetScalarPointer());
+  this->Read(GL_RGB, GL_FLOAT, values, 0);
+  if (this->HasOneChannel())
+  {
+    const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(this->Width) * this->Height;
+    for (std::ptrdiff_t i = 0; i < count; ++i)
+    {
+      const double value = values[3 * i];
+      for (int c = 0; c < 3; ++c)
+      {
+        values[3 * i + c] = static_cast<float>(tint[c] * value);
+      }
+    }
+  }
 }

@@ -62,10 +62,30 @@ public:
   unsigned int GetColorFormat() const { return this->Formats.Color; }
   bool IsReady() const { return this->Color || this->Depth; }
 
+  /// Whether the colour is one value a pixel, in red.
+  bool HasOneChannel() const;
+
   /**
-   * Copy the colours into an image of three 32-bit floats a pixel; waits for the drawing.
+   * Copy the colours to memory; waits for the drawing. OpenGL format and type; rowLength is how far
+   * apart rows are in memory [pixels], 0 for the width.
    */
-  void Download(vtkImageData* image);
+  void Read(unsigned int format, unsigned int type, void* pixels, int rowLength);
+
+  /**
+   * Copy colours from memory, rows one after the other. OpenGL format and type.
+   */
+  void Write(unsigned int format, unsigned int type, const void* pixels);
+
+  /**
+   * Copy the colours into an image of three 32-bit floats a pixel; waits for the drawing. Where
+   * there is one channel only, colours are that times the tint.
+   */
+  void Download(vtkImageData* image, const double tint[3]);
+  void Download(vtkImageData* image)
+  {
+    const double white[3] = { 1.0, 1.0, 1.0 };
+    this->Download(image, white);
+  }
 
 private:
   void Attach(vtkOpenGLRenderWindow* window);

@@ -10,17 +10,22 @@ in vec2 texCoord;
 
 uniform sampler2D scene;
 uniform sampler2D rays;
-uniform ivec2 origin;     // of the viewport, whose size the scene and its rays have [pixels]
 uniform float intensity;
 uniform float sceneGain;
-uniform bool linearLight; // whether rays are linear light, or shown values as the scene's colours
-uniform bool screen;      // SCREEN rather than ADD
-uniform bool showRays;    // the rays alone, of whatever size
+uniform vec3 tint;        // of rays of one channel
+uniform float viewScale;  // fraction of the rays' size that is shown
+
+//VTK::GodRays::Terms
+// linearLight: whether rays are linear light, or shown values as the scene's colours
+// screen: SCREEN rather than ADD
+// showRays: the rays alone, of whatever size
+// oneChannel: the rays are one value a pixel, in red, times the tint
 
 void main()
 {
-  ivec2 pixel = ivec2(gl_FragCoord.xy) - origin;
-  vec3 light = intensity * (showRays ? texture(rays, texCoord) : texelFetch(rays, pixel, 0)).rgb;
+  ivec2 pixel = ivec2(texCoord * vec2(textureSize(rays, 0))); // as large as the scene
+  vec4 ray = showRays ? texture(rays, 0.5 + (texCoord - 0.5) * viewScale) : texelFetch(rays, pixel, 0);
+  vec3 light = intensity * (oneChannel ? ray.r * tint : ray.rgb);
   if (showRays)
   {
     gl_FragData[0] = vec4(linearLight ? EncodeDisplay(light) : light, 1.0);

@@ -31,7 +31,9 @@ vtkGodRaysBlendPass::~vtkGodRaysBlendPass() = default;
 //------------------------------------------------------------------------------
 bool vtkGodRaysBlendPass::Draw(const Request& request)
 {
-  vtkShaderProgram* program = this->Internal->Quad.Begin(request.Window);
+  vtkShaderProgram* program = this->Internal->Quad.Begin(request.Window,
+    { { "linearLight", request.LinearLight }, { "screen", request.Screen && !request.ShowRays },
+      { "showRays", request.ShowRays }, { "oneChannel", request.Tint != nullptr } });
   if (!program)
   {
     return false;
@@ -53,14 +55,20 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
   state->vtkglScissor(
     request.Viewport[0], request.Viewport[1], request.Viewport[2], request.Viewport[3]);
 
-  program->SetUniform2i("origin", request.Viewport);
   program->SetUniformf("intensity", static_cast<float>(request.Intensity));
   program->SetUniformf("sceneGain", static_cast<float>(request.SceneGain));
-  program->SetUniformi("linearLight", request.LinearLight);
-  program->SetUniformi("screen", request.Screen);
-  program->SetUniformi("showRays", request.ShowRays);
+  program->SetUniformf("viewScale", static_cast<float>(request.ViewScale));
+  if (request.Tint)
+  {
+    const float tint[3] = { static_cast<float>(request.Tint[0]),
+      static_cast<float>(request.Tint[1]), static_cast<float>(request.Tint[2]) };
+    program->SetUniform3f("tint", tint);
+  }
   this->Internal->Quad.SetTexture("rays", request.Rays);
-  this->Internal->Quad.SetTexture("scene", request.Scene ? request.Scene : request.Rays);
+  if (!request.ShowRays)
+  {
+    this->Internal->Quad.SetTexture("scene", request.Scene);
+  }
   this->Internal->Quad.End();
   return true;
 }

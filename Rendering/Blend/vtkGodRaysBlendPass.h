@@ -39,6 +39,8 @@ public:
     int Viewport[4] = { 0, 0, 0, 0 };  ///< origin and size in the bound framebuffer [pixels]
     vtkTextureObject* Scene = nullptr; ///< colours of the viewport; not read when ShowRays
     vtkTextureObject* Rays = nullptr;
+    const double* Tint = nullptr; ///< if the rays have one channel: their colour where it is 1
+    double ViewScale = 1.0;       ///< fraction of the rays' size that is shown; 1 unless ShowRays
     double Intensity = 1.0;
     double SceneGain = 1.0;
     bool LinearLight = true;

@@ -10,17 +10,19 @@ in vec2 texCoord; // of the layer
 
 uniform sampler2D occluderDepth;
 
-uniform bool dimmed;              // whether translucent props or volumes dim the light
-uniform sampler2D translucency;   // their opacity, in alpha
+//VTK::GodRays::Terms
+// dimmed: whether translucent props or volumes dim the light
+// prop: whether a prop shines, rather than a disc
+// hazy: whether it has translucent parts or is a volume
+// planar: separations are lengths in the picture's plane, not angles
+// linearLight: whether the layer holds linear light, or shown values
 
-uniform bool prop;                // whether a prop shines, rather than a disc
+uniform sampler2D translucency;   // opacity of what dims, in alpha
 uniform sampler2D propColor;
 uniform sampler2D propDepth;
-uniform bool hazy;                // whether it has translucent parts or is a volume
-uniform sampler2D haze;           // their colours over black, before what blocks
+uniform sampler2D haze;           // colours of the hazy parts over black, before what blocks
 
 uniform mat4 clipToView;
-uniform bool planar;              // separations are lengths in the picture's plane, not angles
 uniform vec3 lightPosition;
 uniform vec3 lightDirection;
 uniform float lightDepth;
@@ -33,7 +35,6 @@ uniform float glow;
 uniform float glowRadius;
 uniform float glowFalloff;
 
-uniform bool linearLight;
 uniform float maximum;            // that the layer can hold
 
 // The largest window depth below 1 differs from it by 2^-24 or more.

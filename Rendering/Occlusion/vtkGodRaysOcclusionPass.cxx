@@ -131,10 +131,14 @@ struct vtkGodRaysOcclusionPass::Internals
   vtkGodRaysTarget Shining;   // opaque parts of a prop tagged LIGHT
   vtkGodRaysTarget Haze;      // its translucent parts and volumes, over the depth of what blocks
   vtkGodRaysTarget Layer;
+  vtkGodRaysTarget OneColorLayer; // one value a pixel
+  vtkGodRaysTarget* Composed = nullptr;
   vtkSmartPointer<vtkCamera> WideCamera;
   Request Frame;
   vtkTextureObject* Depth = nullptr; // of what blocks
   bool Dimmed = false;
+  int Width = 0; // of the layer [pixels]
+  int Height = 0;
 };
 
 //------------------------------------------------------------------------------
@@ -162,8 +166,8 @@ bool vtkGodRaysOcclusionPass::Begin(const Request& request)
   const Sorted sorted = Sort(request.Renderer, request.UntaggedPropsOcclude);
   const auto enlarged = [&request](unsigned int size)
   { return static_cast<int>(std::lround(size * (1.0 + 2.0 * request.Margin))); };
-  const int width = enlarged(request.SceneDepth->GetWidth());
-  const int height = enlarged(request.SceneDepth->GetHeight());
+  const int width = self.Width = enlarged(request.SceneDepth->GetWidth());
+  const int height = self.Height = enlarged(request.SceneDepth->GetHeight());
 
   vtkOpenGLState* state = request.Window->GetState();
   state->vtkglClearDepth(1.0);
@@ -208,7 +212,6 @@ bool vtkGodRaysOcclusionPass::Begin(const Request& request)
     this->RenderTranslucent(sorted.Dimming);
   }
 
-  self.Layer.Prepare(request.Window, width, height, { request.ColorFormat, 0 });
   return true;
 }
 
@@ -252,8 +255,8 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysSource& source)
     source.Prop && (source.Prop->HasTranslucentPolygonalGeometry() || HasVolume(source.Prop));
   if (source.Prop)
   {
-    self.Shining.Prepare(frame.Window, self.Layer.GetWidth(), self.Layer.GetHeight(),
-      { frame.ColorFormat, frame.DepthFormat });
+    self.Shining.Prepare(
+      frame.Window, self.Width, self.Height, { frame.ColorFormat, frame.DepthFormat });
     if (!self.Shining.Bind())
     {
       return false;
@@ -280,8 +283,15 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysSource& source)
     }
   }
 
-  vtkShaderProgram* program = self.Quad.Begin(frame.Window);
-  if (!program || !self.Layer.Bind())
+  // A disc and its glow have one colour.
+  const bool oneColor = !source.Prop && frame.OneColorFormat;
+  self.Composed = oneColor ? &self.OneColorLayer : &self.Layer;
+  self.Composed->Prepare(frame.Window, self.Width, self.Height,
+    { oneColor ? frame.OneColorFormat : frame.ColorFormat, 0 });
+  vtkShaderProgram* program = self.Quad.Begin(frame.Window,
+    { { "dimmed", self.Dimmed }, { "prop", source.Prop != nullptr }, { "hazy", hazy },
+      { "planar", source.Planar }, { "linearLight", frame.LinearLight } });
+  if (!program || !self.Composed->Bind())
   {
     return false;
   }
@@ -290,10 +300,10 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysSource& source)
   clipToView->DeepCopy(frame.View->ClipToView);
   clipToView->Transpose(); // OpenGL matrices are column-major
   program->SetUniformMatrix("clipToView", clipToView);
-  program->SetUniformi("planar", source.Planar);
   SetVector(program, "lightPosition", source.Position);
   SetVector(program, "lightDirection", source.Direction);
-  SetVector(program, "lightColor", source.Color);
+  const double white[3] = { 1.0, 1.0, 1.0 };
+  SetVector(program, "lightColor", oneColor ? white : source.Color);
   program->SetUniformf("lightDepth", static_cast<float>(source.Depth));
   program->SetUniformf("lightRadius", static_cast<float>(source.Radius));
   program->SetUniformf("leastPixel", static_cast<float>(source.LeastPixel));
@@ -301,24 +311,29 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysSource& source)
   program->SetUniformf("glow", static_cast<float>(frame.Glow));
   program->SetUniformf("glowRadius", static_cast<float>(source.GlowRadius));
   program->SetUniformf("glowFalloff", static_cast<float>(source.GlowFalloff));
-  program->SetUniformi("linearLight", frame.LinearLight);
   program->SetUniformf("maximum", frame.ColorFormat == GL_RGBA16F ? 65504.0f : 1e30f);
-  program->SetUniformi("dimmed", self.Dimmed);
-  program->SetUniformi("prop", source.Prop != nullptr);
   self.Quad.SetTexture("occluderDepth", self.Depth);
-  self.Quad.SetTexture("translucency", self.Dimmed ? self.Dimming.GetColor() : self.Depth);
-  self.Quad.SetTexture("propColor", source.Prop ? self.Shining.GetColor() : self.Depth);
-  self.Quad.SetTexture("propDepth", source.Prop ? self.Shining.GetDepth() : self.Depth);
-  program->SetUniformi("hazy", hazy);
-  self.Quad.SetTexture("haze", hazy ? self.Haze.GetColor() : self.Depth);
+  if (self.Dimmed)
+  {
+    self.Quad.SetTexture("translucency", self.Dimming.GetColor());
+  }
+  if (source.Prop)
+  {
+    self.Quad.SetTexture("propColor", self.Shining.GetColor());
+    self.Quad.SetTexture("propDepth", self.Shining.GetDepth());
+  }
+  if (hazy)
+  {
+    self.Quad.SetTexture("haze", self.Haze.GetColor());
+  }
   self.Quad.End();
   return true;
 }
 
 //------------------------------------------------------------------------------
-vtkGodRaysTarget& vtkGodRaysOcclusionPass::GetLayer()
+vtkGodRaysTarget* vtkGodRaysOcclusionPass::GetLayer()
 {
-  return this->Internal->Layer;
+  return this->Internal->Composed;
 }
 
 //------------------------------------------------------------------------------
@@ -344,6 +359,8 @@ void vtkGodRaysOcclusionPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Internal->Occluders.Release(window);
   this->Internal->Shining.Release(window);
   this->Internal->Layer.Release(window);
+  this->Internal->OneColorLayer.Release(window);
+  this->Internal->Composed = nullptr;
   this->Internal->Depth = nullptr;
 }
 

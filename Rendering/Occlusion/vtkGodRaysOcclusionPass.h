@@ -49,7 +49,10 @@ public:
     vtkTextureObject* SceneDepth; ///< of the viewport
     unsigned int DepthFormat;     ///< its internal format
     unsigned int ColorFormat;     ///< internal format of the layer
-    double Margin = 0.0;          ///< fraction of the picture on each side
+    /// Internal format of the layer of a light of one colour, which is one value a pixel, without
+    /// the colour; 0 if it shall be as any other.
+    unsigned int OneColorFormat = 0;
+    double Margin = 0.0; ///< fraction of the picture on each side
     bool UntaggedPropsOcclude = true;
     bool LinearLight = true;
     double Glow = 0.0;
@@ -71,9 +74,9 @@ public:
   VTK_WRAPEXCLUDE bool Compose(const vtkGodRaysSource& source);
 
   /**
-   * The layer last composed.
+   * The layer last composed; null if there is none.
    */
-  VTK_WRAPEXCLUDE vtkGodRaysTarget& GetLayer();
+  VTK_WRAPEXCLUDE vtkGodRaysTarget* GetLayer();
 
   /**
    * Whether Begin() rendered the props that block light a second time.

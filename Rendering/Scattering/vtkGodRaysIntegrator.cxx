@@ -7,3 +7,10 @@ void vtkGodRaysIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
 }
+
+//------------------------------------------------------------------------------
+unsigned int vtkGodRaysIntegrator::GetOneColorFormat(
+  vtkOpenGLRenderWindow*, vtkGodRaysModel*, unsigned int)
+{
+  return 0;
+}

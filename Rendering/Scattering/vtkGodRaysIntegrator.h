@@ -19,9 +19,9 @@
 #include <string> // For std::string
 
 class vtkGodRaysModel;
+class vtkGodRaysSum;
 class vtkGodRaysTarget;
 class vtkOpenGLRenderWindow;
-class vtkTextureObject;
 class vtkWindow;
 
 class VTKGODRAYSRENDERING_EXPORT vtkGodRaysIntegrator : public vtkObject
@@ -30,21 +30,30 @@ public:
   vtkTypeMacro(vtkGodRaysIntegrator, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// What an integrator gets to do its work. Its target is private to the module: integrators are
-  /// written there, see CONTRIBUTING.md.
+  /// What an integrator gets to do its work. Layer and result are private to the module: integrators
+  /// are written there, see CONTRIBUTING.md.
   struct Request
   {
-    vtkOpenGLRenderWindow* Window; ///< its context is current
-    vtkGodRaysModel* Model;
-    vtkTextureObject* Layer; ///< the occlusion layer of one light, RGB
-    double LightClip[3];     ///< X, Y and w of the light in the layer's clip coordinates
-    double MarchScale;       ///< see MarchVector() in vtkGodRaysFunctions.glsl
-    double ViewScale;        ///< fraction of the layer's width that the picture covers
-    double Peak;             ///< greatest value that the layer may hold
-    double ResolutionScale;
-    double ErrorTolerance;
-    vtkGodRaysTarget* Result; ///< the light scattered by all lights: add to it
+    vtkOpenGLRenderWindow* Window = nullptr; ///< its context is current
+    vtkGodRaysModel* Model = nullptr;
+    vtkGodRaysTarget* Layer = nullptr;   ///< occlusion layer of one light: RGB, or of one channel
+    double Color[3] = { 1.0, 1.0, 1.0 }; ///< factor on a layer of one channel
+    double LightClip[3] = { 0.0, 0.0, 1.0 }; ///< X, Y and w of the light, in the layer
+    double MarchScale = 1.0;                 ///< see MarchVector() in vtkGodRaysFunctions.glsl
+    double ViewScale = 1.0; ///< fraction of the layer's width that the picture covers
+    double Peak = 1.0;      ///< greatest value that the layer, times Color, may hold
+    double ResolutionScale = 1.0;
+    double ErrorTolerance = 1.0 / 255.0;
+    vtkGodRaysSum* Result = nullptr; ///< the light scattered by all lights: add to it
   };
+
+  /**
+   * In which format this integrator wants the layer of a light of one colour: GL_R16F or GL_R32F,
+   * one value a pixel, or 0, like any other layer (unless overridden). precision is the format of
+   * any other layer, GL_RGBA16F or GL_RGBA32F.
+   */
+  virtual unsigned int GetOneColorFormat(
+    vtkOpenGLRenderWindow* window, vtkGodRaysModel* model, unsigned int precision);
 
   /**
    * Whether this integrator can evaluate the model.

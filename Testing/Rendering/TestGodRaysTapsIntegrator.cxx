@@ -9,6 +9,7 @@
 
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysRadialModel.h"
+#include "vtkGodRaysSum.h"
 #include "vtkGodRaysTapsIntegrator.h"
 #include "vtkGodRaysTarget.h"
 
@@ -17,7 +18,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPointData.h"
-#include "vtkTextureObject.h"
 #include "vtk_glew.h"
 
 #include <cmath>
@@ -134,8 +134,8 @@ protected:
   vtkNew<vtkGodRaysRadialModel> Model;
   vtkNew<vtkGodRaysTapsIntegrator> Integrator;
   vtkNew<vtkImageData> Layer;
-  vtkNew<vtkTextureObject> Texture;
-  vtkGodRaysTarget Result;
+  vtkGodRaysTarget Target; // with the layer
+  vtkGodRaysSum Result;
   double ViewScale = 1.0;
 
   GodRaysTapsOnNoise()
@@ -149,7 +149,7 @@ protected:
   ~GodRaysTapsOnNoise() override
   {
     this->Integrator->ReleaseGraphicsResources(this->Window);
-    this->Texture->ReleaseGraphicsResources(this->Window);
+    this->Target.Release(this->Window);
     this->Result.Release(this->Window);
   }
 
@@ -169,14 +169,8 @@ protected:
       }
       rgba.push_back(1.0f);
     }
-    this->Texture->SetContext(this->Window);
-    this->Texture->SetInternalFormat(GL_RGBA32F);
-    this->Texture->SetFormat(GL_RGBA);
-    this->Texture->SetDataType(GL_FLOAT);
-    this->Texture->SetMinificationFilter(vtkTextureObject::Linear);
-    this->Texture->SetMagnificationFilter(vtkTextureObject::Linear);
-    this->Texture->SetBorderColor(0.0f, 0.0f, 0.0f, 0.0f);
-    ASSERT_TRUE(this->Texture->Create2DFromRaw(width, height, 4, VTK_FLOAT, rgba.data()));
+    this->Target.Prepare(this->Window, width, height, { GL_RGBA32F, 0 });
+    this->Target.Write(GL_RGBA, GL_FLOAT, rgba.data());
   }
 
   double GetMarchScale(const std::array<double, 3>& clip)
@@ -191,14 +185,11 @@ protected:
   {
     vtkOpenGLState* state = this->Window->GetState();
     state->PushFramebufferBindings();
-    this->Result.Prepare(this->Window, 64, 48, { format, 0 });
-    ASSERT_TRUE(this->Result.Bind());
-    state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-    state->vtkglClear(GL_COLOR_BUFFER_BIT);
+    this->Result.Begin(this->Window, 64, 48, format);
     vtkGodRaysIntegrator::Request request;
     request.Window = this->Window;
     request.Model = this->Model;
-    request.Layer = this->Texture;
+    request.Layer = &this->Target;
     std::copy(clip.begin(), clip.end(), request.LightClip);
     request.MarchScale = this->GetMarchScale(clip);
     request.ViewScale = this->ViewScale;
@@ -207,7 +198,7 @@ protected:
     request.ErrorTolerance = 1.0 / 255.0;
     request.Result = &this->Result;
     EXPECT_TRUE(this->Integrator->Integrate(request));
-    this->Result.Download(result);
+    EXPECT_TRUE(this->Result.Download(result));
     state->PopFramebufferBindings();
   }
 
@@ -333,7 +324,7 @@ TEST_F(GodRaysTapsOnNoise, AddToWhatOtherLightsScattered)
   vtkGodRaysIntegrator::Request request;
   request.Window = this->Window;
   request.Model = this->Model;
-  request.Layer = this->Texture;
+  request.Layer = &this->Target;
   std::copy(light.begin(), light.end(), request.LightClip);
   request.MarchScale = 1.0;
   request.ViewScale = 1.0;
@@ -342,7 +333,7 @@ TEST_F(GodRaysTapsOnNoise, AddToWhatOtherLightsScattered)
   request.ErrorTolerance = 1.0 / 255.0;
   request.Result = &this->Result;
   EXPECT_TRUE(this->Integrator->Integrate(request));
-  this->Result.Download(twice);
+  EXPECT_TRUE(this->Result.Download(twice));
   state->PopFramebufferBindings();
   for (int i = 0; i < 48; ++i)
   {

@@ -5,6 +5,7 @@
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysQuad.h"
 #include "vtkGodRaysRadialModel.h"
+#include "vtkGodRaysSum.h"
 #include "vtkGodRaysTapsFS.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkObjectFactory.h"
@@ -60,17 +61,16 @@ struct vtkGodRaysTapsIntegrator::Internals
   vtkGodRaysTarget Coarse;
   vtkGodRaysTarget Between[2]; // results of all but the last of several passes
 
-  /// Draw one sum of taps of a layer into a target.
+  /// Draw one sum of taps of a layer into the framebuffer that is bound.
   bool Draw(const Request& request, const vtkGodRays::TapSum& taps, vtkTextureObject* layer,
-    vtkGodRaysTarget& target, double viewScale, vtkTextureObject* coarse, double threshold)
+    int width, int height, double viewScale, vtkTextureObject* coarse, double threshold)
   {
     vtkShaderProgram* program = this->Quad.Begin(request.Window);
-    if (!program || !target.Bind())
+    if (!program)
     {
       return false;
     }
-    const float size[2] = { static_cast<float>(target.GetWidth()),
-      static_cast<float>(target.GetHeight()) };
+    const float size[2] = { static_cast<float>(width), static_cast<float>(height) };
     program->SetUniform2f("size", size);
     SetTaps(program, taps, request.ViewScale);
     const float clip[3] = { static_cast<float>(request.LightClip[0]),
@@ -84,6 +84,16 @@ struct vtkGodRaysTapsIntegrator::Internals
     this->Quad.SetTexture("coarse", coarse ? coarse : layer);
     this->Quad.End();
     return true;
+  }
+
+  /// Draw one sum of taps of a layer into a target.
+  bool Draw(const Request& request, const vtkGodRays::TapSum& taps, vtkTextureObject* layer,
+    vtkGodRaysTarget& target, double viewScale)
+  {
+    request.Window->GetState()->vtkglDisable(GL_BLEND);
+    return target.Bind() &&
+      this->Draw(
+        request, taps, layer, target.GetWidth(), target.GetHeight(), viewScale, nullptr, 0.0);
   }
 };
 
@@ -109,18 +119,15 @@ bool vtkGodRaysTapsIntegrator::Integrate(const Request& request)
   std::vector<vtkGodRays::TapSum> passes;
   model->GetTapSums(passes, this->NumberOfTaps);
 
-  vtkOpenGLState* state = request.Window->GetState();
-  state->vtkglDisable(GL_BLEND);
-  SetBorder(request.Layer, model->GetBorder());
-
   // all passes but the last cover the whole layer, margin included
-  vtkTextureObject* layer = request.Layer;
+  vtkTextureObject* layer = request.Layer->GetColor();
+  SetBorder(layer, model->GetBorder());
   for (std::size_t i = 0; i + 1 < passes.size(); ++i)
   {
     vtkGodRaysTarget& target = this->Internal->Between[i % 2];
     target.Prepare(request.Window, static_cast<int>(layer->GetWidth()),
-      static_cast<int>(layer->GetHeight()), { request.Result->GetColorFormat(), 0 });
-    if (!this->Internal->Draw(request, passes[i], layer, target, 1.0, nullptr, 0.0))
+      static_cast<int>(layer->GetHeight()), { request.Result->GetFormat(), 0 });
+    if (!this->Internal->Draw(request, passes[i], layer, target, 1.0))
     {
       return false;
     }
@@ -135,20 +142,18 @@ bool vtkGodRaysTapsIntegrator::Integrate(const Request& request)
     { return std::max(1, static_cast<int>(std::lround(size * request.ResolutionScale))); };
     vtkGodRaysTarget& target = this->Internal->Coarse;
     target.Prepare(request.Window, scaled(request.Result->GetWidth()),
-      scaled(request.Result->GetHeight()), { request.Result->GetColorFormat(), 0 });
-    if (!this->Internal->Draw(
-          request, passes.back(), layer, target, request.ViewScale, nullptr, 0.0))
+      scaled(request.Result->GetHeight()), { request.Result->GetFormat(), 0 });
+    if (!this->Internal->Draw(request, passes.back(), layer, target, request.ViewScale))
     {
       return false;
     }
     coarse = target.GetColor();
   }
 
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
   const double threshold = request.ErrorTolerance * model->GetFlatGain() * request.Peak;
-  return this->Internal->Draw(
-    request, passes.back(), layer, *request.Result, request.ViewScale, coarse, threshold);
+  return request.Result->BindToAdd() &&
+    this->Internal->Draw(request, passes.back(), layer, request.Result->GetWidth(),
+      request.Result->GetHeight(), request.ViewScale, coarse, threshold);
 }
 
 //------------------------------------------------------------------------------

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysSum.h"
+
+#include "vtkGodRaysBlendPass.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkTextureObject.h"
+#include "vtk_glew.h"
+
+#include <algorithm>
+
+//------------------------------------------------------------------------------
+vtkGodRaysSum::vtkGodRaysSum()
+  : Adding(vtkSmartPointer<vtkGodRaysBlendPass>::New())
+{
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysSum::~vtkGodRaysSum() = default;
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSum::Begin(vtkOpenGLRenderWindow* window, int width, int height, unsigned int format)
+{
+  this->Window = window;
+  this->Width = width;
+  this->Height = height;
+  this->Format = format;
+  this->Drawn = false;
+  this->Lent = nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSum::BindToAdd()
+{
+  if (!this->Settle())
+  {
+    return false;
+  }
+  this->Target.Prepare(this->Window, this->Width, this->Height, { this->Format, 0 });
+  vtkOpenGLState* state = this->Window->GetState();
+  if (this->Drawn)
+  {
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+  }
+  else
+  {
+    state->vtkglDisable(GL_BLEND);
+  }
+  this->Drawn = true;
+  return this->Target.Bind();
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSum::Lend(vtkGodRaysTarget& colors, const double tint[3], double viewScale)
+{
+  if (!this->IsEmpty() || viewScale < 1.0)
+  {
+    return this->Add(colors, tint, viewScale);
+  }
+  this->Lent = &colors;
+  std::copy_n(tint, 3, this->Tint);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSum::Add(vtkGodRaysTarget& colors, const double tint[3], double viewScale)
+{
+  vtkGodRaysBlendPass::Request request;
+  if (!this->Settle())
+  {
+    return false;
+  }
+  request.Accumulate = this->Drawn;
+  if (!this->BindToAdd())
+  {
+    return false;
+  }
+  request.Window = this->Window;
+  request.Viewport[2] = this->Width;
+  request.Viewport[3] = this->Height;
+  request.Rays = colors.GetColor();
+  request.Tint = colors.HasOneChannel() ? tint : nullptr;
+  request.ViewScale = viewScale;
+  request.LinearLight = false; // as it is
+  request.ShowRays = true;
+  return this->Adding->Draw(request);
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSum::Settle()
+{
+  vtkGodRaysTarget* lent = this->Lent;
+  this->Lent = nullptr;
+  return !lent || this->Add(*lent, this->Tint, 1.0);
+}
+
+//------------------------------------------------------------------------------
+vtkTextureObject* vtkGodRaysSum::GetTexture() const
+{
+  return this->Lent ? this->Lent->GetColor() : this->Drawn ? this->Target.GetColor() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+const double* vtkGodRaysSum::GetTint() const
+{
+  return this->Lent && this->Lent->HasOneChannel() ? this->Tint : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSum::Download(vtkImageData* image)
+{
+  if (this->IsEmpty())
+  {
+    return false;
+  }
+  (this->Lent ? *this->Lent : this->Target).Download(image, this->Tint);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSum::Release(vtkWindow* window)
+{
+  this->Target.Release(window);
+  this->Adding->ReleaseGraphicsResources(window);
+  this->Drawn = false;
+  this->Lent = nullptr;
+}

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysSum
+ * @brief   the light scattered towards the eye by all lights of a frame; private to this module
+ *
+ * Integrators draw into it (BindToAdd()), or hand over a texture that they filled themselves (Lend()).
+ * The one texture of a single light is used as it is, without another copy of the picture.
+ */
+
+#ifndef vtkGodRaysSum_h
+#define vtkGodRaysSum_h
+
+#include "vtkGodRaysTarget.h"
+
+class vtkGodRaysBlendPass;
+class vtkImageData;
+class vtkOpenGLRenderWindow;
+class vtkWindow;
+
+class vtkGodRaysSum
+{
+public:
+  vtkGodRaysSum();
+  ~vtkGodRaysSum();
+  vtkGodRaysSum(const vtkGodRaysSum&) = delete;
+  void operator=(const vtkGodRaysSum&) = delete;
+
+  /**
+   * Start a frame with no light: width and height of the picture [pixels], GL_RGBA16F or GL_RGBA32F.
+   */
+  void Begin(vtkOpenGLRenderWindow* window, int width, int height, unsigned int format);
+
+  /**
+   * Make the sum the framebuffer drawn into, with blending set so that what is drawn over the whole
+   * of it is added. The caller keeps and restores the former state. Returns false when the driver
+   * refuses.
+   */
+  bool BindToAdd();
+
+  ///@{
+  /**
+   * Add colours that cover the picture, or a larger layer of whose width and height the picture is
+   * a fraction, about its centre. One channel counts times the tint, which otherwise is not read.
+   * Lent colours are read until Settle() or the next frame's Begin(); before then the lender must
+   * not change them. Returns false, after an error, if that failed.
+   */
+  bool Add(vtkGodRaysTarget& colors, const double tint[3], double viewScale);
+  bool Lend(vtkGodRaysTarget& colors, const double tint[3], double viewScale);
+  bool Settle();
+  ///@}
+
+  int GetWidth() const { return this->Width; }
+  int GetHeight() const { return this->Height; }
+  unsigned int GetFormat() const { return this->Format; }
+  bool IsEmpty() const { return !this->Drawn && !this->Lent; }
+
+  ///@{
+  /**
+   * What there is: a texture, of one channel times a tint if that is not null; null without light.
+   */
+  vtkTextureObject* GetTexture() const;
+  const double* GetTint() const;
+  ///@}
+
+  /**
+   * Copy it into an image of three 32-bit floats a pixel; waits for the drawing. False, and the image
+   * is left alone, without light.
+   */
+  bool Download(vtkImageData* image);
+
+  void Release(vtkWindow* window);
+
+private:
+  vtkGodRaysTarget Target;
+  vtkSmartPointer<vtkGodRaysBlendPass> Adding;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  int Width = 0;
+  int Height = 0;
+  unsigned int Format = 0;
+  bool Drawn = false;
+  vtkGodRaysTarget* Lent = nullptr;
+  double Tint[3] = { 1.0, 1.0, 1.0 };
+};
+
+#endif
