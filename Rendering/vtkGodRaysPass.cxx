@@ -3,6 +3,7 @@
 #include "vtkGodRaysPass.h"
 
 #include "vtkGodRaysBlendPass.h"
+#include "vtkGodRaysEpipolarIntegrator.h"
 #include "vtkGodRaysFramebuffer.h"
 #include "vtkGodRaysIntegrator.h"
 #include "vtkGodRaysOcclusionPass.h"
@@ -11,7 +12,6 @@
 #include "vtkGodRaysSetGet.h"
 #include "vtkGodRaysSourceFinder.h"
 #include "vtkGodRaysSum.h"
-#include "vtkGodRaysTapsIntegrator.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysTimers.h"
 #include "vtkImageData.h"
@@ -229,7 +229,7 @@ void vtkGodRaysPass::SetIntegrator(vtkGodRaysIntegrator* integrator)
   this->Internal->Integrator = integrator;
   if (!integrator)
   {
-    this->Internal->Integrator = vtkSmartPointer<vtkGodRaysTapsIntegrator>::New();
+    this->Internal->Integrator = vtkSmartPointer<vtkGodRaysEpipolarIntegrator>::New();
   }
   this->Modified();
 }

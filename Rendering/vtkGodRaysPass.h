@@ -33,7 +33,7 @@
  * Setting the environment variable GODRAYS_DISABLE to anything but 0 draws every scene straight
  * through, to compare a picture with and without rays.
  *
- * @sa vtkGodRaysRadialModel vtkGodRaysTapsIntegrator vtkImageProcessingPass
+ * @sa vtkGodRaysRadialModel vtkGodRaysEpipolarIntegrator vtkImageProcessingPass
  */
 
 #ifndef vtkGodRaysPass_h
@@ -116,7 +116,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how the sum is evaluated. Null restores the default, a vtkGodRaysTapsIntegrator.
+   * Set/Get how the sum is evaluated. Null restores the default, a
+   * vtkGodRaysEpipolarIntegrator.
    */
   void SetIntegrator(vtkGodRaysIntegrator* integrator);
   vtkGodRaysIntegrator* GetIntegrator();

@@ -5,11 +5,11 @@
 // and the same picture without rays, which must not pass. Compiled once for each example, with
 // EXAMPLE_SOURCE and EXAMPLE_NAME.
 
+#include "vtkGodRaysEpipolarIntegrator.h"
 #include "vtkGodRaysModel.h"
 #include "vtkGodRaysPass.h"
 #include "vtkGodRaysRadialModel.h"
 #include "vtkGodRaysSum.h"
-#include "vtkGodRaysTapsIntegrator.h"
 #include "vtkGodRaysTarget.h"
 
 #include "vtkImageData.h"
@@ -28,12 +28,12 @@ namespace
 int Checked = 0;
 double WorstError = 0.0;
 
-/// Compares each light that is scattered with the model's own evaluation in double precision.
-class CheckedIntegrator : public vtkGodRaysTapsIntegrator
+/// Compares each light that is scattered with the sum of 1000 taps in double precision.
+class CheckedIntegrator : public vtkGodRaysEpipolarIntegrator
 {
 public:
   static CheckedIntegrator* New();
-  vtkTypeMacro(CheckedIntegrator, vtkGodRaysTapsIntegrator);
+  vtkTypeMacro(CheckedIntegrator, vtkGodRaysEpipolarIntegrator);
 
   bool Integrate(const Request& request) override
   {
@@ -51,9 +51,9 @@ public:
     const int size[2] = { request.Result->GetWidth(), request.Result->GetHeight() };
     auto model = vtkGodRaysRadialModel::SafeDownCast(request.Model);
     model->Evaluate(
-      layer, request.LightClip, request.MarchScale, request.ViewScale, size, expected);
+      layer, request.LightClip, request.MarchScale, request.ViewScale, size, expected, 1000);
     double peak = 0.0;
-    double worst = 0.0;
+    double squares = 0.0;
     for (int i = 0; i < 3 * size[0] * size[1]; ++i)
     {
       // of the sum so far, since that is what is rounded to 16 bits
@@ -61,12 +61,12 @@ public:
         (hasLight ? static_cast<float*>(before->GetScalarPointer())[i] : 0.0f);
       const double got = static_cast<float*>(after->GetScalarPointer())[i];
       peak = std::max(peak, value);
-      worst = std::max(worst, std::abs(value - got));
+      squares += (value - got) * (value - got);
     }
     if (peak > 0.0)
     {
       ++Checked;
-      WorstError = std::max(WorstError, worst / peak);
+      WorstError = std::max(WorstError, std::sqrt(squares / (3.0 * size[0] * size[1])) / peak);
     }
     return true;
   }
@@ -149,8 +149,9 @@ int main(int argc, char* argv[])
 
   const int status = Run(picture);
   const int difference = GetDifference(picture, baseline);
-  std::cout << EXAMPLE_NAME << ": " << Checked << " layers checked, largest error " << WorstError
-            << " of the peak; picture within " << difference << " levels of its baseline\n";
+  std::cout << EXAMPLE_NAME << ": " << Checked << " layers checked, root mean square error "
+            << WorstError << " of the peak; picture within " << difference
+            << " levels of its baseline\n";
 
   setenv("GODRAYS_DISABLE", "1", 1);
   Run(picture + ".without-rays.png");

@@ -3,6 +3,7 @@
 #include "GodRaysTesting.h"
 
 #include "vtkGodRaysRadialModel.h"
+#include "vtkGodRaysTapsIntegrator.h"
 
 #include "vtkCamera.h"
 #include "vtkCubeSource.h"
@@ -290,6 +291,12 @@ std::array<double, 3> GetClip(vtkRenderer* renderer, std::array<double, 4> world
   }
   const double tangent = std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
   return { x / (tangent * aspect), y / tangent, z };
+}
+
+//------------------------------------------------------------------------------
+void SumTaps(vtkGodRaysPass* rays)
+{
+  rays->SetIntegrator(vtkSmartPointer<vtkGodRaysTapsIntegrator>::New());
 }
 
 //------------------------------------------------------------------------------

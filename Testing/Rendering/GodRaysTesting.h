@@ -94,6 +94,9 @@ double GetMean(vtkImageData* image);
 /// camera's parameters rather than by the pass.
 std::array<double, 3> GetClip(vtkRenderer* renderer, std::array<double, 4> world);
 
+/// Sum the taps of the model, as vtkGodRaysRadialModel::Evaluate() does, rather than their limit.
+void SumTaps(vtkGodRaysPass* rays);
+
 /// Largest difference between the light scattered on the graphics card in the last frame and the
 /// model's evaluation in double precision of the occlusion layer read back, as a fraction of the
 /// peak; for one light, of which clip is GetClip(). Fails the test when there were no rays.

@@ -93,7 +93,7 @@ Pictures Render(const std::function<void(Pass*)>& set = [](Pass*) {})
     (within ? pictures.LitWithin : pictures.Lit) = GetPixels(scene.Window);
     EXPECT_EQ(within ? pictures.LitWithin : pictures.Lit, GetPixels(scene.Window))
       << "the second frame differs";
-    EXPECT_NE(scene.Rays->GetPlan().find("scattering: taps"), std::string::npos)
+    EXPECT_NE(scene.Rays->GetPlan().find("scattering: epipolar"), std::string::npos)
       << scene.Rays->GetPlan();
     scene.Rays->SetIntensity(0.0);
     (within ? pictures.BareWithin : pictures.Bare) = GetPixels(scene.Window);

@@ -326,6 +326,7 @@ TEST_F(GodRaysOcclusionLamps, FadeAsTheirCentrePassesBehindTheCamera)
 
 TEST_F(GodRaysOcclusionLamps, EachHasItsOwnCentre)
 {
+  SumTaps(this->Rays);
   // without anything that blocks, the rays of each lamp are rotationally symmetric about it, and
   // go through nothing but its own disc: the model's sum about its own centre
   auto left = this->AddLamp({ -2.0, 0.5, 0.0 }, 0.4, { 1.0, 0.0, 0.0 });

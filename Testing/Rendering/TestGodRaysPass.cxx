@@ -150,7 +150,7 @@ TEST(GodRaysPassParameters, AreAllPrinted)
   for (const char* name :
     { "Intensity", "ErrorTolerance", "ResolutionScale", "UntaggedPropsOcclude", "SourceRadius",
       "SunAngularRadius", "BackgroundGlow:", "BackgroundGlowRadius", "BackgroundGlowFalloff",
-      "LayerMargin", "Blend", "Output", "Precision", "MeasureTimes", "Density", "NumberOfTaps" })
+      "LayerMargin", "Blend", "Output", "Precision", "MeasureTimes", "Density", "VerifyPixels" })
   {
     EXPECT_TRUE(Says(text.str(), name)) << name;
   }
@@ -169,7 +169,7 @@ TEST(GodRaysPassParameters, DefaultObjectsComeBackWithNull)
   rays->SetModel(nullptr);
   rays->SetIntegrator(nullptr);
   EXPECT_TRUE(rays->GetModel()->IsA("vtkGodRaysRadialModel"));
-  EXPECT_TRUE(rays->GetIntegrator()->IsA("vtkGodRaysTapsIntegrator"));
+  EXPECT_TRUE(rays->GetIntegrator()->IsA("vtkGodRaysEpipolarIntegrator"));
 }
 
 /// Frames without rays have the bytes of frames without the pass, and the plan gives the reason.

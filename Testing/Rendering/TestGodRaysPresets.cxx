@@ -165,6 +165,7 @@ TEST_P(GodRaysPresets, LookAsTheyShould)
   const std::string preset = vtkGodRaysRadialModel::GetPresetName(this->GetParam());
   const std::string baseline = "Preset-" + preset;
   vtkGodRaysPass* rays = this->Scene.Rays;
+  SumTaps(rays);
   rays->SetIntensity(GetIntensity(preset));
   rays->SetSunAngularRadius(1.5);
   rays->SetBackgroundGlow(0.15);

@@ -265,6 +265,7 @@ TEST(GodRaysSweeps, ALightBesideAndBehindIsMarchedToAsAPointMovesTowardsIt)
   // the sun's mirror image when the sun is behind the camera.
   Messages messages;
   SmallStage scene;
+  SumTaps(scene.Rays);
   scene.Renderer->GetActiveCamera()->SetViewAngle(120.0);
   scene.Rays->SetBackgroundGlowFalloff(90.0);
   auto sun = MakeSun({ 1.0, 0.0, 0.0 });

@@ -367,6 +367,8 @@ protected:
   Stage Scene;
   vtkGodRaysPass* Rays = Scene.Rays;
 
+  GodRaysTapsInScenes() { SumTaps(this->Rays); }
+
   vtkSmartPointer<vtkImageData> GetScattering()
   {
     this->Scene.Window->Render();

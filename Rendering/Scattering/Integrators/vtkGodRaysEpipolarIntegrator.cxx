@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysEpipolarIntegrator.h"
+
+#include "vtkGodRaysMath.h"
+#include "vtkGodRaysRadialModel.h"
+#include "vtkGodRaysScatteringFilter.h"
+#include "vtkGodRaysSum.h"
+#include "vtkGodRaysTapsIntegrator.h"
+#include "vtkGodRaysTarget.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkSMPTools.h"
+#include "vtk_glew.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkGodRaysEpipolarIntegrator);
+
+namespace
+{
+vtkGodRaysRadialModel* GetInvariant(vtkGodRaysModel* model)
+{
+  auto radial = vtkGodRaysRadialModel::SafeDownCast(model);
+  const bool invariant = radial && radial->GetFormulation() == vtkGodRaysRadialModel::INVARIANT;
+  return invariant ? radial : nullptr;
+}
+
+/// Whether OpenGL runs on the processor; its context is current.
+bool IsSoftware()
+{
+  const auto name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string renderer = name ? name : "";
+  for (const char* software : { "llvmpipe", "softpipe", "swrast", "Software Rasterizer", "SWR",
+         "SwiftShader", "GDI Generic" })
+  {
+    if (renderer.find(software) != std::string::npos)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+//------------------------------------------------------------------------------
+struct vtkGodRaysEpipolarIntegrator::Internals
+{
+  vtkNew<vtkGodRaysTapsIntegrator> Taps;
+  vtkNew<vtkGodRaysScatteringFilter> Sweep;
+  vtkNew<vtkImageData> Layer;
+  vtkGodRaysTarget Rays[2];                // of one channel, and of three
+  vtkOpenGLRenderWindow* Window = nullptr; // that Software is known of
+  vtkMTimeType ContextTime = 0;
+  bool Software = false;
+
+  bool UsesProcessor(int backend, vtkOpenGLRenderWindow* window)
+  {
+    if (this->Window != window || this->ContextTime != window->GetContextCreationTime())
+    {
+      this->Window = window;
+      this->ContextTime = window->GetContextCreationTime();
+      this->Software = IsSoftware();
+    }
+    return backend == PROCESSOR || (backend == AUTOMATIC && this->Software);
+  }
+
+  bool IntegrateOnProcessor(const Request& request, vtkGodRaysRadialModel* model);
+};
+
+namespace
+{
+/// What a picture holds before and after the light of a layer was added to it, against that light.
+struct Verification
+{
+  double RootMeanSquare = 0.0; // [fraction of the brightest]
+  double Largest = 0.0;
+
+  void Measure(const vtkGodRaysIntegrator::Request& request, vtkGodRaysRadialModel* model,
+    vtkImageData* before, int pixels);
+};
+
+void Verification::Measure(const vtkGodRaysIntegrator::Request& request,
+  vtkGodRaysRadialModel* model, vtkImageData* before, int pixels)
+{
+  const int taps = 2048;
+  vtkNew<vtkImageData> after;
+  vtkNew<vtkImageData> layer;
+  if (!request.Result->Download(after))
+  {
+    return;
+  }
+  request.Layer->Download(layer, request.Color);
+  const vtkGodRays::ImageLayer light = { static_cast<const float*>(layer->GetScalarPointer()),
+    request.Layer->GetWidth(), request.Layer->GetHeight(), vtkGodRays::BORDER_ZERO };
+  const float* values = static_cast<const float*>(after->GetScalarPointer());
+  const float* former = before->GetNumberOfPoints() > 0
+    ? static_cast<const float*>(before->GetScalarPointer())
+    : nullptr;
+  const int width = request.Result->GetWidth();
+  const int height = request.Result->GetHeight();
+  std::vector<vtkGodRays::TapSum> passes;
+  model->GetTapSums(passes, taps);
+  const vtkGodRays::Vec3 clip(request.LightClip[0], request.LightClip[1], request.LightClip[2]);
+
+  std::mt19937 generator(5489); // the same pixels every time
+  std::vector<int> places;
+  for (int i = 0; i < pixels; ++i)
+  {
+    places.push_back(static_cast<int>(generator() % (static_cast<unsigned int>(width) * height)));
+  }
+  std::vector<double> errors(places.size(), 0.0); // of the worst channel
+  vtkSMPTools::For(0, pixels,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const vtkGodRays::Vec2 picture(
+          (places[i] % width + 0.5) / width, (places[i] / width + 0.5) / height);
+        const vtkGodRays::Vec2 uv = 0.5 + (picture - 0.5) * request.ViewScale;
+        const vtkGodRays::Vec3 exact = vtkGodRays::SumTaps(
+          light, passes[0], uv, vtkGodRays::MarchVector(clip, 2.0 * uv - 1.0, request.MarchScale));
+        for (int c = 0; c < 3; ++c)
+        {
+          const std::size_t at = 3 * static_cast<std::size_t>(places[i]) + c;
+          const double got = values[at] - (former ? former[at] : 0.0f);
+          errors[i] = std::max(errors[i], std::abs(got - exact[c]));
+        }
+      }
+    });
+
+  double brightest = 0.0;
+  for (std::size_t i = 0; i < 3 * static_cast<std::size_t>(width) * height; ++i)
+  {
+    brightest = std::max(brightest, values[i] - (former ? former[i] : 0.0));
+  }
+  double squares = 0.0;
+  for (double error : errors)
+  {
+    squares += error * error;
+    this->Largest = std::max(this->Largest, error);
+  }
+  const double scale = brightest > 0.0 ? 1.0 / brightest : 1.0;
+  this->RootMeanSquare = std::sqrt(squares / pixels) * scale;
+  this->Largest *= scale;
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysEpipolarIntegrator::Internals::IntegrateOnProcessor(
+  const Request& request, vtkGodRaysRadialModel* model)
+{
+  const bool oneColor = request.Layer->HasOneChannel();
+  const int components = oneColor ? 1 : 3;
+  const int width = request.Layer->GetWidth();
+  const int height = request.Layer->GetHeight();
+  this->Layer->SetDimensions(width, height, 1);
+  this->Layer->AllocateScalars(VTK_FLOAT, components);
+  request.Layer->Read(oneColor ? GL_RED : GL_RGB, GL_FLOAT, this->Layer->GetScalarPointer(), 0);
+  this->Layer->Modified();
+
+  vtkGodRaysScatteringFilter* sweep = this->Sweep;
+  sweep->SetInputData(this->Layer);
+  sweep->SetDensity(model->GetDensity());
+  sweep->SetDecay(model->GetDecay());
+  sweep->SetWeight(model->GetWeight());
+  sweep->SetExposure(model->GetExposure());
+  sweep->SetNumberOfSamples(model->GetNumberOfSamples());
+  sweep->SetLightClip(request.LightClip);
+  sweep->SetMarchScale(request.MarchScale);
+  sweep->SetErrorTolerance(request.ErrorTolerance);
+  sweep->Update();
+
+  if (!request.Result->Settle()) // what is lent may be these rays, of another light
+  {
+    return false;
+  }
+  vtkGodRaysTarget& rays = this->Rays[oneColor ? 0 : 1];
+  rays.Prepare(request.Window, width, height,
+    { static_cast<unsigned int>(oneColor ? GL_R32F : GL_RGBA32F), 0 });
+  rays.Write(oneColor ? GL_RED : GL_RGB, GL_FLOAT, sweep->GetOutput()->GetScalarPointer());
+  return request.Result->Lend(rays, request.Color, request.ViewScale);
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysEpipolarIntegrator::vtkGodRaysEpipolarIntegrator()
+  : Internal(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysEpipolarIntegrator::~vtkGodRaysEpipolarIntegrator() = default;
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysEpipolarIntegrator::Supports(vtkGodRaysModel* model)
+{
+  return vtkGodRaysRadialModel::SafeDownCast(model) != nullptr;
+}
+
+//------------------------------------------------------------------------------
+unsigned int vtkGodRaysEpipolarIntegrator::GetOneColorFormat(
+  vtkOpenGLRenderWindow* window, vtkGodRaysModel* model, unsigned int precision)
+{
+  if (!GetInvariant(model))
+  {
+    return 0;
+  }
+  const bool processor = this->Internal->UsesProcessor(this->Backend, window);
+  return processor || precision == GL_RGBA32F ? GL_R32F : GL_R16F; // nothing to convert
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysEpipolarIntegrator::Integrate(const Request& request)
+{
+  Internals& self = *this->Internal;
+  vtkGodRaysRadialModel* model = GetInvariant(request.Model);
+  const bool isFirst = request.Result->IsEmpty();
+  if (isFirst)
+  {
+    this->ErrorEstimate = -1.0;
+    this->LargestVerifiedError = -1.0;
+  }
+  if (!model)
+  {
+    return self.Taps->Integrate(request);
+  }
+  vtkNew<vtkImageData> before;
+  if (this->VerifyPixels > 0 && !isFirst)
+  {
+    request.Result->Download(before);
+  }
+  if (!self.IntegrateOnProcessor(request, model))
+  {
+    return false;
+  }
+  if (this->VerifyPixels > 0)
+  {
+    Verification verification;
+    verification.Measure(request, model, before, this->VerifyPixels);
+    this->ErrorEstimate = std::max(this->ErrorEstimate, verification.RootMeanSquare);
+    this->LargestVerifiedError = std::max(this->LargestVerifiedError, verification.Largest);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysEpipolarIntegrator::Describe(vtkGodRaysModel* model, double resolutionScale)
+{
+  if (!GetInvariant(model))
+  {
+    return this->Internal->Taps->Describe(model, resolutionScale) + ", as published";
+  }
+  return "epipolar, on the processor: " + this->Internal->Sweep->GetPlan();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysEpipolarIntegrator::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internal->Taps->ReleaseGraphicsResources(window);
+  this->Internal->Rays[0].Release(window);
+  this->Internal->Rays[1].Release(window);
+  this->Internal->Window = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysEpipolarIntegrator::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Backend: " << this->Backend << "\n";
+  os << indent << "VerifyPixels: " << this->VerifyPixels << "\n";
+  os << indent << "ErrorEstimate: " << this->ErrorEstimate << "\n";
+  os << indent << "LargestVerifiedError: " << this->LargestVerifiedError << "\n";
+}

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysEpipolarIntegrator
+ * @brief   the converged radial sum, at a cost that does not depend on the number of samples
+ *
+ * The default. Evaluates the limit that the INVARIANT formulation of vtkGodRaysRadialModel has for
+ * ever more taps, along the lines through the light (epipolar lines), to the pass's ErrorTolerance:
+ * root mean square error over the picture, as a fraction of the brightest ray. Documentation/Accuracy.md
+ * has its derivation and what was measured. Two back ends give the same numbers within the tolerance:
+ *
+ * - PROCESSOR: running sums along the lines (vtkGodRaysScatteringFilter), on all threads of
+ *   vtkSMPTools. The layer is read back and the result uploaded: for software OpenGL, where both are
+ *   copies in memory.
+ * - GRAPHICS: means of the layer over blocks of each line times a matrix of the kernel, in three
+ *   passes of fragment shaders, OpenGL 3.2.
+ *
+ * The parity formulations have no limit that their authors meant: they are evaluated tap by tap, as
+ * published, by a vtkGodRaysTapsIntegrator. ResolutionScale of the pass has a meaning only for these.
+ *
+ * @sa vtkGodRaysPass vtkGodRaysTapsIntegrator vtkGodRaysScatteringFilter
+ */
+
+#ifndef vtkGodRaysEpipolarIntegrator_h
+#define vtkGodRaysEpipolarIntegrator_h
+
+#include "vtkGodRaysIntegrator.h"
+#include "vtkGodRaysRenderingModule.h" // For export macro
+
+#include <memory> // For std::unique_ptr
+
+class VTKGODRAYSRENDERING_EXPORT vtkGodRaysEpipolarIntegrator : public vtkGodRaysIntegrator
+{
+public:
+  static vtkGodRaysEpipolarIntegrator* New();
+  vtkTypeMacro(vtkGodRaysEpipolarIntegrator, vtkGodRaysIntegrator);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Where the integral is evaluated.
+  enum BackendType
+  {
+    AUTOMATIC = 0, ///< PROCESSOR where OpenGL is software, GRAPHICS elsewhere
+    PROCESSOR = 1, ///< sector sweep by vtkSMPTools
+    GRAPHICS = 2   ///< block means in fragment shaders
+  };
+
+  ///@{
+  /**
+   * Set/Get where the integral is evaluated, one of BackendType. Default is AUTOMATIC.
+   */
+  vtkSetClampMacro(Backend, int, AUTOMATIC, GRAPHICS);
+  vtkGetMacro(Backend, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get at how many pixels of each frame, chosen at random but the same every time, the result
+   * is compared with the sum of 2048 taps in double precision, see GetErrorEstimate() [no unit].
+   * 0 does not. It costs some 0.1 ms a pixel and, with the GRAPHICS back end, reading the result.
+   * Valid range: [0, 1000000]. Default is 0.
+   */
+  vtkSetClampMacro(VerifyPixels, int, 0, 1000000);
+  vtkGetMacro(VerifyPixels, int);
+  ///@}
+
+  ///@{
+  /**
+   * The root mean square, and the largest, error at the VerifyPixels pixels of the last frame, of
+   * its worst light [fraction of that light's brightest ray]; -1 when none were compared. With n
+   * pixels, at most a fraction ln(1/p)/n of the picture exceeds the largest one, with probability
+   * 1 - p.
+   */
+  vtkGetMacro(ErrorEstimate, double);
+  vtkGetMacro(LargestVerifiedError, double);
+  ///@}
+
+  bool Supports(vtkGodRaysModel* model) override;
+  VTK_WRAPEXCLUDE unsigned int GetOneColorFormat(
+    vtkOpenGLRenderWindow* window, vtkGodRaysModel* model, unsigned int precision) override;
+  VTK_WRAPEXCLUDE bool Integrate(const Request& request) override;
+  std::string Describe(vtkGodRaysModel* model, double resolutionScale) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkGodRaysEpipolarIntegrator();
+  ~vtkGodRaysEpipolarIntegrator() override;
+
+private:
+  vtkGodRaysEpipolarIntegrator(const vtkGodRaysEpipolarIntegrator&) = delete;
+  void operator=(const vtkGodRaysEpipolarIntegrator&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+
+  int Backend = AUTOMATIC;
+  int VerifyPixels = 0;
+  double ErrorEstimate = -1.0;
+  double LargestVerifiedError = -1.0;
+};
+
+#endif
