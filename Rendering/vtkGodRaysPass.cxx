@@ -256,6 +256,7 @@ bool vtkGodRaysPass::ApplyPreset(const char* name)
 //------------------------------------------------------------------------------
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, Intensity, 0.0, 1e4);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, ErrorTolerance, 1e-6, 0.1);
+vtkGodRaysSetFiniteMacro(vtkGodRaysPass, InteractiveErrorTolerance, 1e-6, 0.1);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, ResolutionScale, 0.125, 1.0);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, SourceRadius, 0.0, 1e30);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, SunAngularRadius, 0.01, 90.0);
@@ -645,7 +646,10 @@ bool vtkGodRaysPass::Scatter(const vtkGodRaysView& view, const vtkGodRaysSource&
   request.ViewScale = view.ViewScale;
   request.Peak = source.Prop ? 1.0 : *std::max_element(source.Color, source.Color + 3);
   request.ResolutionScale = this->ResolutionScale;
-  request.ErrorTolerance = this->ErrorTolerance;
+  const bool interactive = self.Window->GetDesiredUpdateRate() >= 1.0;
+  request.ErrorTolerance = interactive
+    ? std::max(this->ErrorTolerance, this->InteractiveErrorTolerance)
+    : this->ErrorTolerance;
   request.Result = &self.Scattering;
   return self.Integrator->Integrate(request);
 }
@@ -783,6 +787,7 @@ void vtkGodRaysPass::PrintSelf(ostream& os, vtkIndent indent)
   const vtkIndent next = indent.GetNextIndent();
   os << indent << "Intensity: " << this->Intensity << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
+  os << indent << "InteractiveErrorTolerance: " << this->InteractiveErrorTolerance << "\n";
   os << indent << "ResolutionScale: " << this->ResolutionScale << "\n";
   os << indent << "UntaggedPropsOcclude: " << (this->UntaggedPropsOcclude ? "on" : "off") << "\n";
   os << indent << "SourceRadius: " << this->SourceRadius << "\n";

@@ -151,6 +151,17 @@ public:
 
   ///@{
   /**
+   * Set/Get the error that the rays may have while the user drags the camera, if it is more than
+   * ErrorTolerance [no unit]. That is so while the window's desired update rate is 1 frame a second
+   * or more, as interactors set it. A still picture does not depend on it. Valid range: [1e-6, 0.1].
+   * Default is 0.01.
+   */
+  void SetInteractiveErrorTolerance(double tolerance);
+  vtkGetMacro(InteractiveErrorTolerance, double);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the size of the picture on which rays are evaluated, as a fraction of the viewport's
    * [no unit]. Below 1 the result is interpolated where it is smooth and evaluated anew, at full
    * size, where neighbours differ by more than ErrorTolerance. Parity formulations of more than
@@ -359,6 +370,7 @@ private:
 
   double Intensity = 1.0;
   double ErrorTolerance = 1.0 / 255.0;
+  double InteractiveErrorTolerance = 0.01;
   double ResolutionScale = 1.0;
   bool UntaggedPropsOcclude = true;
   double SourceRadius = 0.0;

@@ -13,18 +13,19 @@ uniform sampler2D rays;
 uniform float intensity;
 uniform float sceneGain;
 uniform vec3 tint;        // of rays of one channel
-uniform float viewScale;  // fraction of the rays' size that is shown
+uniform float viewScale;  // fraction of the rays' size that is shown, if they are resized
 
 //VTK::GodRays::Terms
 // linearLight: whether rays are linear light, or shown values as the scene's colours
 // screen: SCREEN rather than ADD
-// showRays: the rays alone, of whatever size
+// showRays: the rays alone
+// resized: they are not as large as the viewport
 // oneChannel: the rays are one value a pixel, in red, times the tint
 
 void main()
 {
   ivec2 pixel = ivec2(texCoord * vec2(textureSize(rays, 0))); // as large as the scene
-  vec4 ray = showRays ? texture(rays, 0.5 + (texCoord - 0.5) * viewScale) : texelFetch(rays, pixel, 0);
+  vec4 ray = resized ? texture(rays, 0.5 + (texCoord - 0.5) * viewScale) : texelFetch(rays, pixel, 0);
   vec3 light = intensity * (oneChannel ? ray.r * tint : ray.rgb);
   if (showRays)
   {

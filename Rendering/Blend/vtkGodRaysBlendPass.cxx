@@ -31,9 +31,12 @@ vtkGodRaysBlendPass::~vtkGodRaysBlendPass() = default;
 //------------------------------------------------------------------------------
 bool vtkGodRaysBlendPass::Draw(const Request& request)
 {
+  const bool resized = static_cast<int>(request.Rays->GetWidth()) != request.Viewport[2] ||
+    static_cast<int>(request.Rays->GetHeight()) != request.Viewport[3];
   vtkShaderProgram* program = this->Internal->Quad.Begin(request.Window,
     { { "linearLight", request.LinearLight }, { "screen", request.Screen && !request.ShowRays },
-      { "showRays", request.ShowRays }, { "oneChannel", request.Tint != nullptr } });
+      { "showRays", request.ShowRays }, { "resized", resized },
+      { "oneChannel", request.Tint != nullptr } });
   if (!program)
   {
     return false;

@@ -300,7 +300,16 @@ void SumTaps(vtkGodRaysPass* rays)
 }
 
 //------------------------------------------------------------------------------
-double GetErrorOfScattering(vtkGodRaysPass* rays, vtkRenderer* renderer, std::array<double, 3> clip)
+namespace
+{
+/// Differences between the light of the last frame and the model's sum of taps, of the peak.
+struct Error
+{
+  double RootMeanSquare = 1e30;
+  double Largest = 1e30;
+};
+
+Error GetError(vtkGodRaysPass* rays, vtkRenderer* renderer, std::array<double, 3> clip, int taps)
 {
   auto model = vtkGodRaysRadialModel::SafeDownCast(rays->GetModel());
   vtkNew<vtkImageData> layer;
@@ -309,7 +318,7 @@ double GetErrorOfScattering(vtkGodRaysPass* rays, vtkRenderer* renderer, std::ar
   if (!model || !rays->GetOcclusionImage(layer) || !rays->GetScatteringImage(result))
   {
     ADD_FAILURE() << "no rays: " << rays->GetPlan();
-    return 1e30;
+    return {};
   }
   const double viewScale = 1.0 / (1.0 + 2.0 * rays->GetLayerMargin());
   clip[0] *= viewScale;
@@ -332,9 +341,10 @@ double GetErrorOfScattering(vtkGodRaysPass* rays, vtkRenderer* renderer, std::ar
   const double scale = cap / std::max(reach, cap * std::abs(distance));
   const int* size = result->GetDimensions();
   const int outputSize[2] = { size[0], size[1] };
-  EXPECT_TRUE(model->Evaluate(layer, clip.data(), scale, viewScale, outputSize, reference));
+  EXPECT_TRUE(model->Evaluate(layer, clip.data(), scale, viewScale, outputSize, reference, taps));
   double peak = 0.0;
   double worst = 0.0;
+  double squares = 0.0;
   for (int y = 0; y < size[1]; ++y)
   {
     for (int x = 0; x < size[0]; ++x)
@@ -343,12 +353,68 @@ double GetErrorOfScattering(vtkGodRaysPass* rays, vtkRenderer* renderer, std::ar
       {
         const double expected = GetValue(reference, x, y, c);
         peak = std::max(peak, std::abs(expected));
-        worst = std::max(worst, std::abs(expected - GetValue(result, x, y, c)));
+        const double error = std::abs(expected - GetValue(result, x, y, c));
+        worst = std::max(worst, std::isfinite(error) ? error : 1e30);
+        squares += error * error;
       }
     }
   }
   EXPECT_GT(peak, 0.0) << "the reference has no light at all: " << rays->GetPlan();
-  return worst / peak;
+  return { std::sqrt(squares / (3.0 * size[0] * size[1])) / peak, worst / peak };
+}
+}
+
+double GetErrorOfScattering(vtkGodRaysPass* rays, vtkRenderer* renderer, std::array<double, 3> clip)
+{
+  return GetError(rays, renderer, clip, 0).Largest;
+}
+
+//------------------------------------------------------------------------------
+double GetErrorOfLimit(vtkGodRaysPass* rays, vtkRenderer* renderer, std::array<double, 3> clip)
+{
+  return GetError(rays, renderer, clip, 2048).RootMeanSquare;
+}
+
+//------------------------------------------------------------------------------
+void ForEachLight(
+  Stage& scene, const std::function<void(const std::string&, std::array<double, 4>)>& visit)
+{
+  vtkGodRaysPass* rays = scene.Rays;
+  auto sun = scene.AddPillarsAndSun();
+  visit("sun", { 0.3, 0.2, -1.0, 0.0 });
+
+  rays->SetLayerMargin(0.25);
+  visit("sun_margin", { 0.3, 0.2, -1.0, 0.0 });
+  rays->SetLayerMargin(0.0);
+
+  sun->SetPosition(0.6, 0.3, -1.0);
+  visit("sun_off_screen", { 0.6, 0.3, -1.0, 0.0 });
+  sun->SetPosition(1.0, 0.1, 0.05); // just behind the camera, glowing from the side
+  rays->SetBackgroundGlowFalloff(120.0);
+  visit("sun_behind", { 1.0, 0.1, 0.05, 0.0 });
+  rays->SetBackgroundGlowFalloff(25.0);
+
+  rays->RemoveAllLights();
+  auto lamp = MakeLamplight({ 0.6, 0.4, -3.0 });
+  rays->AddLight(lamp);
+  rays->SetSourceRadius(0.5);
+  visit("light", { 0.6, 0.4, -3.0, 1.0 });
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  scene.Renderer->GetActiveCamera()->SetParallelScale(3.0);
+  visit("light_parallel", { 0.6, 0.4, -3.0, 1.0 });
+  rays->RemoveAllLights();
+  rays->AddLight(sun);
+  sun->SetPosition(0.1, 0.05, -1.0);
+  visit("sun_parallel", { 0.1, 0.05, -1.0, 0.0 });
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOff();
+
+  rays->RemoveAllLights();
+  auto prop = MakeLamp({ -0.7, -0.4, -2.0 }, 0.5, { 1.0, 0.8, 0.4 });
+  vtkGodRaysPass::SetRole(prop, vtkGodRaysPass::LIGHT);
+  scene.Renderer->AddActor(prop);
+  visit("lamp", { -0.7, -0.4, -2.0, 1.0 });
+  rays->SetLayerMargin(0.25);
+  visit("lamp_margin", { -0.7, -0.4, -2.0, 1.0 });
 }
 
 //------------------------------------------------------------------------------

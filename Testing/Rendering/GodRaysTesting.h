@@ -19,6 +19,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -102,6 +103,14 @@ void SumTaps(vtkGodRaysPass* rays);
 /// peak; for one light, of which clip is GetClip(). Fails the test when there were no rays.
 double GetErrorOfScattering(
   vtkGodRaysPass* rays, vtkRenderer* renderer, std::array<double, 3> clip);
+
+/// The same as root mean square over the picture, and against 2048 taps: against the limit.
+double GetErrorOfLimit(vtkGodRaysPass* rays, vtkRenderer* renderer, std::array<double, 3> clip);
+
+/// Visit lights of all kinds in a scene: before and behind the camera, off screen, parallel views,
+/// lamps, margins. The function gets a name and the light's world position or direction.
+void ForEachLight(
+  Stage& scene, const std::function<void(const std::string&, std::array<double, 4>)>& visit);
 
 /// Compare the window with Testing/Baseline/<name>.png: VTK's own regression test, and every pixel
 /// within so many levels of 255. Writes what it got when that fails. Returns whether it is alike;

@@ -123,6 +123,7 @@ TEST(GodRaysPassParameters, AreClampedAndRefuseNaN)
     now)
   CHECK(Intensity, 0.0, 1e4, 1.0);
   CHECK(ErrorTolerance, 1e-6, 0.1, 1.0 / 255.0);
+  CHECK(InteractiveErrorTolerance, 1e-6, 0.1, 0.01);
   CHECK(ResolutionScale, 0.125, 1.0, 1.0);
   CHECK(SourceRadius, 0.0, 1e30, 0.0);
   CHECK(SunAngularRadius, 0.01, 90.0, 0.2678);
@@ -147,10 +148,10 @@ TEST(GodRaysPassParameters, AreAllPrinted)
   vtkNew<vtkGodRaysPass> rays;
   std::ostringstream text;
   rays->Print(text);
-  for (const char* name :
-    { "Intensity", "ErrorTolerance", "ResolutionScale", "UntaggedPropsOcclude", "SourceRadius",
-      "SunAngularRadius", "BackgroundGlow:", "BackgroundGlowRadius", "BackgroundGlowFalloff",
-      "LayerMargin", "Blend", "Output", "Precision", "MeasureTimes", "Density", "VerifyPixels" })
+  for (const char* name : { "Intensity", "ErrorTolerance", "InteractiveErrorTolerance",
+         "ResolutionScale", "UntaggedPropsOcclude", "SourceRadius", "SunAngularRadius",
+         "BackgroundGlow:", "BackgroundGlowRadius", "BackgroundGlowFalloff", "LayerMargin", "Blend",
+         "Output", "Precision", "MeasureTimes", "Density", "VerifyPixels" })
   {
     EXPECT_TRUE(Says(text.str(), name)) << name;
   }

@@ -397,41 +397,9 @@ protected:
 
 TEST_F(GodRaysTapsInScenes, EqualTheSumInDoublePrecision)
 {
-  auto sun = this->Scene.AddPillarsAndSun();
-  this->ExpectAccurate("sun", { 0.3, 0.2, -1.0, 0.0 });
-
-  this->Rays->SetLayerMargin(0.25);
-  this->ExpectAccurate("sun_margin", { 0.3, 0.2, -1.0, 0.0 });
-  this->Rays->SetLayerMargin(0.0);
-
-  sun->SetPosition(0.6, 0.3, -1.0);
-  this->ExpectAccurate("sun_off_screen", { 0.6, 0.3, -1.0, 0.0 });
-  sun->SetPosition(1.0, 0.1, 0.05); // just behind the camera, glowing from the side
-  this->Rays->SetBackgroundGlowFalloff(120.0);
-  this->ExpectAccurate("sun_behind", { 1.0, 0.1, 0.05, 0.0 });
-  this->Rays->SetBackgroundGlowFalloff(25.0);
-
-  this->Rays->RemoveAllLights();
-  auto lamp = MakeLamplight({ 0.6, 0.4, -3.0 });
-  this->Rays->AddLight(lamp);
-  this->Rays->SetSourceRadius(0.5);
-  this->ExpectAccurate("light", { 0.6, 0.4, -3.0, 1.0 });
-  this->Scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
-  this->Scene.Renderer->GetActiveCamera()->SetParallelScale(3.0);
-  this->ExpectAccurate("light_parallel", { 0.6, 0.4, -3.0, 1.0 });
-  this->Rays->RemoveAllLights();
-  this->Rays->AddLight(sun);
-  sun->SetPosition(0.1, 0.05, -1.0);
-  this->ExpectAccurate("sun_parallel", { 0.1, 0.05, -1.0, 0.0 });
-  this->Scene.Renderer->GetActiveCamera()->ParallelProjectionOff();
-
-  this->Rays->RemoveAllLights();
-  auto prop = MakeLamp({ -0.7, -0.4, -2.0 }, 0.5, { 1.0, 0.8, 0.4 });
-  vtkGodRaysPass::SetRole(prop, vtkGodRaysPass::LIGHT);
-  this->Scene.Renderer->AddActor(prop);
-  this->ExpectAccurate("lamp", { -0.7, -0.4, -2.0, 1.0 });
-  this->Rays->SetLayerMargin(0.25);
-  this->ExpectAccurate("lamp_margin", { -0.7, -0.4, -2.0, 1.0 });
+  ForEachLight(this->Scene,
+    [this](const std::string& name, std::array<double, 4> world)
+    { this->ExpectAccurate(name, world); });
 }
 
 TEST_F(GodRaysTapsInScenes, PublishedFormulationsAreExactInScenesToo)
