@@ -42,14 +42,13 @@
 namespace vtkGodRays
 {
 /**
- * The pixels of one component: finite, not negative, scaled by 2^-20 so that sums of the largest
- * floats stay finite. Zeros surround them.
+ * The pixels of one component: finite, not negative, their sums finite. Zeros surround them.
  */
 struct SweepImage
 {
   static constexpr int Padding = 32; ///< columns on each side; below are 2 rows and above 6
-  static constexpr float Scale = 1.0f / 1048576.0f;
 
+  float Scale = 1.0f; ///< a power of 2 that the values have been multiplied by
   int Width = 0;
   int Height = 0;
   std::ptrdiff_t Stride = 0;

@@ -210,7 +210,7 @@ public:
     , Image(image)
     , Result(result)
     , Gain(static_cast<float>(
-        plan.March.Gain / MeanKernel(plan.March.K) / static_cast<double>(SweepImage::Scale)))
+        plan.March.Gain / MeanKernel(plan.March.K) / static_cast<double>(image.Scale)))
     , Last(band + 1 == wedge.Bands)
     , First(band == 0)
     , LowSlope(wedge.FirstSlope + band * wedge.BandWidth)
@@ -909,7 +909,7 @@ void RunTaps(const SweepMarch& march, const SweepImage& image, double tolerance,
   const double k = march.K;
   const float origin = k < 0.0 ? 1.0f : 0.0f; // of t, so that the weights are at most 1
   const double mean = std::abs(k) < 1e-12 ? 1.0 : k < 0.0 ? std::expm1(k) / k : -std::expm1(-k) / k;
-  const double gain = march.Gain / mean / static_cast<double>(SweepImage::Scale);
+  const double gain = march.Gain / mean / static_cast<double>(image.Scale);
   // Beyond it is nothing of importance.
   const double reach = std::min(1.0, std::log(100.0 / tolerance) / std::max(k, 1e-300));
   const Float rate = hn::Set(d, static_cast<float>(-k));
@@ -956,13 +956,13 @@ void RunTaps(const SweepMarch& march, const SweepImage& image, double tolerance,
 
 //------------------------------------------------------------------------------
 // NaN and negative numbers become 0, infinity the largest float.
-void LoadFloats(const float* pixels, int step, int count, float* row)
+void LoadFloats(const float* pixels, int step, int count, float scale, float* row)
 {
   const FloatTag d;
   const int lanes = GetLanes();
   const Float zero = hn::Zero(d);
   const Float largest = hn::Set(d, LargestFloat);
-  const Float scale = hn::Set(d, SweepImage::Scale);
+  const Float factor = hn::Set(d, scale);
   int i = 0;
   if (step == 1)
   {
@@ -970,13 +970,13 @@ void LoadFloats(const float* pixels, int step, int count, float* row)
     {
       const Float value = hn::LoadU(d, pixels + i);
       const Float positive = hn::IfThenElse(hn::Gt(value, zero), value, zero);
-      hn::StoreU(hn::Min(positive, largest) * scale, d, row + i);
+      hn::StoreU(hn::Min(positive, largest) * factor, d, row + i);
     }
   }
   for (; i < count; ++i)
   {
     const float value = pixels[static_cast<std::ptrdiff_t>(i) * step];
-    row[i] = (value > 0.0f ? std::min(value, LargestFloat) : 0.0f) * SweepImage::Scale;
+    row[i] = (value > 0.0f ? std::min(value, LargestFloat) : 0.0f) * scale;
   }
 }
 }
@@ -1005,30 +1005,30 @@ void SumClippedTaps(const SweepMarch& march, const SweepImage& image, double tol
 }
 
 //------------------------------------------------------------------------------
-void LoadPixels(const float* pixels, int step, int count, float* row)
+void LoadPixels(const float* pixels, int step, int count, float scale, float* row)
 {
-  HWY_DYNAMIC_DISPATCH(LoadFloats)(pixels, step, count, row);
+  HWY_DYNAMIC_DISPATCH(LoadFloats)(pixels, step, count, scale, row);
 }
 
 //------------------------------------------------------------------------------
-void LoadPixels(const unsigned char* pixels, int step, int count, float* row)
+void LoadPixels(const unsigned char* pixels, int step, int count, float scale, float* row)
 {
-  const float scale = SweepImage::Scale / 255.0f;
+  const float factor = scale / 255.0f;
   for (int i = 0; i < count; ++i)
   {
-    row[i] = scale * pixels[static_cast<std::ptrdiff_t>(i) * step];
+    row[i] = factor * pixels[static_cast<std::ptrdiff_t>(i) * step];
   }
 }
 
 //------------------------------------------------------------------------------
-void LoadPixels(const double* pixels, int step, int count, float* row)
+void LoadPixels(const double* pixels, int step, int count, float scale, float* row)
 {
   const double largest = std::numeric_limits<float>::max();
   for (int i = 0; i < count; ++i)
   {
     const double value = pixels[static_cast<std::ptrdiff_t>(i) * step];
     row[i] = static_cast<float>(
-      (value > 0.0 ? std::min(value, largest) : 0.0) * static_cast<double>(SweepImage::Scale));
+      (value > 0.0 ? std::min(value, largest) : 0.0) * static_cast<double>(scale));
   }
 }
 

@@ -39,10 +39,10 @@ void SumClippedTaps(const SweepMarch& march, const SweepImage& image, double tol
   int first, int last, const SweepResult& result);
 
 ///@{
-/// One row of one component, sanitised and scaled.
-void LoadPixels(const unsigned char* pixels, int step, int count, float* row);
-void LoadPixels(const float* pixels, int step, int count, float* row);
-void LoadPixels(const double* pixels, int step, int count, float* row);
+/// One row of one component, sanitised, times scale.
+void LoadPixels(const unsigned char* pixels, int step, int count, float scale, float* row);
+void LoadPixels(const float* pixels, int step, int count, float scale, float* row);
+void LoadPixels(const double* pixels, int step, int count, float scale, float* row);
 ///@}
 
 ///@{

@@ -1,0 +1,496 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysRadialSweep.h"
+
+#include "vtkGodRaysMath.h"
+#include "vtkGodRaysSectorSweep.h"
+#include "vtkGodRaysSweepKernels.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <sstream>
+#include <vector>
+
+namespace
+{
+using vtkGodRays::SweepEffort;
+using vtkGodRays::SweepImage;
+using vtkGodRays::SweepMarch;
+using vtkGodRays::SweepPlan;
+using vtkGodRays::SweepResult;
+using vtkGodRays::SweepWedge;
+using vtkGodRays::SweepWorkspace;
+using Parameters = vtkGodRaysRadialSweep::Parameters;
+
+// Below these the sweep is not faster, or not as accurate, as taps.
+constexpr double ShortestMarch = 8.0; // [pixels]
+constexpr int SmallestImage = 32;     // [pixels]
+
+// Sums of the largest floats stay finite.
+constexpr float ScaleOfFloats = 1.0f / 1048576.0f;
+
+//------------------------------------------------------------------------------
+// What the parameters mean in pixels. An infinite k, no march: the pixel itself, times Gain.
+SweepMarch MakeMarch(const Parameters& parameters, int width, int height)
+{
+  const double logarithm = std::log(parameters.Decay);
+  const int n = parameters.NumberOfSamples;
+  const double samples = logarithm == 0.0 ? n : std::expm1(n * logarithm) / std::expm1(logarithm);
+  const double* light = parameters.LightClip;
+  const vtkGodRays::Vec3 lightClip(light[0], light[1], light[2]);
+  const double size[2] = { static_cast<double>(width), static_cast<double>(height) };
+
+  SweepMarch march;
+  march.Gain = parameters.Exposure * parameters.Weight * samples;
+  march.K = -n * logarithm;
+  // The march is linear in the pixel: known from that at the picture's centre, where ndc is 0.
+  const vtkGodRays::Vec2 center =
+    vtkGodRays::MarchVector(lightClip, vtkGodRays::Vec2(0.0), parameters.MarchScale);
+  march.Slope = parameters.Density * parameters.MarchScale * light[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    march.Constant[i] =
+      parameters.Density * center[i] * size[i] + march.Slope * 0.5 * (size[i] - 1.0);
+  }
+  return march;
+}
+
+//------------------------------------------------------------------------------
+// What each effort attains on black and white noise from pixel to pixel: root mean square error
+// [fraction of the peak] times the root of the number of pixels that are summed. Measured; see
+// Documentation/Accuracy.md.
+struct EffortRow
+{
+  double Error;
+  double Spacing;
+  double SubrowReach;
+};
+constexpr double EverywhereSubrows = 1e9;
+const EffortRow Efforts[] = {
+  { 0.077, 1.0, 32.0 },
+  { 0.058, 0.85, 32.0 },
+  { 0.041, 0.7, 32.0 },
+  { 0.031, 0.5, 32.0 },
+  { 0.0235, 0.5, 96.0 },
+  { 0.017, 1.0 / 3.0, 96.0 },
+  { 0.0098, 1.0 / 3.0, EverywhereSubrows },
+  { 0.0063, 1.0 / 4.0, EverywhereSubrows },
+  { 0.0038, 1.0 / 6.0, EverywhereSubrows },
+};
+
+//------------------------------------------------------------------------------
+// How many pixels are summed, in the mean [pixels]. Steep kernels sum fewer.
+double EstimateSummedPixels(const SweepMarch& march, int width, int height)
+{
+  double sum = 0.0;
+  const double points[5][2] = { { 0.5, 0.5 }, { 0, 0 }, { 1, 0 }, { 0, 1 }, { 1, 1 } };
+  for (const double* point : points)
+  {
+    sum += std::hypot(march.Constant[0] - march.Slope * point[0] * (width - 1),
+      march.Constant[1] - march.Slope * point[1] * (height - 1));
+  }
+  const double length = std::min(0.2 * sum, 0.4 * std::sqrt(static_cast<double>(width) * height));
+  return std::max(1.0, length / std::sqrt(std::max(1.0, std::abs(march.K))));
+}
+
+//------------------------------------------------------------------------------
+// From 1 for a light in the picture to 4 for parallel rays, whose lines come no closer together
+// away from where they are farthest apart.
+double EstimateParallelism(const SweepMarch& march, int width, int height)
+{
+  const double size[2] = { static_cast<double>(width), static_cast<double>(height) };
+  double nearest = 0.0;
+  double farthest = 0.0;
+  for (int i = 0; i < 2; ++i)
+  {
+    const double low = march.Constant[i];
+    const double high = march.Constant[i] - march.Slope * (size[i] - 1.0);
+    nearest = std::max(nearest, low * high > 0.0 ? std::min(std::abs(low), std::abs(high)) : 0.0);
+    farthest = std::max({ farthest, std::abs(low), std::abs(high) });
+  }
+  return 1.0 + (farthest > 0.0 ? 3.0 * nearest / farthest : 0.0);
+}
+
+//------------------------------------------------------------------------------
+// The least effort that keeps the tolerance; false if none does.
+bool ChooseEffort(
+  double tolerance, const SweepMarch& march, int width, int height, SweepEffort& effort)
+{
+  effort.FitTolerance = 0.4 * tolerance;
+  effort.TapTolerance = tolerance;
+  const double parallelism = EstimateParallelism(march, width, height);
+  // A kernel that grows gives the far end of the march more weight, where errors are as large.
+  const double growth = std::exp(0.5 * std::min(std::max(-march.K, 0.0), 4.0));
+  const double scale = growth * parallelism / std::sqrt(EstimateSummedPixels(march, width, height));
+  for (const EffortRow& row : Efforts)
+  {
+    // Parallel lines a whole fraction of a pixel apart can meet the centres of all pixels.
+    effort.Spacing = parallelism > 2.0 ? 1.0 / std::ceil(1.0 / row.Spacing - 1e-6) : row.Spacing;
+    effort.SubrowReach = row.SubrowReach;
+    if (row.Error * scale <= tolerance)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+// Run function(0) ... function(count - 1) on all threads, each once.
+template <typename Function>
+void RunTasks(vtkIdType count, vtkIdType grain, const Function& function)
+{
+  vtkSMPTools::For(0, count, grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        function(static_cast<int>(i));
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+// The same in at most so many steps, before each of which the monitor is asked.
+template <typename Function>
+bool RunSteps(
+  int count, int steps, const vtkGodRaysRadialSweep::Monitor& monitor, const Function& function)
+{
+  steps = monitor ? std::max(1, std::min(steps, count)) : 1;
+  for (int i = 0; i < steps; ++i)
+  {
+    if (monitor && !monitor(static_cast<double>(i) / steps))
+    {
+      return false;
+    }
+    const int first = static_cast<int>(static_cast<std::int64_t>(count) * i / steps);
+    const int end = static_cast<int>(static_cast<std::int64_t>(count) * (i + 1) / steps);
+    RunTasks(end - first, 1, [&](int task) { function(first + task); });
+  }
+  return true;
+}
+}
+
+//------------------------------------------------------------------------------
+// The work, and the memory that it needs again.
+class vtkGodRaysRadialSweep::vtkInternals
+{
+public:
+  Planes PrepareInput(int width, int height, int components)
+  {
+    this->Planned = this->Planned && width == this->Plan.Width && height == this->Plan.Height;
+    this->Plan.Width = width;
+    this->Plan.Height = height;
+    this->Components = components;
+    Planes planes;
+    for (int c = 0; c < components; ++c)
+    {
+      this->Images[c].Resize(width, height);
+      this->Images[c].Scale = 1.0f;
+      planes.Values[c] = this->Images[c].GetRow(0);
+      planes.Stride = this->Images[c].Stride;
+    }
+    return planes;
+  }
+
+  // scale: so that sums of the largest values stay finite.
+  template <typename Scalar>
+  void LoadInput(const Scalar* pixels, int width, int height, int components, float scale)
+  {
+    this->PrepareInput(width, height, components);
+    for (int c = 0; c < components; ++c)
+    {
+      this->Images[c].Scale = scale;
+    }
+    RunTasks(height, 8,
+      [&](int y)
+      {
+        const Scalar* row = pixels + static_cast<std::ptrdiff_t>(y) * width * components;
+        for (int c = 0; c < components; ++c)
+        {
+          vtkGodRays::LoadPixels(row + c, components, width, scale, this->Images[c].GetRow(y));
+        }
+      });
+  }
+
+  bool Execute(const Parameters& parameters, const Monitor& monitor, int steps)
+  {
+    if (!this->Planned || parameters != this->PlannedParameters)
+    {
+      this->MakePlan(parameters);
+      this->PlannedParameters = parameters;
+      this->Planned = true;
+    }
+    this->PointAtResults();
+    if (!this->Sweeps)
+    {
+      return this->SumTaps(monitor, std::max(steps, 20));
+    }
+    if (!this->Sweep(monitor, steps))
+    {
+      return false;
+    }
+    this->SumTapsNearLight();
+    return true;
+  }
+
+  void SetResult(int component, float* values) { this->Places[component] = values; }
+
+  const float* GetResult(int component) const { return this->Targets[component].Values; }
+
+  std::string Describe() const;
+
+private:
+  void MakePlan(const Parameters& parameters)
+  {
+    this->Plan.March = MakeMarch(parameters, this->Plan.Width, this->Plan.Height);
+    this->IsKept = ChooseEffort(parameters.ErrorTolerance, this->Plan.March, this->Plan.Width,
+      this->Plan.Height, this->Plan.Effort);
+    this->Reason = "";
+    this->Plan.NumberOfWedges = 0;
+    if (std::isinf(this->Plan.March.K))
+    {
+      this->Reason = "decay 0 leaves the pixel itself";
+      this->Plan.March.K = 0.0;
+      this->Plan.March.Slope = this->Plan.March.Constant[0] = this->Plan.March.Constant[1] = 0.0;
+      this->Sweeps = false;
+    }
+    else
+    {
+      this->Sweeps = this->ChoosesSweep(parameters.Method);
+    }
+  }
+
+  bool ChoosesSweep(int method)
+  {
+    const int size = std::min(this->Plan.Width, this->Plan.Height);
+    if (method == TAPS)
+    {
+      this->Reason = "as asked for";
+      return false;
+    }
+    if (vtkGodRays::GetLongestMarch(this->Plan.March, this->Plan.Width, this->Plan.Height) <
+      ShortestMarch)
+    {
+      this->Reason = "the longest march is below 8 pixels";
+      return false;
+    }
+    if (method == AUTOMATIC && (size < SmallestImage || !this->IsKept))
+    {
+      this->Reason = this->IsKept ? "the image is small" : "the march is short for the tolerance";
+      return false;
+    }
+    return vtkGodRays::PlanSweep(this->Plan, this->Reason);
+  }
+
+  void PointAtResults()
+  {
+    const std::size_t pixels = static_cast<std::size_t>(this->Plan.Width) * this->Plan.Height;
+    for (int c = 0; c < this->Components; ++c)
+    {
+      if (!this->Places[c])
+      {
+        this->Results[c].resize(pixels);
+      }
+      float* values = this->Places[c] ? this->Places[c] : this->Results[c].data();
+      this->Targets[c] = { values, this->Plan.Width };
+    }
+  }
+
+  struct Task
+  {
+    const SweepWedge* Wedge;
+    int Band;
+    int Component;
+  };
+
+  // Each band of lines writes pixels of its own and has memory of its own.
+  bool Sweep(const Monitor& monitor, int steps)
+  {
+    this->Tasks.clear();
+    for (int i = 0; i < this->Plan.NumberOfWedges; ++i)
+    {
+      const SweepWedge& wedge = this->Plan.Wedges[i];
+      for (int band = 0; band < wedge.Bands; ++band)
+      {
+        for (int c = 0; c < this->Components; ++c)
+        {
+          this->Tasks.push_back({ &wedge, band, c });
+        }
+      }
+    }
+    if (this->Workspaces.size() < this->Tasks.size())
+    {
+      this->Workspaces.resize(this->Tasks.size());
+    }
+    return RunSteps(static_cast<int>(this->Tasks.size()), steps, monitor,
+      [this](int i)
+      {
+        const Task& task = this->Tasks[i];
+        vtkGodRays::SweepBand(this->Plan, *task.Wedge, task.Band, this->Images[task.Component],
+          this->Workspaces[i], this->Targets[task.Component]);
+      });
+  }
+
+  // The disc about the light where lines are too close together to matter.
+  void SumTapsNearLight()
+  {
+    const double* light = this->Plan.Light;
+    const double radius = this->Plan.NearRadius;
+    const int width = this->Plan.Width;
+    const double low = std::max(std::ceil(light[1] - radius), 0.0);
+    const double high = std::min(std::floor(light[1] + radius), this->Plan.Height - 1.0);
+    if (!(low <= high))
+    {
+      return;
+    }
+    const int first = static_cast<int>(low);
+    RunTasks(static_cast<vtkIdType>(high) - first + 1, 2,
+      [&](int i)
+      {
+        const int y = first + i;
+        const double reach =
+          std::sqrt(std::max(0.0, radius * radius - (y - light[1]) * (y - light[1])));
+        const double left = std::max(std::ceil(light[0] - reach), 0.0);
+        const double right = std::min(std::floor(light[0] + reach), width - 1.0);
+        if (left <= right)
+        {
+          this->SumTapsInRow(y, static_cast<int>(left), static_cast<int>(right));
+        }
+      });
+  }
+
+  bool SumTaps(const Monitor& monitor, int steps)
+  {
+    return RunSteps(this->Plan.Height, steps, monitor,
+      [this](int y) { this->SumTapsInRow(y, 0, this->Plan.Width - 1); });
+  }
+
+  void SumTapsInRow(int y, int first, int last)
+  {
+    for (int c = 0; c < this->Components; ++c)
+    {
+      vtkGodRays::SumClippedTaps(this->Plan.March, this->Images[c], this->Plan.Effort.TapTolerance,
+        y, first, last, this->Targets[c]);
+    }
+  }
+
+  SweepPlan Plan;
+  Parameters PlannedParameters;
+  bool Planned = false;
+  bool Sweeps = false;
+  bool IsKept = false; // the tolerance, by the sweep
+  const char* Reason = "";
+  int Components = 0;
+  SweepImage Images[MaximumComponents];
+  SweepResult Targets[MaximumComponents] = {};
+  float* Places[MaximumComponents] = {};
+  std::vector<float> Results[MaximumComponents];
+  std::vector<Task> Tasks;
+  std::vector<SweepWorkspace> Workspaces;
+};
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysRadialSweep::vtkInternals::Describe() const
+{
+  std::ostringstream text;
+  if (!this->Planned)
+  {
+    return "nothing has been computed";
+  }
+  const SweepEffort& effort = this->Plan.Effort;
+  text << this->Plan.Width << " x " << this->Plan.Height << " pixels, " << this->Components
+       << (this->Components == 1 ? " component: " : " components: ");
+  if (this->Plan.NumberOfWedges == 0)
+  {
+    text << "taps, because " << this->Reason;
+    return text.str();
+  }
+  int bands = 0;
+  bool tail = false;
+  for (int i = 0; i < this->Plan.NumberOfWedges; ++i)
+  {
+    bands += this->Plan.Wedges[i].Bands;
+    tail = tail || this->Plan.Wedges[i].HasTail;
+  }
+  text << "sweep " << (this->Plan.Density > 0.0 ? "away from" : "towards") << " the light, "
+       << this->Plan.Kernel.Count << " running sums (error of the kernel at most "
+       << this->Plan.Kernel.Bound << "), lines " << effort.Spacing << " pixels apart, "
+       << (effort.SubrowReach < EverywhereSubrows ? "rows near the light" : "all rows")
+       << " divided, taps within " << this->Plan.NearRadius << ", "
+       << (tail ? "history, " : "no history, ") << bands << " bands in "
+       << this->Plan.NumberOfWedges << " wedges";
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysRadialSweep::Parameters::operator==(const Parameters& other) const
+{
+  return this->Density == other.Density && this->Decay == other.Decay &&
+    this->Weight == other.Weight && this->Exposure == other.Exposure &&
+    this->NumberOfSamples == other.NumberOfSamples &&
+    std::equal(this->LightClip, this->LightClip + 3, other.LightClip) &&
+    this->MarchScale == other.MarchScale && this->ErrorTolerance == other.ErrorTolerance &&
+    this->Method == other.Method;
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysRadialSweep::vtkGodRaysRadialSweep()
+  : Internals(new vtkInternals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysRadialSweep::~vtkGodRaysRadialSweep() = default;
+
+//------------------------------------------------------------------------------
+vtkGodRaysRadialSweep::Planes vtkGodRaysRadialSweep::PrepareInput(
+  int width, int height, int components)
+{
+  return this->Internals->PrepareInput(width, height, components);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRadialSweep::LoadInput(
+  const unsigned char* pixels, int width, int height, int components)
+{
+  this->Internals->LoadInput(pixels, width, height, components, 1.0f);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRadialSweep::LoadInput(const float* pixels, int width, int height, int components)
+{
+  this->Internals->LoadInput(pixels, width, height, components, ScaleOfFloats);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRadialSweep::LoadInput(const double* pixels, int width, int height, int components)
+{
+  this->Internals->LoadInput(pixels, width, height, components, ScaleOfFloats);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRadialSweep::SetResult(int component, float* values)
+{
+  this->Internals->SetResult(component, values);
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysRadialSweep::Execute(const Parameters& parameters, const Monitor& monitor, int steps)
+{
+  return this->Internals->Execute(parameters, monitor, steps);
+}
+
+//------------------------------------------------------------------------------
+const float* vtkGodRaysRadialSweep::GetResult(int component) const
+{
+  return this->Internals->GetResult(component);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysRadialSweep::Describe() const
+{
+  return this->Internals->Describe();
+}
