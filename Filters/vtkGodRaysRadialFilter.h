@@ -70,9 +70,9 @@ public:
   ///@{
   /**
    * Set/Get the number of samples that Decay and Weight refer to [no unit]. It is no cost.
-   * Valid range: [1, 1024]. Default is 100.
+   * Valid range: [1, 10000]. Default is 100.
    */
-  vtkSetClampMacro(NumberOfSamples, int, 1, 1024);
+  vtkSetClampMacro(NumberOfSamples, int, 1, 10000);
   vtkGetMacro(NumberOfSamples, int);
   ///@}
 
@@ -124,6 +124,12 @@ protected:
    * Why an input cannot be used, and what to do; empty if it can.
    */
   static std::string FindFault(vtkImageData* input, vtkDataArray* scalars);
+
+  /**
+   * Tell the progress [fraction]; false if someone has told the filter to stop. On the thread that
+   * executes it only.
+   */
+  bool TellProgress(double progress);
 
   double Density = 0.97;
   double Decay = 0.98;

@@ -12,11 +12,11 @@
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 #include <type_traits>
@@ -296,26 +296,14 @@ void EvaluatePixel(const PaddedImage<Scalar>& image, const Sum& sum, int x, int 
     result, result + image.Components, result, [gain](double value) { return gain * value; });
 }
 
-//------------------------------------------------------------------------------
-// Whether someone has told the filter to stop. Newer VTKs are told so in turn, and pass it on.
-bool IsAborted(vtkAlgorithm* self)
-{
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111)
-  if (self->GetAbortExecute())
-  {
-    self->SetAbortOutput(true);
-  }
-  return self->CheckAbort();
-#else
-  return self->GetAbortExecute() != 0;
-#endif
-}
+// Told the progress; returns whether to go on.
+using Monitor = std::function<bool(double)>;
 
 //------------------------------------------------------------------------------
 // Evaluate the pixels of extent, which counts from the image's lower left pixel. In bands, so that
 // the calling thread, and it alone, tells of progress and can be told to stop; returns false then.
 template <typename Scalar, typename Result>
-bool Evaluate(vtkAlgorithm* self, const PaddedImage<Scalar>& image, const Sum& sum,
+bool Evaluate(const Monitor& monitor, const PaddedImage<Scalar>& image, const Sum& sum,
   const int extent[4], Result* results)
 {
   const vtkIdType columns = extent[1] - extent[0] + 1;
@@ -323,8 +311,7 @@ bool Evaluate(vtkAlgorithm* self, const PaddedImage<Scalar>& image, const Sum& s
   const vtkIdType band = std::max<vtkIdType>(count / 100, 256);
   for (vtkIdType first = 0; first < count; first += band)
   {
-    self->UpdateProgress(static_cast<double>(first) / count);
-    if (IsAborted(self))
+    if (!monitor(static_cast<double>(first) / count))
     {
       return false;
     }
@@ -345,16 +332,14 @@ bool Evaluate(vtkAlgorithm* self, const PaddedImage<Scalar>& image, const Sum& s
         }
       });
   }
-  self->UpdateProgress(1.0);
-  return true;
+  return monitor(1.0);
 }
 
 //------------------------------------------------------------------------------
 // The same for scalars whose types are known at run time only.
-bool Evaluate(vtkGodRaysReferenceFilter* self, vtkDataArray* scalars, const int size[2],
+bool Evaluate(const Monitor& monitor, const Sum& sum, vtkDataArray* scalars, const int size[2],
   const int extent[4], vtkDataArray* results)
 {
-  const Sum sum = MakeSum(self);
   const int components = scalars->GetNumberOfComponents();
   auto evaluate = [&](auto* pixels)
   {
@@ -362,8 +347,8 @@ bool Evaluate(vtkGodRaysReferenceFilter* self, vtkDataArray* scalars, const int 
     const PaddedImage<Scalar> image(pixels, size[0], size[1], components);
     void* values = results->GetVoidPointer(0);
     return results->GetDataType() == VTK_FLOAT
-      ? Evaluate(self, image, sum, extent, static_cast<float*>(values))
-      : Evaluate(self, image, sum, extent, static_cast<double*>(values));
+      ? Evaluate(monitor, image, sum, extent, static_cast<float*>(values))
+      : Evaluate(monitor, image, sum, extent, static_cast<double*>(values));
   };
   void* pixels = scalars->GetVoidPointer(0);
   switch (scalars->GetDataType())
@@ -461,7 +446,8 @@ int vtkGodRaysReferenceFilter::RequestData(
   const int size[2] = { whole[1] - whole[0] + 1, whole[3] - whole[2] + 1 };
   const int part[4] = { extent[0] - whole[0], extent[1] - whole[0], extent[2] - whole[2],
     extent[3] - whole[2] };
-  if (!Evaluate(this, scalars, size, part, results))
+  if (!Evaluate([this](double progress) { return this->TellProgress(progress); }, MakeSum(this),
+        scalars, size, part, results))
   {
     result->Initialize();
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysScatteringFilter.h"
 
+#include "vtkCommand.h"
 #include "vtkFloatArray.h"
 #include "vtkGodRaysRadialSweep.h"
 #include "vtkGodRaysSetGet.h"
@@ -36,19 +37,28 @@ static_assert(
 class vtkGodRaysScatteringFilter::vtkInternals
 {
 public:
+  static constexpr int MostSteps = 20;
+
   // Fills results from scalars, both of size[0] x size[1] pixels.
-  void Execute(vtkGodRaysScatteringFilter* filter, vtkDataArray* scalars, const int size[2],
+  // Returns false if it was told to stop.
+  bool Execute(vtkGodRaysScatteringFilter* filter, vtkDataArray* scalars, const int size[2],
     vtkFloatArray* results)
   {
     const int components = scalars->GetNumberOfComponents();
     this->Load(scalars, size, components);
     // One component is summed in place.
     this->Sweep.SetResult(0, components == 1 ? results->GetPointer(0) : nullptr);
-    this->Sweep.Execute(GetParameters(filter));
+    auto monitor = [filter](double progress) { return filter->TellProgress(progress); };
+    const int steps = filter->HasObserver(vtkCommand::ProgressEvent) ? MostSteps : 1;
+    if (!this->Sweep.Execute(GetParameters(filter), monitor, steps))
+    {
+      return false;
+    }
     if (components > 1)
     {
       this->Interleave(size, components, results->GetPointer(0));
     }
+    return filter->TellProgress(1.0);
   }
 
   // The memory of the results is used again if nobody else has it any more.
@@ -192,7 +202,13 @@ int vtkGodRaysScatteringFilter::RequestData(
   vtkFloatArray* results = this->Internals->GetResults(
     scalars->GetNumberOfComponents(), scalars->GetNumberOfTuples(), scalars->GetName());
   result->GetPointData()->SetScalars(results);
-  this->Internals->Execute(this, scalars, dimensions, results);
-  results->Modified();
+  if (this->Internals->Execute(this, scalars, dimensions, results))
+  {
+    results->Modified();
+  }
+  else
+  {
+    result->Initialize();
+  }
   return 1;
 }

@@ -31,7 +31,9 @@
  * do not depend on the number of threads. On processors with other vector instructions they differ
  * by less than 1e-6 of the peak.
  *
- * An input that cannot be used is one error that says what to do, and the output is empty.
+ * An input that cannot be used is one error that says what to do, and the output is empty. The
+ * output is empty, too, after AbortExecute, which is looked at whenever progress is told, on the
+ * calling thread: up to 20 times if there is an observer of ProgressEvent, or where taps are summed.
  * Memory is kept for the next execution; ReleaseMemory() frees it.
  *
  * @sa vtkGodRaysReferenceFilter vtkGodRaysRadialModel

@@ -51,6 +51,13 @@ HWY_INLINE int GetLanes()
 }
 
 //------------------------------------------------------------------------------
+// Infinity would make NaN of black.
+inline float ToFloat(double value)
+{
+  return static_cast<float>(std::min(value, static_cast<double>(LargestFloat)));
+}
+
+//------------------------------------------------------------------------------
 // c + a b and c - a b, rounded twice: the same on every processor. This file is compiled with
 // -ffp-contract=off, or compilers would join them where they can.
 HWY_INLINE Float AddProduct(Float a, Float b, Float c)
@@ -209,8 +216,7 @@ public:
     : Wedge(wedge)
     , Image(image)
     , Result(result)
-    , Gain(static_cast<float>(
-        plan.March.Gain / MeanKernel(plan.March.K) / static_cast<double>(image.Scale)))
+    , Gain(ToFloat(plan.March.Gain / MeanKernel(plan.March.K) / static_cast<double>(image.Scale)))
     , Last(band + 1 == wedge.Bands)
     , First(band == 0)
     , LowSlope(wedge.FirstSlope + band * wedge.BandWidth)
@@ -945,7 +951,7 @@ void RunTaps(const SweepMarch& march, const SweepImage& image, double tolerance,
         const Float sample = SampleImage(image, AddProduct(t, vx, px), AddProduct(t, vy, py));
         sum = AddProduct(weight, sample, sum);
       }
-      Float value = sum * step * sinhc * hn::Set(d, static_cast<float>(gain));
+      Float value = sum * step * sinhc * hn::Set(d, ToFloat(gain));
       value = hn::Max(hn::Min(value, hn::Set(d, LargestFloat)), hn::Zero(d));
       HWY_ALIGN float values[16];
       hn::Store(value, d, values);

@@ -377,8 +377,8 @@ TEST(ReferenceFilterPipeline, ParametersAreClampedAndNeverNaN)
   EXPECT_GT(filter->GetMTime(), before);
   filter->SetNumberOfSamples(0);
   EXPECT_EQ(filter->GetNumberOfSamples(), 1);
-  filter->SetNumberOfSamples(5000);
-  EXPECT_EQ(filter->GetNumberOfSamples(), 1024);
+  filter->SetNumberOfSamples(50000);
+  EXPECT_EQ(filter->GetNumberOfSamples(), 10000);
 }
 
 //------------------------------------------------------------------------------

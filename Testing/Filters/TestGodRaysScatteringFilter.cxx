@@ -382,8 +382,12 @@ TEST(GodRaysScatteringFilter, Decays)
   for (const double decay :
     { 0.0, 1e-300, 0.1, 0.5, 0.7, 0.9, 0.999999, 1.0, 1.000001, 1.01, 1.05 })
   {
-    for (const int samples : { 1, 100, 1024 })
+    for (const int samples : { 1, 100, 1024, 10000 })
     {
+      if (samples == 10000 && decay > 1.001)
+      {
+        continue; // no float is as large as G
+      }
       Parameters parameters;
       parameters.Decay = decay;
       parameters.Samples = samples;
@@ -772,6 +776,64 @@ TEST(GodRaysScatteringFilter, CostDoesNotDependOnSamples)
   Evaluate(parameters, picture, vtkGodRaysScatteringFilter::AUTOMATIC, &plans[1]);
   EXPECT_TRUE(IsSweep(plans[0]));
   EXPECT_EQ(plans[0].substr(0, 80), plans[1].substr(0, 80));
+}
+
+//------------------------------------------------------------------------------
+TEST(GodRaysScatteringFilter, TellsProgressAndStops)
+{
+  struct Watch
+  {
+    std::vector<double> Progress;
+    double StopAt = 2.0;
+  } watch;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&watch);
+  command->SetCallback(
+    [](vtkObject* caller, unsigned long, void* data, void*)
+    {
+      auto* filter = static_cast<vtkGodRaysScatteringFilter*>(caller);
+      auto* own = static_cast<Watch*>(data);
+      own->Progress.push_back(filter->GetProgress());
+      if (filter->GetProgress() >= own->StopAt)
+      {
+        filter->AbortExecuteOn();
+      }
+    });
+  const Picture pictures[] = { MakeTestPicture(1200, 700), MakeTestPicture(64, 48) };
+  const int methods[] = { vtkGodRaysScatteringFilter::SWEEP, vtkGodRaysScatteringFilter::TAPS };
+  for (int i = 0; i < 2; ++i)
+  {
+    vtkNew<vtkGodRaysScatteringFilter> filter;
+    ErrorListener errors(filter);
+    filter->SetMethod(methods[i]);
+    filter->SetInputData(MakeImage(pictures[i], VTK_FLOAT));
+    filter->Update();
+    const Picture expected = FromImage(filter->GetOutput());
+
+    filter->AddObserver(vtkCommand::ProgressEvent, command);
+    watch = {};
+    filter->Modified();
+    filter->Update();
+    EXPECT_GT(watch.Progress.size(), 8u);
+    EXPECT_TRUE(std::is_sorted(watch.Progress.begin(), watch.Progress.end()));
+    EXPECT_EQ(watch.Progress.back(), 1.0);
+    EXPECT_EQ(FromImage(filter->GetOutput()).Values, expected.Values);
+
+    watch = {};
+    watch.StopAt = 0.3;
+    filter->Modified();
+    filter->Update();
+    EXPECT_TRUE(std::none_of(watch.Progress.begin(), watch.Progress.end(),
+      [](double progress) { return progress > 0.45 && progress < 1.0; }));
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+
+    watch = {};
+    filter->AbortExecuteOff(); // VTK 9.1 does so by itself
+    filter->Modified();
+    filter->Update();
+    EXPECT_EQ(FromImage(filter->GetOutput()).Values, expected.Values);
+    EXPECT_TRUE(errors.Texts.empty());
+  }
 }
 
 //------------------------------------------------------------------------------
