@@ -325,12 +325,25 @@ private:
     {
       this->Workspaces.resize(this->Tasks.size());
     }
+    const int strips = this->Plan.NumberOfWedges * this->Components;
+    if (this->Axes.size() < static_cast<std::size_t>(strips))
+    {
+      this->Axes.resize(strips);
+    }
+    RunTasks(strips, 1,
+      [this](int i)
+      {
+        vtkGodRays::SweepAxis(this->Plan, this->Plan.Wedges[i / this->Components],
+          this->Images[i % this->Components], this->Axes[i]);
+      });
     return RunSteps(static_cast<int>(this->Tasks.size()), steps, monitor,
       [this](int i)
       {
         const Task& task = this->Tasks[i];
+        const std::ptrdiff_t wedge = task.Wedge - this->Plan.Wedges.data();
         vtkGodRays::SweepBand(this->Plan, *task.Wedge, task.Band, this->Images[task.Component],
-          this->Workspaces[i], this->Targets[task.Component]);
+          this->Axes[wedge * this->Components + task.Component], this->Workspaces[i],
+          this->Targets[task.Component]);
       });
   }
 
@@ -390,6 +403,7 @@ private:
   std::vector<float> Results[MaximumComponents];
   std::vector<Task> Tasks;
   std::vector<SweepWorkspace> Workspaces;
+  std::vector<SweepWorkspace> Axes; // of the axis strips
 };
 
 //------------------------------------------------------------------------------

@@ -21,6 +21,12 @@ constexpr double LinesOfBand = 384.0;
 // Octaves nearer to the light than this are not worth it [pixels].
 constexpr double ShortestOctave = 24.0;
 
+// The axis strip: pixels on either side in which it is needed, at most as many as it has, and its
+// lines' distance [pixels].
+constexpr double AxisReach = 2.0;
+constexpr double LargestAxisReach = 32.0;
+constexpr double AxisSpacing = 0.25;
+
 //------------------------------------------------------------------------------
 int RoundUp(int value, int multiple)
 {
@@ -103,6 +109,7 @@ public:
     this->Outward = this->Plan.Density > 0.0;
     this->MakeOctaves();
     this->MakeBands();
+    this->MakeAxis();
     this->MakeRows();
     this->MakeHistory();
     this->MakeFactors();
@@ -192,7 +199,36 @@ private:
     w.BandWidth = std::max(1.0, std::ceil((last - first) / w.Bands)) / this->Farthest;
     for (SweepOctave& octave : w.Octaves)
     {
+      octave.FirstSlope = -SweepWedge::Margin * octave.SlopeStep;
       octave.Lines = Ceil(w.BandWidth / octave.SlopeStep) + SweepWedge::Margin + 4;
+    }
+  }
+
+  // From the far end of an octave to its near one, a line of the strip moves by AxisReach pixels.
+  void MakeAxis()
+  {
+    SweepWedge& w = this->Wedge;
+    const SweepEffort& effort = this->Plan.Effort;
+    w.AxisOctaves.clear();
+    w.AxisPixels = 0;
+    if (!this->Outward || !effort.Axis || effort.Spacing <= AxisSpacing || w.LightColumn < -1.0 ||
+      w.LightColumn > w.Columns)
+    {
+      return;
+    }
+    double top = this->Farthest;
+    for (std::size_t i = 0; i < w.Octaves.size(); ++i, top *= 0.5)
+    {
+      const bool nearest = i + 1 == w.Octaves.size();
+      const double change = nearest ? std::min(0.5, 1.0 - this->Nearest / top) : 0.5;
+      const double reach = std::min(AxisReach / std::max(change, 1e-9), LargestAxisReach);
+      SweepOctave octave;
+      octave.HalfWidth = reach / top;
+      octave.SlopeStep = AxisSpacing / top;
+      octave.FirstSlope = -octave.HalfWidth - 3.0 * octave.SlopeStep;
+      octave.Lines = Ceil(2.0 * octave.HalfWidth / octave.SlopeStep) + 7;
+      w.AxisOctaves.push_back(octave);
+      w.AxisPixels = std::max(w.AxisPixels, 2 * Ceil(reach) + 2);
     }
   }
 
@@ -200,6 +236,7 @@ private:
   {
     SweepWedge& w = this->Wedge;
     w.Schedule.clear();
+    w.OutputRows = 0;
     w.FirstOutputRow = this->FirstRow;
     w.StartsAtLight = this->Outward && this->Entry == 0.0;
     const int rows = std::abs(this->LastRow - this->FirstRow) + 1;
@@ -229,6 +266,7 @@ private:
       if (row.Output)
       {
         row.Row = pixelRow;
+        row.OutputIndex = this->Wedge.OutputRows++;
       }
       else
       {
@@ -273,7 +311,8 @@ private:
     std::vector<double> distances;
     auto add = [&](int octave, double distance)
     {
-      const int stride = RoundUp(w.Octaves[octave].Lines, 16) + 64;
+      const int axisLines = w.AxisOctaves.empty() ? 0 : w.AxisOctaves[octave].Lines;
+      const int stride = RoundUp(std::max(w.Octaves[octave].Lines, axisLines), 16) + 64;
       w.HistoryOctaves.push_back(octave);
       w.HistoryOffsets.push_back(w.HistorySize);
       w.HistorySize += stride;
@@ -435,6 +474,10 @@ int SweepWedge::GetStride() const
 {
   int lines = 0;
   for (const SweepOctave& octave : this->Octaves)
+  {
+    lines = std::max(lines, octave.Lines);
+  }
+  for (const SweepOctave& octave : this->AxisOctaves)
   {
     lines = std::max(lines, octave.Lines);
   }

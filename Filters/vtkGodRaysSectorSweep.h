@@ -22,6 +22,13 @@
  * top/4, ... every second line is left out ("octaves"), and states are interpolated to the new
  * lines where a sweep away from the light passes from one octave to the next.
  *
+ * A row of pixels whose line passes the light within few pixels runs along one line of the fan, and
+ * so does all that it shows: what lies across it is as sharp after the sum as before, and lines a
+ * pixel apart are too few. The same holds for columns. So each wedge has an axis strip: a few pixels
+ * on either side of slope 0, a band by itself with lines a quarter of a pixel apart, which becomes
+ * narrower (in slopes) from octave to octave. It writes its pixels, and the bands take their states
+ * from it where they refine.
+ *
  * A line meets a row between two pixels, and from one row to the next it passes along both: exactly,
  * the integral weighs each row with a triangle of half width |slope| (h, with rows h apart) about
  * the meeting point. The rows are smoothed by that much, [c, 1 - 2 c, c] with c = (h slope)^2/12,
@@ -90,6 +97,7 @@ struct SweepEffort
   double TapTolerance = 1e-3;
   bool Smooth = true;
   bool Octaves = true;
+  bool Axis = true;
 };
 
 /**
@@ -104,6 +112,7 @@ struct SweepRow
   float Height = 1.0f;   ///< distance to the row before
   int Octave = 0;
   bool Output = false; ///< a row of pixels that is wanted
+  int OutputIndex = 0; ///< how many of them come before
   bool Refine = false; ///< first one of a finer octave
   int Store = -1;      ///< where in the history, if it is needed
   int RefineStore = -1;
@@ -117,8 +126,10 @@ struct SweepRow
 
 struct SweepOctave
 {
-  double SlopeStep = 0.0; ///< from one line to the next
-  int Lines = 0;          ///< of one band, with margins
+  double FirstSlope = 0.0; ///< of line 0; of a band: from the band's first slope on
+  double SlopeStep = 0.0;  ///< from one line to the next
+  int Lines = 0;           ///< of one band, with margins
+  double HalfWidth = 0.0;  ///< of the axis strip [slope]
 };
 
 struct SweepWedge
@@ -143,7 +154,10 @@ struct SweepWedge
   bool StartsAtLight = false;
   bool HasTail = false;
   bool Smooth = true;
-  std::vector<SweepOctave> Octaves; ///< 0 is the finest
+  std::vector<SweepOctave> Octaves;     ///< 0 is the finest
+  std::vector<SweepOctave> AxisOctaves; ///< of the axis strip; empty if there is none
+  int AxisPixels = 0;                   ///< of the strip in a row, at most
+  int OutputRows = 0;
   std::vector<SweepRow> Schedule;
   std::vector<int> HistoryOctaves;
   std::vector<std::ptrdiff_t> HistoryOffsets;
@@ -157,6 +171,9 @@ struct SweepWedge
  */
 struct SweepWorkspace
 {
+  std::vector<float> AxisStates; ///< what an axis strip leaves: the states before each refinement
+  std::vector<float> AxisPixels; ///< and its pixels, row by row
+  std::vector<int> AxisColumns;  ///< first and last one in each row
   std::vector<float> Lines;
   std::vector<float> Pixels;
   std::vector<float> Strips;

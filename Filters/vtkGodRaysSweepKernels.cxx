@@ -211,15 +211,20 @@ HWY_INLINE void Transpose4(
 class BandSweep
 {
 public:
+  // axis: what the strip has left, or null for the strip itself.
   BandSweep(const SweepPlan& plan, const SweepWedge& wedge, int band, const SweepImage& image,
-    SweepWorkspace& workspace, const SweepResult& result)
+    const SweepWorkspace* axis, SweepWorkspace& workspace, const SweepResult& result)
     : Wedge(wedge)
+    , Octaves(axis ? wedge.Octaves : wedge.AxisOctaves)
     , Image(image)
+    , Axis(wedge.AxisOctaves.empty() ? nullptr : axis)
+    , Workspace(workspace)
     , Result(result)
     , Gain(ToFloat(plan.March.Gain / MeanKernel(plan.March.K) / static_cast<double>(image.Scale)))
     , Last(band + 1 == wedge.Bands)
     , First(band == 0)
-    , LowSlope(wedge.FirstSlope + band * wedge.BandWidth)
+    , IsAxis(!axis)
+    , LowSlope(axis ? wedge.FirstSlope + band * wedge.BandWidth : 0.0)
     , HighSlope(wedge.FirstSlope + (band + 1) * wedge.BandWidth)
     , Stride(wedge.GetStride())
     , LightValue(static_cast<float>(image.Sample(plan.Light[0], plan.Light[1])))
@@ -276,6 +281,17 @@ private:
       std::fill_n(this->State[j], this->Stride, lit ? factor * this->LightValue : 0.0f);
       std::fill_n(this->Spare[j], this->Stride, 0.0f);
     }
+    if (this->IsAxis)
+    {
+      Resize(workspace.AxisStates, (powers + 1) * this->Octaves.size() * this->Stride);
+      Resize(workspace.AxisPixels,
+        static_cast<std::size_t>(this->Wedge.OutputRows) * this->Wedge.AxisPixels);
+      workspace.AxisColumns.resize(2 * static_cast<std::size_t>(this->Wedge.OutputRows));
+      for (std::size_t i = 0; i < workspace.AxisColumns.size(); ++i)
+      {
+        workspace.AxisColumns[i] = i % 2 ? -1 : 0;
+      }
+    }
     this->Sums = lines + (2 * powers + 2) * this->Stride;
     this->Tail = this->Sums + this->Stride;
     std::fill_n(this->Sums, 2 * this->Stride, 0.0f);
@@ -317,15 +333,12 @@ private:
   }
 
   // Slope of a band's line 0 in an octave.
-  double GetSlope(const SweepOctave& octave) const
-  {
-    return this->LowSlope - SweepWedge::Margin * octave.SlopeStep;
-  }
+  double GetSlope(const SweepOctave& octave) const { return this->LowSlope + octave.FirstSlope; }
 
   // The lines of the band that are over the image in a row, as whole groups; false if none.
   bool FindLines(const SweepRow& row)
   {
-    const SweepOctave& octave = this->Wedge.Octaves[row.Octave];
+    const SweepOctave& octave = this->Octaves[row.Octave];
     const double s = row.Distance;
     this->Position = this->Wedge.LightColumn + this->GetSlope(octave) * s;
     this->Step = octave.SlopeStep * s;
@@ -457,8 +470,9 @@ private:
     for (const int row : { strip * StripRows - 1, strip * StripRows + StripRows })
     {
       const double s = std::max(0.0, w.Direction * (row - w.LightRow));
-      low = std::min(low, w.LightColumn + this->LowSlope * s);
-      high = std::max(high, w.LightColumn + this->HighSlope * s);
+      const double width = this->IsAxis ? this->Wedge.AxisPixels / std::max(s, 1.0) : 0.0;
+      low = std::min(low, w.LightColumn + (this->IsAxis ? -width : this->LowSlope) * s);
+      high = std::max(high, w.LightColumn + (this->IsAxis ? width : this->HighSlope) * s);
     }
     first = static_cast<int>(std::max(low - margin, -1.0));
     last = static_cast<int>(std::min(high + margin, w.Columns + 1.0));
@@ -530,10 +544,19 @@ private:
     }
   }
 
-  // Where a line of one octave lies among those of a coarser one.
-  static double FindCoarse(int line, double ratio)
+  // Where lines of one octave lie among those of a coarser one: Start + Ratio line.
+  struct Map
   {
-    return SweepWedge::Margin + (line - SweepWedge::Margin) * ratio;
+    double Start;
+    double Ratio;
+
+    double Find(int line) const { return this->Start + this->Ratio * line; }
+  };
+  Map FindCoarse(int fine, int coarse) const
+  {
+    const SweepOctave& from = this->Octaves[fine];
+    const SweepOctave& to = this->Octaves[coarse];
+    return { (from.FirstSlope - to.FirstSlope) / to.SlopeStep, std::ldexp(1.0, fine - coarse) };
   }
 
   // The two rows of the history are blended where there are fewer lines: in their own octave.
@@ -543,9 +566,10 @@ private:
     const int lanes = GetLanes();
     const float* here = this->History + this->Wedge.HistoryOffsets[row.Tail];
     const float* next = this->History + this->Wedge.HistoryOffsets[row.Tail + 1];
-    const double ratio = std::ldexp(1.0, row.Octave - this->Wedge.HistoryOctaves[row.Tail]);
-    const int first = static_cast<int>(FindCoarse(this->FirstLine, ratio)) / Group * Group;
-    const int end = static_cast<int>(FindCoarse(this->EndLine, ratio)) + 2;
+    const Map coarse = this->FindCoarse(row.Octave, this->Wedge.HistoryOctaves[row.Tail]);
+    const float ratio = static_cast<float>(coarse.Ratio);
+    const int first = static_cast<int>(coarse.Find(this->FirstLine)) / Group * Group;
+    const int end = static_cast<int>(coarse.Find(this->EndLine)) + 2;
     const Float blend = hn::Set(d, row.TailBlend);
     const Float scale = hn::Set(d, row.TailScale);
     for (int l = first; l < end; l += lanes)
@@ -557,8 +581,7 @@ private:
     for (int l = this->FirstLine; l < this->EndLine; l += lanes)
     {
       const int lane = l % Group;
-      const Places places =
-        FindPlaces(FindCoarse(l - lane, ratio), static_cast<float>(ratio), lane, lanes - 1);
+      const Places places = FindPlaces(coarse.Find(l - lane), ratio, lane, lanes - 1);
       const Float tail = Read<1>(this->Tail, places);
       hn::StoreU(hn::LoadU(d, this->Sums + l) - tail, d, this->Sums + l);
     }
@@ -570,22 +593,60 @@ private:
   {
     const FloatTag d;
     const int lanes = GetLanes();
-    const double ratio = std::ldexp(1.0, row.Octave - previous.Octave);
-    const int lines = this->Wedge.Octaves[row.Octave].Lines;
+    const Map coarse = this->FindCoarse(row.Octave, previous.Octave);
+    const float ratio = static_cast<float>(coarse.Ratio);
+    const int lines = this->Octaves[row.Octave].Lines;
+    if (this->IsAxis)
+    {
+      for (int j = 0; j <= Powers; ++j)
+      {
+        std::copy_n(this->State[j], this->Stride, this->GetAxisState(previous.Octave, j));
+      }
+    }
     for (int j = 0; j <= Powers; ++j)
     {
       for (int l = 0; l < lines; l += lanes)
       {
         const int lane = l % Group;
-        const Places places =
-          FindPlaces(FindCoarse(l - lane, ratio), static_cast<float>(ratio), lane, lanes - 1);
+        const Places places = FindPlaces(coarse.Find(l - lane), ratio, lane, lanes - 1);
         hn::StoreU(ReadSmoothly<1>(this->State[j], places), d, this->Spare[j] + l);
       }
       std::swap(this->State[j], this->Spare[j]);
+      if (this->Axis)
+      {
+        this->TakeFromAxis(j, previous.Octave, row.Octave);
+      }
     }
     if (row.RefineStore >= 0)
     {
       this->StoreHistory<Powers>(row.RefineStore, previous.Distance, 0, lines);
+    }
+  }
+
+  // The strip's states before a refinement.
+  float* GetAxisState(int octave, int power) const
+  {
+    return this->Workspace.AxisStates.data() +
+      (static_cast<std::ptrdiff_t>(octave) * (this->Wedge.Powers + 1) + power) * this->Stride;
+  }
+
+  // The states of lines in the axis strip.
+  void TakeFromAxis(int power, int coarse, int fine)
+  {
+    const SweepOctave& axis = this->Wedge.AxisOctaves[coarse];
+    const SweepOctave& octave = this->Octaves[fine];
+    const double start = this->GetSlope(octave);
+    const double low = std::ceil((-axis.HalfWidth - start) / octave.SlopeStep);
+    const double high = std::floor((axis.HalfWidth - start) / octave.SlopeStep);
+    const float* states = this->Axis->AxisStates.data() +
+      (static_cast<std::ptrdiff_t>(coarse) * (this->Wedge.Powers + 1) + power) * this->Stride;
+    const int end = static_cast<int>(std::min(high, octave.Lines - 1.0));
+    for (int l = static_cast<int>(std::max(low, 0.0)); l <= end; ++l)
+    {
+      const double position = (start + l * octave.SlopeStep - axis.FirstSlope) / axis.SlopeStep;
+      const int left = static_cast<int>(position);
+      const float f = static_cast<float>(position - left);
+      this->State[power][l] = states[left] + f * (states[left + 1] - states[left]);
     }
   }
 
@@ -624,18 +685,59 @@ private:
     return std::min(std::max(value, low), high);
   }
 
+  // Pixels of the axis strip in a row.
+  void FindAxisPixels(const SweepRow& row, int& first, int& last) const
+  {
+    const double reach = this->Octaves[row.Octave].HalfWidth * row.Distance;
+    const double column = this->Wedge.LightColumn;
+    first = static_cast<int>(std::max(0.0, std::ceil(column - reach)));
+    last = static_cast<int>(std::min(this->Wedge.Columns - 1.0, std::floor(column + reach)));
+  }
+
+  // What the axis strip has found, instead.
+  void TakePixelsFromAxis(const SweepRow& row, int first, int last, float* to) const
+  {
+    const int* columns = this->Axis->AxisColumns.data() + 2 * row.OutputIndex;
+    const int begin = std::max(first, columns[0]);
+    const int end = std::min(last, columns[1]);
+    const float* from = this->Axis->AxisPixels.data() +
+      static_cast<std::ptrdiff_t>(row.OutputIndex) * this->Wedge.AxisPixels;
+    for (int x = begin; x <= end; ++x)
+    {
+      to[x - first] = from[x - columns[0]];
+    }
+  }
+
   void WriteRow(const SweepRow& row)
   {
     int first;
     int last;
-    this->FindPixels(row, first, last);
+    if (this->IsAxis)
+    {
+      this->FindAxisPixels(row, first, last);
+    }
+    else
+    {
+      this->FindPixels(row, first, last);
+    }
     if (first > last)
     {
       return;
     }
     const double position = (first - this->Position) / this->Step; // in lines
     const double step = 1.0 / this->Step;
-    float* to = this->GetOutput(row.Row, first, last);
+    float* to;
+    if (this->IsAxis)
+    {
+      this->Workspace.AxisColumns[2 * row.OutputIndex] = first;
+      this->Workspace.AxisColumns[2 * row.OutputIndex + 1] = last;
+      to = this->Workspace.AxisPixels.data() +
+        static_cast<std::ptrdiff_t>(row.OutputIndex) * this->Wedge.AxisPixels;
+    }
+    else
+    {
+      to = this->GetOutput(row.Row, first, last);
+    }
     const int lanes = GetLanes();
     if ((lanes - 1) * step + 1.0 < lanes)
     {
@@ -648,6 +750,10 @@ private:
     else
     {
       this->WritePixels<0>(position, step, std::numeric_limits<int>::max(), to, last - first + 1);
+    }
+    if (this->Axis)
+    {
+      this->TakePixelsFromAxis(row, first, last, to);
     }
   }
 
@@ -761,11 +867,15 @@ private:
   }
 
   const SweepWedge& Wedge;
+  const std::vector<SweepOctave>& Octaves;
   const SweepImage& Image;
+  const SweepWorkspace* const Axis;
+  SweepWorkspace& Workspace;
   const SweepResult& Result;
   const float Gain;
   const bool Last;
   const bool First;
+  const bool IsAxis;
   const double LowSlope;
   const double HighSlope;
   const int Stride;
@@ -796,9 +906,9 @@ private:
 
 //------------------------------------------------------------------------------
 void RunBand(const SweepPlan& plan, const SweepWedge& wedge, int band, const SweepImage& image,
-  SweepWorkspace& workspace, const SweepResult& result)
+  const SweepWorkspace* axis, SweepWorkspace& workspace, const SweepResult& result)
 {
-  BandSweep sweep(plan, wedge, band, image, workspace, result);
+  BandSweep sweep(plan, wedge, band, image, axis, workspace, result);
   switch (wedge.Powers)
   {
     case 1:
@@ -997,10 +1107,21 @@ HWY_EXPORT(RunTaps);
 HWY_EXPORT(LoadFloats);
 
 //------------------------------------------------------------------------------
-void SweepBand(const SweepPlan& plan, const SweepWedge& wedge, int band, const SweepImage& image,
-  SweepWorkspace& workspace, const SweepResult& result)
+void SweepAxis(const SweepPlan& plan, const SweepWedge& wedge, const SweepImage& image,
+  SweepWorkspace& workspace)
 {
-  HWY_DYNAMIC_DISPATCH(RunBand)(plan, wedge, band, image, workspace, result);
+  if (!wedge.AxisOctaves.empty())
+  {
+    HWY_DYNAMIC_DISPATCH(RunBand)
+    (plan, wedge, 0, image, nullptr, workspace, SweepResult{ nullptr, 0 });
+  }
+}
+
+//------------------------------------------------------------------------------
+void SweepBand(const SweepPlan& plan, const SweepWedge& wedge, int band, const SweepImage& image,
+  const SweepWorkspace& axis, SweepWorkspace& workspace, const SweepResult& result)
+{
+  HWY_DYNAMIC_DISPATCH(RunBand)(plan, wedge, band, image, &axis, workspace, result);
 }
 
 //------------------------------------------------------------------------------

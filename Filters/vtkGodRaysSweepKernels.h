@@ -29,9 +29,13 @@ struct SweepResult
   std::ptrdiff_t Stride;
 };
 
-/// Sweep one band of a wedge and write the pixels that lie in it.
+/// Sweep the axis strip of a wedge, if it has one, and leave what it found in the workspace.
+void SweepAxis(const SweepPlan& plan, const SweepWedge& wedge, const SweepImage& image,
+  SweepWorkspace& workspace);
+
+/// Sweep one band of a wedge and write the pixels that lie in it. axis: the strip's workspace.
 void SweepBand(const SweepPlan& plan, const SweepWedge& wedge, int band, const SweepImage& image,
-  SweepWorkspace& workspace, const SweepResult& result);
+  const SweepWorkspace& axis, SweepWorkspace& workspace, const SweepResult& result);
 
 /// Sum taps along the marches of pixels first to last of row y, within the image only.
 /// tolerance: root mean square error that is accepted [fraction of the peak].
