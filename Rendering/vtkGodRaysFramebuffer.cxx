@@ -55,6 +55,8 @@ vtkGodRaysFramebuffer::vtkGodRaysFramebuffer()
   int value = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &value);
   this->Binding = static_cast<unsigned int>(value);
+  glGetIntegerv(GL_SAMPLES, &value);
+  this->Multisampled = value > 1;
   glGetIntegerv(GL_DRAW_BUFFER0, &value);
   this->ColorBuffer = static_cast<unsigned int>(value);
   const bool onScreen = this->Binding == 0;

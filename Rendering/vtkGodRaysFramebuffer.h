@@ -43,6 +43,7 @@ struct vtkGodRaysFramebuffer
   unsigned int Binding;
   unsigned int ColorBuffer;
   vtkGodRaysTarget::Format Formats; ///< 0 where there is none that can be copied
+  bool Multisampled;
 
   /// The one that is bound for drawing.
   vtkGodRaysFramebuffer();

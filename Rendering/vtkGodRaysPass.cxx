@@ -557,6 +557,7 @@ bool vtkGodRaysPass::RenderRays(
   occlusion.Renderer = s->GetRenderer();
   occlusion.View = &view;
   occlusion.DepthFormat = bound.Formats.Depth;
+  occlusion.Multisampled = bound.Multisampled;
   occlusion.ColorFormat = precision;
   occlusion.OneColorFormat = self.Integrator->GetOneColorFormat(window, self.Model, precision);
   occlusion.Margin = this->LayerMargin;

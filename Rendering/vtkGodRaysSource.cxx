@@ -69,6 +69,31 @@ void vtkGodRaysView::GetRay(double x, double y, double ray[3]) const
 }
 
 //------------------------------------------------------------------------------
+void vtkGodRaysView::GetPicture(bool planar, double origin[3], double right[3], double up[3]) const
+{
+  if (this->Parallel && !planar)
+  {
+    this->GetRay(0.0, 0.0, origin);
+    std::fill_n(right, 3, 0.0);
+    std::fill_n(up, 3, 0.0);
+    return;
+  }
+  // On the near plane, (x, y, -1, 1) in clip coordinates, everything is linear, also seen from the
+  // eye when it is not divided by w.
+  const double* m = this->ClipToView;
+  const double w[3] = { m[15] - m[14], m[12], m[13] };
+  const double scale = planar ? 1.0 / w[0] : w[0] < 0.0 ? -1.0 : 1.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double* row = m + 4 * i;
+    const double eye = planar ? 0.0 : this->Eye[i];
+    origin[i] = scale * (row[3] - row[2] - eye * w[0]);
+    right[i] = scale * (row[0] - eye * w[1]);
+    up[i] = scale * (row[1] - eye * w[2]);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkGodRaysSource::Place(const vtkGodRaysView& view, const double world[4], double radius)
 {
   double position[4];

@@ -39,6 +39,13 @@ struct vtkGodRaysView
    * The unit vector, in view coordinates, along which the layer's point (x, y) is seen.
    */
   void GetRay(double x, double y, double ray[3]) const;
+
+  /**
+   * Vectors such that origin + x right + y up is, for the layer's point (x, y), its place in view
+   * coordinates (planar, of parallel views only), or else a vector of any length along which it is
+   * seen.
+   */
+  void GetPicture(bool planar, double origin[3], double right[3], double up[3]) const;
 };
 
 /// One light.

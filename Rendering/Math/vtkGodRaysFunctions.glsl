@@ -173,6 +173,16 @@ FUNCTION Real AngleBetween(IN(Vec3) a, IN(Vec3) b)
   return atan(length(cross(a, b)), dot(a, b));
 }
 
+// How large a pixel is seen, along its larger side: the angle by which a ray of any length turns when
+// its end moves by a pixel to the right or up, which is small.
+// Formula: max(|a x right|, |a x up|)/|a|^2. [radians]
+FUNCTION Real PixelAngle(IN(Vec3) ray, IN(Vec3) right, IN(Vec3) up)
+{
+  Vec3 sideways = cross(ray, right);
+  Vec3 upwards = cross(ray, up);
+  return sqrt(max(dot(sideways, sideways), dot(upwards, upwards))) / dot(ray, ray);
+}
+
 // How much of a pixel a disc covers, its edge softened so that it rises by 1 over a pixel. The
 // integral over the plane is the disc's area pi radius^2 for any radius: a disc below a pixel gets
 // dimmer, not smaller. The sum over pixels is that to 2.5 %, wherever the disc lies between them.

@@ -14,6 +14,7 @@ uniform sampler2D occluderDepth;
 // dimmed: whether translucent props or volumes dim the light
 // prop: whether a prop shines, rather than a disc
 // hazy: whether it has translucent parts or is a volume
+// multisampled: whether occluderDepth is of a sample, not the centre, of each pixel
 // planar: separations are lengths in the picture's plane, not angles
 // linearLight: whether the layer holds linear light, or shown values
 
@@ -22,7 +23,10 @@ uniform sampler2D propColor;
 uniform sampler2D propDepth;
 uniform sampler2D haze;           // colours of the hazy parts over black, before what blocks
 
-uniform mat4 clipToView;
+uniform vec3 pictureOrigin;       // + x right + y up: a place in the picture, or a ray to it
+uniform vec3 pictureRight;
+uniform vec3 pictureUp;
+uniform vec2 pixelStep;           // in x and y
 uniform vec3 lightPosition;
 uniform vec3 lightDirection;
 uniform float lightDepth;
@@ -90,21 +94,21 @@ void main()
   float depth = texelFetch(occluderDepth, pixel, 0).r;
 
   vec2 ndc = 2.0 * texCoord - 1.0;
-  vec4 onNear = clipToView * vec4(ndc, -1.0, 1.0);
-  vec4 onFar = clipToView * vec4(ndc, 1.0, 1.0);
-  vec3 ray = normalize(onFar.xyz * onNear.w - onNear.xyz * onFar.w);
-  vec3 place = onNear.xyz / onNear.w;
-  vec3 across = planar ? place : ray;
-  float pixelSize = max(max(length(dFdx(across)), length(dFdy(across))), leastPixel);
+  vec3 place = pictureOrigin + ndc.x * pictureRight + ndc.y * pictureUp;
+  vec3 right = pixelStep.x * pictureRight;
+  vec3 up = pixelStep.y * pictureUp;
+  float pixelSize =
+    planar ? max(length(right), length(up)) : max(PixelAngle(place, right, up), leastPixel);
   float separation =
-    planar ? length(place.xy - lightPosition.xy) : AngleBetween(ray, lightDirection);
+    planar ? length(place.xy - lightPosition.xy) : AngleBetween(place, lightDirection);
 
   float glowing = depth >= farthest ? glow * GlowFalloff(separation, glowRadius, glowFalloff) : 0.0;
   vec3 light = glowing * lightColor;
   if (prop)
   {
     vec4 shown = texelFetch(propColor, pixel, 0);
-    if (PropDepth(pixel) < farthest && LeastPropDepth(pixel) <= depth + 1e-6)
+    float propNearest = multisampled ? LeastPropDepth(pixel) : PropDepth(pixel);
+    if (PropDepth(pixel) < farthest && propNearest <= depth + 1e-6)
     {
       light = fade * (linearLight ? DecodeDisplay(shown.rgb) : shown.rgb);
     }

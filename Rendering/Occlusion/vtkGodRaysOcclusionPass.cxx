@@ -290,16 +290,24 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysSource& source)
     { oneColor ? frame.OneColorFormat : frame.ColorFormat, 0 });
   vtkShaderProgram* program = self.Quad.Begin(frame.Window,
     { { "dimmed", self.Dimmed }, { "prop", source.Prop != nullptr }, { "hazy", hazy },
-      { "planar", source.Planar }, { "linearLight", frame.LinearLight } });
+      { "planar", source.Planar },
+      { "multisampled", frame.Multisampled && !this->RenderedOccluders },
+      { "linearLight", frame.LinearLight } });
   if (!program || !self.Composed->Bind())
   {
     return false;
   }
   state->vtkglDisable(GL_BLEND);
-  vtkNew<vtkMatrix4x4> clipToView;
-  clipToView->DeepCopy(frame.View->ClipToView);
-  clipToView->Transpose(); // OpenGL matrices are column-major
-  program->SetUniformMatrix("clipToView", clipToView);
+  double origin[3];
+  double right[3];
+  double up[3];
+  frame.View->GetPicture(source.Planar, origin, right, up);
+  SetVector(program, "pictureOrigin", origin);
+  SetVector(program, "pictureRight", right);
+  SetVector(program, "pictureUp", up);
+  const float pixelStep[2] = { 2.0f / static_cast<float>(self.Width),
+    2.0f / static_cast<float>(self.Height) };
+  program->SetUniform2f("pixelStep", pixelStep);
   SetVector(program, "lightPosition", source.Position);
   SetVector(program, "lightDirection", source.Direction);
   const double white[3] = { 1.0, 1.0, 1.0 };

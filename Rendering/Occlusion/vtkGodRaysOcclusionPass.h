@@ -48,6 +48,7 @@ public:
     const vtkGodRaysView* View;
     vtkTextureObject* SceneDepth; ///< of the viewport
     unsigned int DepthFormat;     ///< its internal format
+    bool Multisampled = false;    ///< whether it is of a sample, not the centre, of each pixel
     unsigned int ColorFormat;     ///< internal format of the layer
     /// Internal format of the layer of a light of one colour, which is one value a pixel, without
     /// the colour; 0 if it shall be as any other.

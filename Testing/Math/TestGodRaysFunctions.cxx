@@ -280,6 +280,21 @@ TEST(Blend, AddsAndScreens)
 }
 
 //------------------------------------------------------------------------------
+TEST(PixelAngle, IsHowFarTheRayTurnsAlongTheLargerSide)
+{
+  const Vec3 ray(0.3, -0.7, -2.5);
+  for (double length : { 1e-3, 1.0, 1e6 })
+  {
+    const Vec3 right = length * Vec3(1e-6, 0.0, 0.0);
+    const Vec3 up = length * Vec3(0.0, 2e-6, 0.0);
+    const double sideways = AngleBetween(ray, ray + right / length);
+    const double upwards = AngleBetween(ray, ray + up / length);
+    EXPECT_GT(upwards, sideways);
+    EXPECT_NEAR(PixelAngle(length * ray, right, up) / upwards, 1.0, 1e-5);
+    EXPECT_NEAR(PixelAngle(length * ray, right, 0.1 * up) / sideways, 1.0, 1e-5);
+  }
+}
+
 TEST(AngleBetween, IsAccurateAtBothEnds)
 {
   const Vec3 axis(0.0, 0.0, 3.0);

@@ -4,7 +4,7 @@
 
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysRadialModel.h"
-#include "vtkGodRaysScatteringFilter.h"
+#include "vtkGodRaysRadialSweep.h"
 #include "vtkGodRaysSum.h"
 #include "vtkGodRaysTapsIntegrator.h"
 #include "vtkGodRaysTarget.h"
@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 #include <string>
 #include <vector>
@@ -53,8 +54,8 @@ bool IsSoftware()
 struct vtkGodRaysEpipolarIntegrator::Internals
 {
   vtkNew<vtkGodRaysTapsIntegrator> Taps;
-  vtkNew<vtkGodRaysScatteringFilter> Sweep;
-  vtkNew<vtkImageData> Layer;
+  vtkGodRaysRadialSweep Sweep;
+  std::vector<float> Pixels;               // of layers and rays of three channels
   vtkGodRaysTarget Rays[2];                // of one channel, and of three
   vtkOpenGLRenderWindow* Window = nullptr; // that Software is known of
   vtkMTimeType ContextTime = 0;
@@ -83,11 +84,11 @@ struct Verification
   double Largest = 0.0;
 
   void Measure(const vtkGodRaysIntegrator::Request& request, vtkGodRaysRadialModel* model,
-    vtkImageData* before, int pixels);
+    vtkImageData* before, int wanted);
 };
 
 void Verification::Measure(const vtkGodRaysIntegrator::Request& request,
-  vtkGodRaysRadialModel* model, vtkImageData* before, int pixels)
+  vtkGodRaysRadialModel* model, vtkImageData* before, int wanted)
 {
   const int taps = 2048;
   vtkNew<vtkImageData> after;
@@ -109,11 +110,16 @@ void Verification::Measure(const vtkGodRaysIntegrator::Request& request,
   model->GetTapSums(passes, taps);
   const vtkGodRays::Vec3 clip(request.LightClip[0], request.LightClip[1], request.LightClip[2]);
 
-  std::mt19937 generator(5489); // the same pixels every time
-  std::vector<int> places;
-  for (int i = 0; i < pixels; ++i)
+  // one pixel at random of each of as many parts of the picture, the same ones every time
+  const std::int64_t total = static_cast<std::int64_t>(width) * height;
+  const std::int64_t pixels = std::min<std::int64_t>(wanted, total);
+  std::mt19937 generator(5489);
+  std::vector<std::int64_t> places;
+  for (std::int64_t i = 0; i < pixels; ++i)
   {
-    places.push_back(static_cast<int>(generator() % (static_cast<unsigned int>(width) * height)));
+    const std::int64_t first = i * total / pixels;
+    const std::int64_t next = (i + 1) * total / pixels;
+    places.push_back(first + static_cast<std::int64_t>(generator()) % (next - first));
   }
   std::vector<double> errors(places.size(), 0.0); // of the worst channel
   vtkSMPTools::For(0, pixels,
@@ -136,7 +142,7 @@ void Verification::Measure(const vtkGodRaysIntegrator::Request& request,
     });
 
   double brightest = 0.0;
-  for (std::size_t i = 0; i < 3 * static_cast<std::size_t>(width) * height; ++i)
+  for (std::int64_t i = 0; i < 3 * total; ++i)
   {
     brightest = std::max(brightest, values[i] - (former ? former[i] : 0.0));
   }
@@ -157,25 +163,31 @@ bool vtkGodRaysEpipolarIntegrator::Internals::IntegrateOnProcessor(
   const Request& request, vtkGodRaysRadialModel* model)
 {
   const bool oneColor = request.Layer->HasOneChannel();
-  const int components = oneColor ? 1 : 3;
   const int width = request.Layer->GetWidth();
   const int height = request.Layer->GetHeight();
-  this->Layer->SetDimensions(width, height, 1);
-  this->Layer->AllocateScalars(VTK_FLOAT, components);
-  request.Layer->Read(oneColor ? GL_RED : GL_RGB, GL_FLOAT, this->Layer->GetScalarPointer(), 0);
-  this->Layer->Modified();
+  if (oneColor)
+  {
+    // values that a light of one colour has, 0 to 1, need no check
+    const auto input = this->Sweep.PrepareInput(width, height, 1);
+    request.Layer->Read(GL_RED, GL_FLOAT, input.Values[0], static_cast<int>(input.Stride));
+  }
+  else
+  {
+    this->Pixels.resize(3 * static_cast<std::size_t>(width) * height);
+    request.Layer->Read(GL_RGB, GL_FLOAT, this->Pixels.data(), 0);
+    this->Sweep.LoadInput(this->Pixels.data(), width, height, 3);
+  }
 
-  vtkGodRaysScatteringFilter* sweep = this->Sweep;
-  sweep->SetInputData(this->Layer);
-  sweep->SetDensity(model->GetDensity());
-  sweep->SetDecay(model->GetDecay());
-  sweep->SetWeight(model->GetWeight());
-  sweep->SetExposure(model->GetExposure());
-  sweep->SetNumberOfSamples(model->GetNumberOfSamples());
-  sweep->SetLightClip(request.LightClip);
-  sweep->SetMarchScale(request.MarchScale);
-  sweep->SetErrorTolerance(request.ErrorTolerance);
-  sweep->Update();
+  vtkGodRaysRadialSweep::Parameters parameters;
+  parameters.Density = model->GetDensity();
+  parameters.Decay = model->GetDecay();
+  parameters.Weight = model->GetWeight();
+  parameters.Exposure = model->GetExposure();
+  parameters.NumberOfSamples = model->GetNumberOfSamples();
+  std::copy_n(request.LightClip, 3, parameters.LightClip);
+  parameters.MarchScale = request.MarchScale;
+  parameters.ErrorTolerance = request.ErrorTolerance;
+  this->Sweep.Execute(parameters);
 
   if (!request.Result->Settle()) // what is lent may be these rays, of another light
   {
@@ -184,7 +196,30 @@ bool vtkGodRaysEpipolarIntegrator::Internals::IntegrateOnProcessor(
   vtkGodRaysTarget& rays = this->Rays[oneColor ? 0 : 1];
   rays.Prepare(request.Window, width, height,
     { static_cast<unsigned int>(oneColor ? GL_R32F : GL_RGBA32F), 0 });
-  rays.Write(oneColor ? GL_RED : GL_RGB, GL_FLOAT, sweep->GetOutput()->GetScalarPointer());
+  if (oneColor)
+  {
+    rays.Write(GL_RED, GL_FLOAT, this->Sweep.GetResult(0));
+  }
+  else
+  {
+    const float* planes[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      planes[c] = this->Sweep.GetResult(c);
+    }
+    vtkSMPTools::For(0, height,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin * width; i < end * width; ++i)
+        {
+          for (int c = 0; c < 3; ++c)
+          {
+            this->Pixels[3 * i + c] = planes[c][i];
+          }
+        }
+      });
+    rays.Write(GL_RGB, GL_FLOAT, this->Pixels.data());
+  }
   return request.Result->Lend(rays, request.Color, request.ViewScale);
 }
 
@@ -256,7 +291,7 @@ std::string vtkGodRaysEpipolarIntegrator::Describe(vtkGodRaysModel* model, doubl
   {
     return this->Internal->Taps->Describe(model, resolutionScale) + ", as published";
   }
-  return "epipolar, on the processor: " + this->Internal->Sweep->GetPlan();
+  return "epipolar, on the processor: " + this->Internal->Sweep.Describe();
 }
 
 //------------------------------------------------------------------------------
