@@ -303,47 +303,48 @@ private:
   {
     const SweepWedge* Wedge;
     int Band;
-    int Component;
+    int Component; // the first one
+    int Channels;
+    int Strip; // of the axis, in this wedge and component
   };
 
-  // Each band of lines writes pixels of its own and has memory of its own.
+  // Three components are swept together, others one by one. Each band of lines writes pixels of
+  // its own and has memory of its own.
   bool Sweep(const Monitor& monitor, int steps)
   {
+    this->Strips.clear();
     this->Tasks.clear();
-    for (int i = 0; i < this->Plan.NumberOfWedges; ++i)
+    for (int c = 0; c < this->Components;)
     {
-      const SweepWedge& wedge = this->Plan.Wedges[i];
-      for (int band = 0; band < wedge.Bands; ++band)
+      const int channels = this->Components - c >= 3 ? 3 : 1;
+      for (int i = 0; i < this->Plan.NumberOfWedges; ++i)
       {
-        for (int c = 0; c < this->Components; ++c)
+        const SweepWedge& wedge = this->Plan.Wedges[i];
+        const int strip = static_cast<int>(this->Strips.size());
+        this->Strips.push_back({ &wedge, 0, c, channels, strip });
+        for (int band = 0; band < wedge.Bands; ++band)
         {
-          this->Tasks.push_back({ &wedge, band, c });
+          this->Tasks.push_back({ &wedge, band, c, channels, strip });
         }
       }
+      c += channels;
     }
-    if (this->Workspaces.size() < this->Tasks.size())
-    {
-      this->Workspaces.resize(this->Tasks.size());
-    }
-    const int strips = this->Plan.NumberOfWedges * this->Components;
-    if (this->Axes.size() < static_cast<std::size_t>(strips))
-    {
-      this->Axes.resize(strips);
-    }
-    RunTasks(strips, 1,
+    this->Axes.resize(std::max(this->Axes.size(), this->Strips.size()));
+    this->Workspaces.resize(std::max(this->Workspaces.size(), this->Tasks.size()));
+    RunTasks(static_cast<vtkIdType>(this->Strips.size()), 1,
       [this](int i)
       {
-        vtkGodRays::SweepAxis(this->Plan, this->Plan.Wedges[i / this->Components],
-          this->Images[i % this->Components], this->Axes[i]);
+        const Task& task = this->Strips[i];
+        vtkGodRays::SweepAxis(
+          this->Plan, *task.Wedge, this->Images + task.Component, task.Channels, this->Axes[i]);
       });
     return RunSteps(static_cast<int>(this->Tasks.size()), steps, monitor,
       [this](int i)
       {
         const Task& task = this->Tasks[i];
-        const std::ptrdiff_t wedge = task.Wedge - this->Plan.Wedges.data();
-        vtkGodRays::SweepBand(this->Plan, *task.Wedge, task.Band, this->Images[task.Component],
-          this->Axes[wedge * this->Components + task.Component], this->Workspaces[i],
-          this->Targets[task.Component]);
+        vtkGodRays::SweepBand(this->Plan, *task.Wedge, task.Band, this->Images + task.Component,
+          task.Channels, this->Axes[task.Strip], this->Workspaces[i],
+          this->Targets + task.Component);
       });
   }
 
@@ -402,6 +403,7 @@ private:
   float* Places[MaximumComponents] = {};
   std::vector<float> Results[MaximumComponents];
   std::vector<Task> Tasks;
+  std::vector<Task> Strips;
   std::vector<SweepWorkspace> Workspaces;
   std::vector<SweepWorkspace> Axes; // of the axis strips
 };

@@ -446,7 +446,7 @@ void SweepImage::Resize(int width, int height)
     this->Width = width;
     this->Height = height;
     this->Stride = RoundUp(width + 2 * Padding, 16);
-    this->Values.assign(static_cast<std::size_t>(this->Stride) * (height + 8) + 16, 0.0f);
+    this->Values.assign(static_cast<std::size_t>(this->Stride) * (height + 24) + 16, 0.0f);
     const auto address = reinterpret_cast<std::uintptr_t>(this->Values.data()) / sizeof(float);
     this->Offset = static_cast<std::ptrdiff_t>((16 - address % 16) % 16);
   }

@@ -53,7 +53,7 @@ namespace vtkGodRays
  */
 struct SweepImage
 {
-  static constexpr int Padding = 32; ///< columns on each side; below are 2 rows and above 6
+  static constexpr int Padding = 32; ///< columns on each side; below are 2 rows and above 22
 
   float Scale = 1.0f; ///< a power of 2 that the values have been multiplied by
   int Width = 0;

@@ -13,6 +13,7 @@
 
 #include "vtkGodRaysSweepKernels.h"
 
+#include <hwy/cache_control.h>
 #include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 
@@ -48,6 +49,13 @@ constexpr float Negligible = 1e-36f;
 HWY_INLINE int GetLanes()
 {
   return static_cast<int>(hn::Lanes(FloatTag()));
+}
+
+//------------------------------------------------------------------------------
+// Where in its group a register begins.
+HWY_INLINE int FindLane(int index)
+{
+  return GetLanes() == Group ? 0 : index % Group;
 }
 
 //------------------------------------------------------------------------------
@@ -88,7 +96,7 @@ HWY_INLINE Places FindPlaces(double position, float step, int lane, int maximum)
   const double base = std::floor(position);
   const float start = static_cast<float>(position - base);
   const Float local = hn::Iota(d, static_cast<float>(lane)) * hn::Set(d, step) + hn::Set(d, start);
-  const int first = static_cast<int>(static_cast<float>(lane) * step + start);
+  const int first = lane == 0 ? 0 : static_cast<int>(static_cast<float>(lane) * step + start);
   Places places;
   places.Base = static_cast<std::ptrdiff_t>(base) + first;
   places.Index = hn::Min(hn::ConvertTo(di, local) - hn::Set(di, first), hn::Set(di, maximum));
@@ -155,13 +163,38 @@ HWY_INLINE Float Interpolate(Float a, Float b, Float c, Float e, Float fraction)
 }
 
 //------------------------------------------------------------------------------
-// Cubic between neighbours. Registers 0: for steps of any length.
-template <int Registers>
+// How far the places of a register's lanes lie apart.
+enum Reach
+{
+  NEAR,   // within one register
+  MIDDLE, // within two, with the three neighbours
+  FAR,    // within two
+  ANY
+};
+
+//------------------------------------------------------------------------------
+// Cubic between neighbours.
+template <int Reach>
 HWY_INLINE Float ReadSmoothly(const float* row, const Places& places)
 {
   const FloatTag d;
   const float* from = row + places.Base;
-  if constexpr (Registers == 0)
+#if HWY_TARGET == HWY_AVX3
+  if constexpr (Reach == NEAR || Reach == MIDDLE)
+  {
+    const __m512 low = _mm512_loadu_ps(from - 1);
+    const __m512 high = _mm512_loadu_ps(from + 15);
+    const __m512i one = _mm512_set1_epi32(1);
+    const __m512i a = places.Index.raw;
+    const __m512i b = _mm512_add_epi32(a, one);
+    const __m512i c = _mm512_add_epi32(b, one);
+    const __m512i e = _mm512_add_epi32(c, one);
+    return Interpolate(Float{ _mm512_permutex2var_ps(low, a, high) },
+      Float{ _mm512_permutex2var_ps(low, b, high) }, Float{ _mm512_permutex2var_ps(low, c, high) },
+      Float{ _mm512_permutex2var_ps(low, e, high) }, places.Fraction);
+  }
+#endif
+  if constexpr (Reach == ANY)
   {
     return Interpolate(hn::GatherIndex(d, from - 1, places.Index),
       hn::GatherIndex(d, from, places.Index), hn::GatherIndex(d, from + 1, places.Index),
@@ -169,6 +202,7 @@ HWY_INLINE Float ReadSmoothly(const float* row, const Places& places)
   }
   else
   {
+    constexpr int Registers = Reach == NEAR ? 1 : 2;
     return Interpolate(Look<Registers>(from - 1, places.Index), Look<Registers>(from, places.Index),
       Look<Registers>(from + 1, places.Index), Look<Registers>(from + 2, places.Index),
       places.Fraction);
@@ -207,28 +241,113 @@ HWY_INLINE void Transpose4(
 }
 
 //------------------------------------------------------------------------------
-// One band of a wedge on its way along the rows.
+// Sixteen rows of sixteen become columns. All begin at lines of the cache, or nearly.
+HWY_INLINE void Transpose16(
+  const float* from, std::ptrdiff_t fromStride, float* to, std::ptrdiff_t toStride)
+{
+#if HWY_TARGET == HWY_AVX3
+  const FloatTag d;
+  const hn::RebindToFloat<hn::RepartitionToWide<IntTag>> wide;
+  Float blocks[4][4]; // [row / 4][column % 4]: columns c, c + 4, c + 8, c + 12 of four rows
+  for (int i = 0; i < 4; ++i)
+  {
+    const float* row = from + 4 * i * fromStride;
+    const Float a = hn::LoadU(d, row);
+    const Float b = hn::LoadU(d, row + fromStride);
+    const Float c = hn::LoadU(d, row + 2 * fromStride);
+    const Float e = hn::LoadU(d, row + 3 * fromStride);
+    const auto lowAB = hn::BitCast(wide, hn::InterleaveLower(d, a, b));
+    const auto lowCE = hn::BitCast(wide, hn::InterleaveLower(d, c, e));
+    const auto highAB = hn::BitCast(wide, hn::InterleaveUpper(d, a, b));
+    const auto highCE = hn::BitCast(wide, hn::InterleaveUpper(d, c, e));
+    blocks[i][0] = hn::BitCast(d, hn::InterleaveLower(wide, lowAB, lowCE));
+    blocks[i][1] = hn::BitCast(d, hn::InterleaveUpper(wide, lowAB, lowCE));
+    blocks[i][2] = hn::BitCast(d, hn::InterleaveLower(wide, highAB, highCE));
+    blocks[i][3] = hn::BitCast(d, hn::InterleaveUpper(wide, highAB, highCE));
+  }
+  for (int c = 0; c < 4; ++c)
+  {
+    const __m512 even01 = _mm512_shuffle_f32x4(blocks[0][c].raw, blocks[1][c].raw, 0x88);
+    const __m512 even23 = _mm512_shuffle_f32x4(blocks[2][c].raw, blocks[3][c].raw, 0x88);
+    const __m512 odd01 = _mm512_shuffle_f32x4(blocks[0][c].raw, blocks[1][c].raw, 0xdd);
+    const __m512 odd23 = _mm512_shuffle_f32x4(blocks[2][c].raw, blocks[3][c].raw, 0xdd);
+    float* column = to + c * toStride;
+    hn::StoreU(Float{ _mm512_shuffle_f32x4(even01, even23, 0x88) }, d, column);
+    hn::StoreU(Float{ _mm512_shuffle_f32x4(odd01, odd23, 0x88) }, d, column + 4 * toStride);
+    hn::StoreU(Float{ _mm512_shuffle_f32x4(even01, even23, 0xdd) }, d, column + 8 * toStride);
+    hn::StoreU(Float{ _mm512_shuffle_f32x4(odd01, odd23, 0xdd) }, d, column + 12 * toStride);
+  }
+#else
+  for (int i = 0; i < 16; i += 4)
+  {
+    for (int j = 0; j < 16; j += 4)
+    {
+      Transpose4(from + i * fromStride + j, fromStride, to + j * toStride + i, toStride);
+    }
+  }
+#endif
+}
+
+//------------------------------------------------------------------------------
+// The first float at or after values that begins a line of the cache.
+inline float* Align(float* values)
+{
+  const auto address = reinterpret_cast<std::uintptr_t>(values) / sizeof(float);
+  return values + (16 - address % 16) % 16;
+}
+
+//------------------------------------------------------------------------------
+// What is one component's own.
+struct SweepChannel
+{
+  const SweepImage* Image = nullptr;
+  SweepResult Result = { nullptr, 0 };
+  float LightValue = 0.0f;
+  float Gain = 0.0f;
+
+  float* State[MaximumPowers + 1] = {};
+  float* Spare[MaximumPowers + 1] = {};
+  float* Sums = nullptr;
+  float* Tail = nullptr;
+  float* Raw = nullptr;
+  float* Smooth = nullptr;
+  float* History = nullptr;
+  float* Strips = nullptr;
+  float* AxisStates = nullptr;
+  float* AxisPixels = nullptr;
+  int LoadedStrip[2] = { -1, -1 };
+};
+
+//------------------------------------------------------------------------------
+// One band of a wedge on its way along the rows, in some components at once.
+template <int Channels>
 class BandSweep
 {
 public:
   // axis: what the strip has left, or null for the strip itself.
-  BandSweep(const SweepPlan& plan, const SweepWedge& wedge, int band, const SweepImage& image,
-    const SweepWorkspace* axis, SweepWorkspace& workspace, const SweepResult& result)
+  BandSweep(const SweepPlan& plan, const SweepWedge& wedge, int band, const SweepImage* images,
+    SweepWorkspace* axis, SweepWorkspace& workspace, const SweepResult* results)
     : Wedge(wedge)
     , Octaves(axis ? wedge.Octaves : wedge.AxisOctaves)
-    , Image(image)
-    , Axis(wedge.AxisOctaves.empty() ? nullptr : axis)
-    , Workspace(workspace)
-    , Result(result)
-    , Gain(ToFloat(plan.March.Gain / MeanKernel(plan.March.K) / static_cast<double>(image.Scale)))
+    , AxisColumns(axis ? axis->AxisColumns : workspace.AxisColumns)
     , Last(band + 1 == wedge.Bands)
     , First(band == 0)
     , IsAxis(!axis)
+    , HasAxis(axis && !wedge.AxisOctaves.empty())
     , LowSlope(axis ? wedge.FirstSlope + band * wedge.BandWidth : 0.0)
     , HighSlope(wedge.FirstSlope + (band + 1) * wedge.BandWidth)
     , Stride(wedge.GetStride())
-    , LightValue(static_cast<float>(image.Sample(plan.Light[0], plan.Light[1])))
   {
+    for (int c = 0; c < Channels; ++c)
+    {
+      SweepChannel& channel = this->Channel[c];
+      channel.Image = &images[c];
+      channel.Result = results ? results[c] : channel.Result;
+      channel.Gain = ToFloat(plan.March.Gain / MeanKernel(plan.March.K) / channel.Image->Scale);
+      channel.LightValue = static_cast<float>(channel.Image->Sample(plan.Light[0], plan.Light[1]));
+    }
+    std::fill_n(this->OutputLast, StripRows, -1);
+    this->PrepareAxis(axis ? *axis : workspace);
     this->Prepare(workspace);
   }
 
@@ -236,8 +355,13 @@ public:
   void Run()
   {
     const SweepRow* previous = nullptr;
+    int count = 0;
     for (const SweepRow& row : this->Wedge.Schedule)
     {
+      if (++count % ClearedRows == 0)
+      {
+        this->ClearNegligible<Powers>();
+      }
       if (row.Refine)
       {
         this->Refine<Powers>(*previous, row);
@@ -248,10 +372,6 @@ public:
         this->AdvanceLines<Powers>(row);
         if (row.Output)
         {
-          if (row.Tail >= 0)
-          {
-            this->SubtractTail(row);
-          }
           this->WriteRow(row);
         }
       }
@@ -262,73 +382,111 @@ public:
 
 private:
   static constexpr int StripRows = 16;
+  static constexpr int ClearedRows = 8;
   static constexpr int StripMargin = 48;
+  static constexpr int PrefetchRows = 64;
 
   // phi(k), the mean of e^(-k t) over t in [0, 1].
   static double MeanKernel(double k) { return std::abs(k) < 1e-12 ? 1.0 : -std::expm1(-k) / k; }
 
+  // How many floats that begin a line of the cache; memory is kept.
+  static float* Resize(std::vector<float>& values, std::size_t size)
+  {
+    if (values.size() < size + 16)
+    {
+      values.resize(size + 16);
+    }
+    return Align(values.data());
+  }
+
   void Prepare(SweepWorkspace& workspace)
   {
     const int powers = this->Wedge.Powers;
-    Resize(workspace.Lines, static_cast<std::size_t>(2 * powers + 4) * this->Stride);
-    float* lines = workspace.Lines.data();
-    for (int j = 0; j <= powers; ++j) // the last one holds the image at the row before
-    {
-      const float factor = static_cast<float>(j < powers ? this->Wedge.InitialState[j] : 1.0);
-      this->State[j] = lines + j * this->Stride;
-      this->Spare[j] = lines + (powers + 1 + j) * this->Stride;
-      const bool lit = this->Wedge.StartsAtLight;
-      std::fill_n(this->State[j], this->Stride, lit ? factor * this->LightValue : 0.0f);
-      std::fill_n(this->Spare[j], this->Stride, 0.0f);
-    }
-    if (this->IsAxis)
-    {
-      Resize(workspace.AxisStates, (powers + 1) * this->Octaves.size() * this->Stride);
-      Resize(workspace.AxisPixels,
-        static_cast<std::size_t>(this->Wedge.OutputRows) * this->Wedge.AxisPixels);
-      workspace.AxisColumns.resize(2 * static_cast<std::size_t>(this->Wedge.OutputRows));
-      for (std::size_t i = 0; i < workspace.AxisColumns.size(); ++i)
-      {
-        workspace.AxisColumns[i] = i % 2 ? -1 : 0;
-      }
-    }
-    this->Sums = lines + (2 * powers + 2) * this->Stride;
-    this->Tail = this->Sums + this->Stride;
-    std::fill_n(this->Sums, 2 * this->Stride, 0.0f);
-
-    const int width = this->Stride + StripMargin * 2;
-    Resize(workspace.Pixels, 2 * static_cast<std::size_t>(width));
-    this->Raw = workspace.Pixels.data();
-    this->Smooth = this->Raw + width;
-
-    Resize(workspace.History, static_cast<std::size_t>(this->Wedge.HistorySize));
-    this->History = workspace.History.data();
+    const std::ptrdiff_t size = (2 * powers + 4) * this->Stride;
+    const std::ptrdiff_t width = this->Stride + StripMargin * 2;
+    float* lines = Resize(workspace.Lines, static_cast<std::size_t>(Channels * size));
+    float* pixels = Resize(workspace.Pixels, static_cast<std::size_t>(Channels * 2 * width));
+    const std::size_t history = static_cast<std::size_t>(this->Wedge.HistorySize);
+    float* sums = Resize(workspace.History, Channels * history);
     if (this->Wedge.HasTail)
     {
-      std::fill(workspace.History.begin(), workspace.History.end(), 0.0f);
+      std::fill_n(sums, Channels * history, 0.0f);
+    }
+    for (int c = 0; c < Channels; ++c)
+    {
+      SweepChannel& channel = this->Channel[c];
+      this->PrepareLines(channel, lines + c * size);
+      channel.Raw = pixels + 2 * c * width;
+      channel.Smooth = channel.Raw + width;
+      channel.History = sums + c * history;
     }
     if (this->Wedge.Transposed)
     {
-      const auto address = reinterpret_cast<std::uintptr_t>(this->Result.Values) / sizeof(float);
-      this->OutputShift = static_cast<int>(address % StripRows);
-      // Zeros about the pixels, as in the image.
-      this->StripStride = (this->Wedge.Columns + 15) / 16 * 16 + 2 * SweepImage::Padding;
-      const std::size_t size =
-        3 * StripRows * static_cast<std::size_t>(this->StripStride) + SweepImage::Padding;
-      if (workspace.Strips.size() != size || workspace.StripColumns != this->Wedge.Columns)
-      {
-        workspace.Strips.assign(size, 0.0f);
-        workspace.StripColumns = this->Wedge.Columns;
-      }
-      this->Strips = workspace.Strips.data() + SweepImage::Padding;
+      this->PrepareStrips(workspace);
     }
   }
 
-  static void Resize(std::vector<float>& values, std::size_t size)
+  void PrepareLines(SweepChannel& channel, float* lines) const
   {
-    if (values.size() < size)
+    const int powers = this->Wedge.Powers;
+    for (int j = 0; j <= powers; ++j) // the last one holds the image at the row before
     {
-      values.resize(size);
+      const float factor = static_cast<float>(j < powers ? this->Wedge.InitialState[j] : 1.0);
+      channel.State[j] = lines + j * this->Stride;
+      channel.Spare[j] = lines + (powers + 1 + j) * this->Stride;
+      const bool lit = this->Wedge.StartsAtLight;
+      std::fill_n(channel.State[j], this->Stride, lit ? factor * channel.LightValue : 0.0f);
+      std::fill_n(channel.Spare[j], this->Stride, 0.0f);
+    }
+    channel.Sums = lines + (2 * powers + 2) * this->Stride;
+    channel.Tail = channel.Sums + this->Stride;
+    std::fill_n(channel.Sums, 2 * this->Stride, 0.0f);
+  }
+
+  void PrepareStrips(SweepWorkspace& workspace)
+  {
+    const float* target = this->Channel[0].Result.Values;
+    const auto address = reinterpret_cast<std::uintptr_t>(target) / sizeof(float);
+    this->OutputShift = static_cast<int>(address % StripRows);
+    // Zeros about the pixels, as in the image.
+    this->StripStride = (this->Wedge.Columns + 15) / 16 * 16 + 2 * SweepImage::Padding;
+    const std::ptrdiff_t size = 3 * StripRows * this->StripStride + 2 * SweepImage::Padding;
+    const std::size_t all = static_cast<std::size_t>(Channels * size) + 16;
+    if (workspace.Strips.size() != all || workspace.StripColumns != this->Wedge.Columns)
+    {
+      workspace.Strips.assign(all, 0.0f);
+      workspace.StripColumns = this->Wedge.Columns;
+    }
+    for (int c = 0; c < Channels; ++c)
+    {
+      this->Channel[c].Strips = Align(workspace.Strips.data()) + c * size + SweepImage::Padding;
+    }
+  }
+
+  // Where the axis strip leaves what it finds.
+  void PrepareAxis(SweepWorkspace& workspace)
+  {
+    const std::ptrdiff_t states = static_cast<std::ptrdiff_t>(this->Wedge.AxisOctaves.size()) *
+      (this->Wedge.Powers + 1) * this->Stride;
+    const std::ptrdiff_t pixels =
+      static_cast<std::ptrdiff_t>(this->Wedge.OutputRows) * this->Wedge.AxisPixels;
+    if (this->IsAxis)
+    {
+      Resize(workspace.AxisStates, static_cast<std::size_t>(Channels * states));
+      Resize(workspace.AxisPixels, static_cast<std::size_t>(Channels * pixels));
+      this->AxisColumns.resize(2 * static_cast<std::size_t>(this->Wedge.OutputRows));
+      for (std::size_t i = 0; i < this->AxisColumns.size(); ++i)
+      {
+        this->AxisColumns[i] = i % 2 ? -1 : 0;
+      }
+    }
+    if (this->IsAxis || this->HasAxis)
+    {
+      for (int c = 0; c < Channels; ++c)
+      {
+        this->Channel[c].AxisStates = Align(workspace.AxisStates.data()) + c * states;
+        this->Channel[c].AxisPixels = Align(workspace.AxisPixels.data()) + c * pixels;
+      }
     }
   }
 
@@ -368,20 +526,26 @@ private:
       static_cast<int>(std::floor(this->Position + (this->EndLine - 1) * this->Step)) + 2;
     this->FirstPixel = first;
     const int count = last - first + 1;
-    if (row.Blend == 0.0f)
+    const float* pixels[Channels];
+    for (int c = 0; c < Channels; ++c)
     {
-      this->SmoothPixels(row, this->GetPixels(row.Row) + first, count);
-      return;
+      SweepChannel& channel = this->Channel[c];
+      if (row.Blend == 0.0f)
+      {
+        pixels[c] = this->GetPixels(channel, row.Row) + first;
+        continue;
+      }
+      float* raw = channel.Raw + lanes;
+      this->CopyPixels(channel, row.Row, first - 1, count + 2, raw - 1);
+      this->CopyPixels(channel, row.Row + 1, first - 1, count + 2, channel.Smooth);
+      BlendPixels(raw - 1, channel.Smooth, count + 2, row.Blend);
+      pixels[c] = raw;
     }
-    float* raw = this->Raw + lanes;
-    this->CopyPixels(row.Row, first - 1, count + 2, raw - 1);
-    this->CopyPixels(row.Row + 1, first - 1, count + 2, this->Smooth);
-    BlendPixels(raw - 1, this->Smooth, count + 2, row.Blend);
-    this->SmoothPixels(row, raw, count);
+    this->SmoothPixels(row, pixels, count);
   }
 
   // Pixels first to first + count of a row, 0 outside the image.
-  void CopyPixels(int row, int first, int count, float* to)
+  void CopyPixels(SweepChannel& channel, int row, int first, int count, float* to)
   {
     const int begin = std::min(std::max(0, first), first + count);
     const int end = std::max(begin, std::min(this->Wedge.Columns, first + count));
@@ -390,7 +554,7 @@ private:
       std::fill_n(to, count, 0.0f);
       return;
     }
-    const float* from = this->GetPixels(row);
+    const float* from = this->GetPixels(channel, row);
     std::fill_n(to, begin - first, 0.0f);
     std::copy(from + begin, from + end, to + (begin - first));
     std::fill_n(to + (end - first), first + count - end, 0.0f);
@@ -408,7 +572,7 @@ private:
   }
 
   // c = (h slope)^2/12, slope = (x - light)/s; see vtkGodRaysSectorSweep.h.
-  void SmoothPixels(const SweepRow& row, const float* raw, int count)
+  void SmoothPixels(const SweepRow& row, const float* const raw[Channels], int count)
   {
     const FloatTag d;
     const int lanes = GetLanes();
@@ -420,41 +584,47 @@ private:
     {
       const Float slope =
         AddProduct(hn::Iota(d, static_cast<float>(i)), step, hn::Set(d, static_cast<float>(start)));
-      const Float c = hn::Min(slope * slope, largest);
-      const Float middle = hn::LoadU(d, raw + i);
-      const Float sides = hn::LoadU(d, raw + i - 1) + hn::LoadU(d, raw + i + 1);
-      hn::StoreU(AddProduct(c, SubtractProduct(hn::Set(d, 2.0f), middle, sides), middle), d,
-        this->Smooth + i);
+      const Float factor = hn::Min(slope * slope, largest);
+      for (int c = 0; c < Channels; ++c)
+      {
+        const float* from = raw[c] + i;
+        const Float middle = hn::LoadU(d, from);
+        const Float sides = hn::LoadU(d, from - 1) + hn::LoadU(d, from + 1);
+        const Float excess = SubtractProduct(hn::Set(d, 2.0f), middle, sides);
+        hn::StoreU(AddProduct(factor, excess, middle), d, this->Channel[c].Smooth + i);
+      }
     }
   }
 
   // A row of the wedge, from its first pixel on.
-  const float* GetPixels(int row)
+  const float* GetPixels(SweepChannel& channel, int row)
   {
-    return this->Wedge.Transposed ? this->GetTransposed(row) : this->Image.GetRow(row);
+    return this->Wedge.Transposed ? this->GetTransposed(channel, row) : channel.Image->GetRow(row);
   }
 
   // Columns of the image become rows 16 at a time, in two strips by turns: rows between pixels need
   // one of each.
-  const float* GetTransposed(int column)
+  const float* GetTransposed(SweepChannel& channel, int column)
   {
     const int strip = column / StripRows;
-    float* values = this->Strips + (strip % 2) * StripRows * this->StripStride;
-    if (this->LoadedStrip[strip % 2] != strip)
+    float* values = channel.Strips + (strip % 2) * StripRows * this->StripStride;
+    if (channel.LoadedStrip[strip % 2] != strip)
     {
-      this->LoadedStrip[strip % 2] = strip;
+      channel.LoadedStrip[strip % 2] = strip;
       int first;
       int last;
       this->FindStripRange(strip, first, last);
-      const int begin = std::max(0, first) / 4 * 4;
+      const int begin = std::max(0, first) / 16 * 16;
       const int end = std::min(this->Wedge.Columns, last + 1);
-      for (int y = begin; y < end; y += 4)
+      const std::ptrdiff_t stride = channel.Image->Stride;
+      for (int y = begin; y < end; y += 16)
       {
-        for (int x = 0; x < StripRows; x += 4)
+        const float* from = channel.Image->GetRow(y) + strip * StripRows;
+        for (int i = 0; i < 16 && y + PrefetchRows < end; ++i)
         {
-          Transpose4(this->Image.GetRow(y) + strip * StripRows + x, this->Image.Stride,
-            values + x * this->StripStride + y, this->StripStride);
+          hwy::Prefetch(from + (i + PrefetchRows) * stride);
         }
+        Transpose16(from, stride, values + y, this->StripStride);
       }
     }
     return values + (column % StripRows) * this->StripStride;
@@ -464,15 +634,14 @@ private:
   void FindStripRange(int strip, int& first, int& last) const
   {
     const SweepWedge& w = this->Wedge;
-    const double margin = StripMargin;
+    const double margin = StripMargin + (this->IsAxis ? w.AxisPixels : 0);
     double low = w.Columns;
     double high = 0.0;
     for (const int row : { strip * StripRows - 1, strip * StripRows + StripRows })
     {
       const double s = std::max(0.0, w.Direction * (row - w.LightRow));
-      const double width = this->IsAxis ? this->Wedge.AxisPixels / std::max(s, 1.0) : 0.0;
-      low = std::min(low, w.LightColumn + (this->IsAxis ? -width : this->LowSlope) * s);
-      high = std::max(high, w.LightColumn + (this->IsAxis ? width : this->HighSlope) * s);
+      low = std::min(low, w.LightColumn + (this->IsAxis ? 0.0 : this->LowSlope * s));
+      high = std::max(high, w.LightColumn + (this->IsAxis ? 0.0 : this->HighSlope * s));
     }
     first = static_cast<int>(std::max(low - margin, -1.0));
     last = static_cast<int>(std::min(high + margin, w.Columns + 1.0));
@@ -480,69 +649,6 @@ private:
 
   //----------------------------------------------------------------------------
   // Lines.
-
-  // From one row to the next; then the sums that make the result.
-  template <int Powers>
-  void AdvanceLines(const SweepRow& row)
-  {
-    const FloatTag d;
-    const int lanes = GetLanes();
-    Float pole[Powers];
-    Float before[Powers];
-    Float after[Powers];
-    Float factor[Powers];
-    for (int j = 0; j < Powers; ++j)
-    {
-      pole[j] = hn::Set(d, row.Pole[j]);
-      before[j] = hn::Set(d, row.Before[j]);
-      after[j] = hn::Set(d, row.After[j]);
-      factor[j] = hn::Set(d, this->Wedge.Factors[j]);
-    }
-    const double position = this->Position - this->FirstPixel;
-    const float step = static_cast<float>(this->Step);
-    const Float negligible = hn::Set(d, Negligible);
-    for (int l = this->FirstLine; l < this->EndLine; l += lanes)
-    {
-      const int lane = l % Group;
-      const Float now = Read<1>(
-        this->Smooth, FindPlaces(position + (l - lane) * this->Step, step, lane, lanes - 1));
-      const Float then = hn::LoadU(d, this->State[Powers] + l);
-      hn::StoreU(now, d, this->State[Powers] + l);
-      Float sum = hn::Zero(d);
-      for (int j = 0; j < Powers; ++j)
-      {
-        Float state = AddProduct(before[j], then, after[j] * now);
-        state = AddProduct(pole[j], hn::LoadU(d, this->State[j] + l), state);
-        state = hn::IfThenElseZero(hn::Gt(hn::Abs(state), negligible), state);
-        hn::StoreU(state, d, this->State[j] + l);
-        sum = AddProduct(factor[j], state, sum);
-      }
-      hn::StoreU(sum, d, this->Sums + l);
-    }
-    if (row.Store >= 0)
-    {
-      this->StoreHistory<Powers>(row.Store, row.Distance, this->FirstLine, this->EndLine);
-    }
-  }
-
-  // The sum that ends of marches subtract, times s: it is smoother than the sum near the light.
-  template <int Powers>
-  void StoreHistory(int entry, double distance, int first, int end)
-  {
-    const FloatTag d;
-    float* history = this->History + this->Wedge.HistoryOffsets[entry];
-    const Float scale = hn::Set(d, static_cast<float>(distance));
-    for (int l = first; l < end; l += GetLanes())
-    {
-      Float sum = hn::Zero(d);
-      for (int j = 0; j < Powers; ++j)
-      {
-        const Float factor = hn::Set(d, this->Wedge.TailFactors[j]);
-        sum = AddProduct(factor, hn::LoadU(d, this->State[j] + l), sum);
-      }
-      hn::StoreU(scale * sum, d, history + l);
-    }
-  }
 
   // Where lines of one octave lie among those of a coarser one: Start + Ratio line.
   struct Map
@@ -559,31 +665,167 @@ private:
     return { (from.FirstSlope - to.FirstSlope) / to.SlopeStep, std::ldexp(1.0, fine - coarse) };
   }
 
-  // The two rows of the history are blended where there are fewer lines: in their own octave.
-  void SubtractTail(const SweepRow& row)
+  // From one row to the next; then the sums that make the result, if one is wanted.
+  template <int Powers>
+  void AdvanceLines(const SweepRow& row)
+  {
+    if (!row.Output || row.Tail < 0)
+    {
+      this->AdvanceLines<Powers, false>(row, Map{ 0.0, 0.0 });
+      this->StoreRow<Powers>(row);
+      return;
+    }
+    const Map coarse = this->FindCoarse(row.Octave, this->Wedge.HistoryOctaves[row.Tail]);
+    if (row.Store >= 0)
+    {
+      // It may be what the row's own end reads.
+      this->AdvanceLines<Powers, false>(row, coarse);
+      this->StoreRow<Powers>(row);
+      this->BlendTail(row, coarse);
+      this->SubtractTail(coarse);
+      return;
+    }
+    this->BlendTail(row, coarse);
+    this->AdvanceLines<Powers, true>(row, coarse);
+  }
+
+  template <int Powers, bool Subtracts>
+  void AdvanceLines(const SweepRow& row, const Map& coarse)
   {
     const FloatTag d;
     const int lanes = GetLanes();
-    const float* here = this->History + this->Wedge.HistoryOffsets[row.Tail];
-    const float* next = this->History + this->Wedge.HistoryOffsets[row.Tail + 1];
-    const Map coarse = this->FindCoarse(row.Octave, this->Wedge.HistoryOctaves[row.Tail]);
+    Float pole[Powers];
+    Float before[Powers];
+    Float after[Powers];
+    Float factor[Powers];
+    for (int j = 0; j < Powers; ++j)
+    {
+      pole[j] = hn::Set(d, row.Pole[j]);
+      before[j] = hn::Set(d, row.Before[j]);
+      after[j] = hn::Set(d, row.After[j]);
+      factor[j] = hn::Set(d, this->Wedge.Factors[j]);
+    }
+    const double position = this->Position - this->FirstPixel;
+    const float step = static_cast<float>(this->Step);
     const float ratio = static_cast<float>(coarse.Ratio);
+    for (int l = this->FirstLine; l < this->EndLine; l += lanes)
+    {
+      const int lane = FindLane(l);
+      const Places places = FindPlaces(position + (l - lane) * this->Step, step, lane, lanes - 1);
+      Places ends;
+      if (Subtracts)
+      {
+        ends = FindPlaces(coarse.Find(l - lane), ratio, lane, lanes - 1);
+      }
+      for (int c = 0; c < Channels; ++c)
+      {
+        SweepChannel& channel = this->Channel[c];
+        const Float now = Read<1>(channel.Smooth, places);
+        const Float then = hn::Load(d, channel.State[Powers] + l);
+        hn::Store(now, d, channel.State[Powers] + l);
+        Float sum = hn::Zero(d);
+        for (int j = 0; j < Powers; ++j)
+        {
+          Float state = AddProduct(before[j], then, after[j] * now);
+          state = AddProduct(pole[j], hn::Load(d, channel.State[j] + l), state);
+          hn::Store(state, d, channel.State[j] + l);
+          sum = AddProduct(factor[j], state, sum);
+        }
+        if (Subtracts)
+        {
+          sum = sum - Read<1>(channel.Tail, ends);
+        }
+        hn::Store(sum, d, channel.Sums + l);
+      }
+    }
+  }
+
+  // Every few rows.
+  template <int Powers>
+  void ClearNegligible()
+  {
+    const FloatTag d;
+    const Float negligible = hn::Set(d, Negligible);
+    for (SweepChannel& channel : this->Channel)
+    {
+      for (int j = 0; j < Powers; ++j)
+      {
+        for (int l = this->FirstLine; l < this->EndLine; l += GetLanes())
+        {
+          const Float state = hn::Load(d, channel.State[j] + l);
+          const Float kept = hn::IfThenElseZero(hn::Gt(hn::Abs(state), negligible), state);
+          hn::Store(kept, d, channel.State[j] + l);
+        }
+      }
+    }
+  }
+
+  template <int Powers>
+  void StoreRow(const SweepRow& row)
+  {
+    if (row.Store >= 0)
+    {
+      this->StoreHistory<Powers>(row.Store, row.Distance, this->FirstLine, this->EndLine);
+    }
+  }
+
+  // The sum that ends of marches subtract, times s: it is smoother than the sum near the light.
+  template <int Powers>
+  void StoreHistory(int entry, double distance, int first, int end)
+  {
+    const FloatTag d;
+    const Float scale = hn::Set(d, static_cast<float>(distance));
+    for (SweepChannel& channel : this->Channel)
+    {
+      float* history = channel.History + this->Wedge.HistoryOffsets[entry];
+      for (int l = first; l < end; l += GetLanes())
+      {
+        Float sum = hn::Zero(d);
+        for (int j = 0; j < Powers; ++j)
+        {
+          const Float factor = hn::Set(d, this->Wedge.TailFactors[j]);
+          sum = AddProduct(factor, hn::Load(d, channel.State[j] + l), sum);
+        }
+        hn::Store(scale * sum, d, history + l);
+      }
+    }
+  }
+
+  // The two rows of the history are blended where there are fewer lines: in their own octave.
+  void BlendTail(const SweepRow& row, const Map& coarse)
+  {
+    const FloatTag d;
     const int first = static_cast<int>(coarse.Find(this->FirstLine)) / Group * Group;
     const int end = static_cast<int>(coarse.Find(this->EndLine)) + 2;
     const Float blend = hn::Set(d, row.TailBlend);
     const Float scale = hn::Set(d, row.TailScale);
-    for (int l = first; l < end; l += lanes)
+    for (SweepChannel& channel : this->Channel)
     {
-      const Float a = hn::LoadU(d, here + l);
-      const Float b = hn::LoadU(d, next + l);
-      hn::StoreU(AddProduct(blend, b - a, a) * scale, d, this->Tail + l);
+      const float* here = channel.History + this->Wedge.HistoryOffsets[row.Tail];
+      const float* next = channel.History + this->Wedge.HistoryOffsets[row.Tail + 1];
+      for (int l = first; l < end; l += GetLanes())
+      {
+        const Float a = hn::Load(d, here + l);
+        const Float b = hn::Load(d, next + l);
+        hn::Store(AddProduct(blend, b - a, a) * scale, d, channel.Tail + l);
+      }
     }
+  }
+
+  void SubtractTail(const Map& coarse)
+  {
+    const FloatTag d;
+    const int lanes = GetLanes();
+    const float ratio = static_cast<float>(coarse.Ratio);
     for (int l = this->FirstLine; l < this->EndLine; l += lanes)
     {
-      const int lane = l % Group;
+      const int lane = FindLane(l);
       const Places places = FindPlaces(coarse.Find(l - lane), ratio, lane, lanes - 1);
-      const Float tail = Read<1>(this->Tail, places);
-      hn::StoreU(hn::LoadU(d, this->Sums + l) - tail, d, this->Sums + l);
+      for (SweepChannel& channel : this->Channel)
+      {
+        const Float tail = Read<1>(channel.Tail, places);
+        hn::Store(hn::Load(d, channel.Sums + l) - tail, d, channel.Sums + l);
+      }
     }
   }
 
@@ -596,25 +838,26 @@ private:
     const Map coarse = this->FindCoarse(row.Octave, previous.Octave);
     const float ratio = static_cast<float>(coarse.Ratio);
     const int lines = this->Octaves[row.Octave].Lines;
-    if (this->IsAxis)
+    for (SweepChannel& channel : this->Channel)
     {
       for (int j = 0; j <= Powers; ++j)
       {
-        std::copy_n(this->State[j], this->Stride, this->GetAxisState(previous.Octave, j));
-      }
-    }
-    for (int j = 0; j <= Powers; ++j)
-    {
-      for (int l = 0; l < lines; l += lanes)
-      {
-        const int lane = l % Group;
-        const Places places = FindPlaces(coarse.Find(l - lane), ratio, lane, lanes - 1);
-        hn::StoreU(ReadSmoothly<1>(this->State[j], places), d, this->Spare[j] + l);
-      }
-      std::swap(this->State[j], this->Spare[j]);
-      if (this->Axis)
-      {
-        this->TakeFromAxis(j, previous.Octave, row.Octave);
+        if (this->IsAxis)
+        {
+          std::copy_n(
+            channel.State[j], this->Stride, this->GetAxisState(channel, previous.Octave, j));
+        }
+        for (int l = 0; l < lines; l += lanes)
+        {
+          const int lane = FindLane(l);
+          const Places places = FindPlaces(coarse.Find(l - lane), ratio, lane, lanes - 1);
+          hn::Store(ReadSmoothly<NEAR>(channel.State[j], places), d, channel.Spare[j] + l);
+        }
+        std::swap(channel.State[j], channel.Spare[j]);
+        if (this->HasAxis)
+        {
+          this->TakeFromAxis(channel, j, previous.Octave, row.Octave);
+        }
       }
     }
     if (row.RefineStore >= 0)
@@ -624,29 +867,28 @@ private:
   }
 
   // The strip's states before a refinement.
-  float* GetAxisState(int octave, int power) const
+  float* GetAxisState(const SweepChannel& channel, int octave, int power) const
   {
-    return this->Workspace.AxisStates.data() +
+    return channel.AxisStates +
       (static_cast<std::ptrdiff_t>(octave) * (this->Wedge.Powers + 1) + power) * this->Stride;
   }
 
   // The states of lines in the axis strip.
-  void TakeFromAxis(int power, int coarse, int fine)
+  void TakeFromAxis(SweepChannel& channel, int power, int coarse, int fine)
   {
     const SweepOctave& axis = this->Wedge.AxisOctaves[coarse];
     const SweepOctave& octave = this->Octaves[fine];
     const double start = this->GetSlope(octave);
     const double low = std::ceil((-axis.HalfWidth - start) / octave.SlopeStep);
     const double high = std::floor((axis.HalfWidth - start) / octave.SlopeStep);
-    const float* states = this->Axis->AxisStates.data() +
-      (static_cast<std::ptrdiff_t>(coarse) * (this->Wedge.Powers + 1) + power) * this->Stride;
+    const float* states = this->GetAxisState(channel, coarse, power);
     const int end = static_cast<int>(std::min(high, octave.Lines - 1.0));
     for (int l = static_cast<int>(std::max(low, 0.0)); l <= end; ++l)
     {
       const double position = (start + l * octave.SlopeStep - axis.FirstSlope) / axis.SlopeStep;
       const int left = static_cast<int>(position);
       const float f = static_cast<float>(position - left);
-      this->State[power][l] = states[left] + f * (states[left + 1] - states[left]);
+      channel.State[power][l] = states[left] + f * (states[left + 1] - states[left]);
     }
   }
 
@@ -695,17 +937,23 @@ private:
   }
 
   // What the axis strip has found, instead.
-  void TakePixelsFromAxis(const SweepRow& row, int first, int last, float* to) const
+  void TakePixelsFromAxis(const SweepRow& row, int first, int last, float* const to[Channels]) const
   {
-    const int* columns = this->Axis->AxisColumns.data() + 2 * row.OutputIndex;
+    const int* columns = this->AxisColumns.data() + 2 * row.OutputIndex;
     const int begin = std::max(first, columns[0]);
     const int end = std::min(last, columns[1]);
-    const float* from = this->Axis->AxisPixels.data() +
-      static_cast<std::ptrdiff_t>(row.OutputIndex) * this->Wedge.AxisPixels;
-    for (int x = begin; x <= end; ++x)
+    for (int c = 0; c < Channels && begin <= end; ++c)
     {
-      to[x - first] = from[x - columns[0]];
+      const float* from = this->GetAxisPixels(c, row);
+      std::copy(
+        from + (begin - columns[0]), from + (end + 1 - columns[0]), to[c] + (begin - first));
     }
+  }
+
+  float* GetAxisPixels(int c, const SweepRow& row) const
+  {
+    return this->Channel[c].AxisPixels +
+      static_cast<std::ptrdiff_t>(row.OutputIndex) * this->Wedge.AxisPixels;
   }
 
   void WriteRow(const SweepRow& row)
@@ -726,175 +974,180 @@ private:
     }
     const double position = (first - this->Position) / this->Step; // in lines
     const double step = 1.0 / this->Step;
-    float* to;
-    if (this->IsAxis)
-    {
-      this->Workspace.AxisColumns[2 * row.OutputIndex] = first;
-      this->Workspace.AxisColumns[2 * row.OutputIndex + 1] = last;
-      to = this->Workspace.AxisPixels.data() +
-        static_cast<std::ptrdiff_t>(row.OutputIndex) * this->Wedge.AxisPixels;
-    }
-    else
-    {
-      to = this->GetOutput(row.Row, first, last);
-    }
+    float* to[Channels];
+    this->FindTargets(row, first, last, to);
     const int lanes = GetLanes();
-    if ((lanes - 1) * step + 1.0 < lanes)
+    const int count = last - first + 1;
+    const double reach = (lanes - 1) * step + 1.0;
+    if (reach < lanes)
     {
-      this->WritePixels<1>(position, step, lanes - 1, to, last - first + 1);
+      this->WritePixels<NEAR>(position, step, lanes - 1, to, count);
     }
-    else if ((lanes - 1) * step + 1.0 < 2 * lanes)
+    else if (reach < 2 * lanes - 3)
     {
-      this->WritePixels<2>(position, step, 2 * lanes - 1, to, last - first + 1);
+      this->WritePixels<MIDDLE>(position, step, 2 * lanes - 4, to, count);
+    }
+    else if (reach < 2 * lanes)
+    {
+      this->WritePixels<FAR>(position, step, 2 * lanes - 1, to, count);
     }
     else
     {
-      this->WritePixels<0>(position, step, std::numeric_limits<int>::max(), to, last - first + 1);
+      this->WritePixels<ANY>(position, step, std::numeric_limits<int>::max(), to, count);
     }
-    if (this->Axis)
+    if (this->HasAxis)
     {
       this->TakePixelsFromAxis(row, first, last, to);
     }
   }
 
-  template <int Registers>
-  HWY_INLINE void WritePixels(double position, double step, int maximum, float* to, int count)
+  template <int Reach>
+  HWY_INLINE void WritePixels(
+    double position, double step, int maximum, float* const to[Channels], int count)
   {
     const FloatTag d;
     const IntTag di;
     const int lanes = GetLanes();
-    const Float gain = hn::Set(d, this->Gain);
-    const Float largest = hn::Set(d, LargestFloat);
-    for (int i = 0; i < count; i += lanes)
+    int i = 0;
+    for (; i + lanes <= count; i += lanes)
     {
-      const int lane = i % Group;
+      const int lane = FindLane(i);
+      const double start = std::max(1.0, position + (i - lane) * step);
+      const Places places = FindPlaces(start, static_cast<float>(step), lane, maximum);
+      for (int c = 0; c < Channels; ++c)
+      {
+        hn::StoreU(this->FindResult<Reach>(this->Channel[c], places), d, to[c] + i);
+      }
+    }
+    if (i < count)
+    {
+      const int lane = FindLane(i);
       const double start = std::max(1.0, position + (i - lane) * step);
       Places places = FindPlaces(start, static_cast<float>(step), lane, maximum);
-      if (count - i < lanes)
-      {
-        // Those beyond the last pixel read lines that may not exist; they are dropped.
-        places.Base = std::min<std::ptrdiff_t>(places.Base, this->Stride - 3);
-        places.Index =
-          hn::Min(places.Index, hn::Set(di, static_cast<int>(this->Stride - 3 - places.Base)));
-      }
-      const Float sum = ReadSmoothly<Registers>(this->Sums, places) * gain;
-      const Float value = hn::Max(hn::Min(sum, largest), hn::Zero(d));
-      if (count - i >= lanes)
-      {
-        hn::StoreU(value, d, to + i);
-      }
-      else
+      // Those beyond the last pixel read lines that may not exist; they are dropped.
+      places.Base = std::min<std::ptrdiff_t>(places.Base, this->Stride - 3);
+      places.Index =
+        hn::Min(places.Index, hn::Set(di, static_cast<int>(this->Stride - 3 - places.Base)));
+      for (int c = 0; c < Channels; ++c)
       {
         HWY_ALIGN float rest[Group];
-        hn::Store(value, d, rest);
-        std::copy(rest, rest + (count - i), to + i);
+        hn::Store(this->FindResult<Reach>(this->Channel[c], places), d, rest);
+        std::copy(rest, rest + (count - i), to[c] + i);
       }
     }
   }
 
-  // Where pixels first to last of a row are written.
-  float* GetOutput(int row, int first, int last)
+  template <int Reach>
+  static HWY_INLINE Float FindResult(const SweepChannel& channel, const Places& places)
   {
+    const FloatTag d;
+    const Float sum = ReadSmoothly<Reach>(channel.Sums, places) * hn::Set(d, channel.Gain);
+    return hn::Max(hn::Min(sum, hn::Set(d, LargestFloat)), hn::Zero(d));
+  }
+
+  // Where pixels first to last of a row are written.
+  void FindTargets(const SweepRow& row, int first, int last, float* to[Channels])
+  {
+    if (this->IsAxis)
+    {
+      this->AxisColumns[2 * row.OutputIndex] = first;
+      this->AxisColumns[2 * row.OutputIndex + 1] = last;
+      for (int c = 0; c < Channels; ++c)
+      {
+        to[c] = this->GetAxisPixels(c, row);
+      }
+      return;
+    }
     if (!this->Wedge.Transposed)
     {
-      return this->Result.Values + row * this->Result.Stride + first;
+      for (int c = 0; c < Channels; ++c)
+      {
+        const SweepResult& result = this->Channel[c].Result;
+        to[c] = result.Values + row.Row * result.Stride + first;
+      }
+      return;
     }
-    const int strip = (row + this->OutputShift) / StripRows;
+    const int strip = (row.Row + this->OutputShift) / StripRows;
     if (strip != this->OutputStrip)
     {
       this->FlushStrip();
       this->OutputStrip = strip;
     }
-    const int column = (row + this->OutputShift) % StripRows;
+    const int column = (row.Row + this->OutputShift) % StripRows;
     this->OutputFirst[column] = first;
     this->OutputLast[column] = last;
-    return this->GetOutputRow(column) + first;
+    for (int c = 0; c < Channels; ++c)
+    {
+      to[c] = this->GetOutputRow(this->Channel[c], column) + first;
+    }
   }
 
-  float* GetOutputRow(int column) const
+  float* GetOutputRow(const SweepChannel& channel, int column) const
   {
-    return this->Strips + (2 * StripRows + column) * this->StripStride;
+    return channel.Strips + (2 * StripRows + column) * this->StripStride;
   }
 
-  // Write a strip of columns into the image; most 4 x 4 blocks are complete.
+  // Write a strip of columns into the image; most 16 x 16 blocks are complete.
   void FlushStrip()
   {
     if (this->OutputStrip < 0)
     {
       return;
     }
-    for (int column = 0; column < StripRows; column += 4)
+    int begin = 0;
+    int end = std::numeric_limits<int>::max();
+    for (int i = 0; i < StripRows; ++i)
     {
-      this->FlushColumns(column);
+      begin = std::max(begin, this->OutputFirst[i]);
+      end = std::min(end, this->OutputLast[i] + 1);
+    }
+    begin = (begin + 15) / 16 * 16;
+    end = std::max(begin, end / 16 * 16);
+    for (SweepChannel& channel : this->Channel)
+    {
+      const std::ptrdiff_t stride = channel.Result.Stride;
+      float* to = channel.Result.Values + (this->OutputStrip * StripRows - this->OutputShift);
+      const float* from = this->GetOutputRow(channel, 0);
+      for (int y = begin; y < end; y += 16)
+      {
+        Transpose16(from + y, this->StripStride, to + y * stride, stride);
+      }
+      for (int column = 0; column < StripRows; ++column)
+      {
+        const float* values = from + column * this->StripStride;
+        const int last = this->OutputLast[column];
+        for (int y = this->OutputFirst[column]; y <= last && y < begin; ++y)
+        {
+          to[y * stride + column] = values[y];
+        }
+        for (int y = std::max(end, this->OutputFirst[column]); y <= last; ++y)
+        {
+          to[y * stride + column] = values[y];
+        }
+      }
     }
     std::fill_n(this->OutputFirst, StripRows, 0);
     std::fill_n(this->OutputLast, StripRows, -1);
     this->OutputStrip = -1;
   }
 
-  void FlushColumns(int column)
-  {
-    const int* first = this->OutputFirst + column;
-    const int* last = this->OutputLast + column;
-    int fullBegin = 0;
-    int fullEnd = std::numeric_limits<int>::max();
-    for (int i = 0; i < 4; ++i)
-    {
-      fullBegin = std::max(fullBegin, first[i]);
-      fullEnd = std::min(fullEnd, last[i] + 1);
-    }
-    fullEnd = std::max(fullBegin, fullEnd);
-    fullEnd = fullBegin + (fullEnd - fullBegin) / 4 * 4;
-    float* to = this->Result.Values + (this->OutputStrip * StripRows + column - this->OutputShift);
-    for (int y = fullBegin; y < fullEnd; y += 4)
-    {
-      Transpose4(this->GetOutputRow(column) + y, this->StripStride, to + y * this->Result.Stride,
-        this->Result.Stride);
-    }
-    for (int i = 0; i < 4; ++i)
-    {
-      const float* from = this->GetOutputRow(column + i);
-      for (int y = first[i]; y <= last[i]; ++y)
-      {
-        if (y == fullBegin && fullEnd > fullBegin)
-        {
-          y = fullEnd - 1;
-          continue;
-        }
-        to[y * this->Result.Stride + i] = from[y];
-      }
-    }
-  }
-
   const SweepWedge& Wedge;
   const std::vector<SweepOctave>& Octaves;
-  const SweepImage& Image;
-  const SweepWorkspace* const Axis;
-  SweepWorkspace& Workspace;
-  const SweepResult& Result;
-  const float Gain;
+  std::vector<int>& AxisColumns;
   const bool Last;
   const bool First;
   const bool IsAxis;
+  const bool HasAxis;
   const double LowSlope;
   const double HighSlope;
   const int Stride;
-  const float LightValue;
 
-  float* State[MaximumPowers + 1] = {};
-  float* Spare[MaximumPowers + 1] = {};
-  float* Sums = nullptr;
-  float* Tail = nullptr;
-  float* Raw = nullptr;
-  float* Smooth = nullptr;
-  float* History = nullptr;
-  float* Strips = nullptr;
+  SweepChannel Channel[Channels];
   std::ptrdiff_t StripStride = 0;
-  int LoadedStrip[2] = { -1, -1 };
   int OutputStrip = -1;
   int OutputShift = 0; // so that columns of a strip share lines of the cache
   int OutputFirst[StripRows] = {};
-  int OutputLast[StripRows] = { -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1 };
+  int OutputLast[StripRows] = {};
 
   // In the present row:
   double Position = 0.0; // of line 0 [pixels]
@@ -905,25 +1158,37 @@ private:
 };
 
 //------------------------------------------------------------------------------
-void RunBand(const SweepPlan& plan, const SweepWedge& wedge, int band, const SweepImage& image,
-  const SweepWorkspace* axis, SweepWorkspace& workspace, const SweepResult& result)
+template <int Channels>
+void RunChannels(const SweepPlan& plan, const SweepWedge& wedge, int band, const SweepImage* images,
+  SweepWorkspace* axis, SweepWorkspace& workspace, const SweepResult* results)
 {
-  BandSweep sweep(plan, wedge, band, image, axis, workspace, result);
+  BandSweep<Channels> sweep(plan, wedge, band, images, axis, workspace, results);
   switch (wedge.Powers)
   {
     case 1:
-      return sweep.Run<1>();
+      return sweep.template Run<1>();
     case 2:
-      return sweep.Run<2>();
+      return sweep.template Run<2>();
     case 3:
-      return sweep.Run<3>();
+      return sweep.template Run<3>();
     case 4:
-      return sweep.Run<4>();
+      return sweep.template Run<4>();
     case 5:
-      return sweep.Run<5>();
+      return sweep.template Run<5>();
     default:
-      return sweep.Run<6>();
+      return sweep.template Run<6>();
   }
+}
+
+//------------------------------------------------------------------------------
+void RunBand(const SweepPlan& plan, const SweepWedge& wedge, int band, const SweepImage* images,
+  int channels, SweepWorkspace* axis, SweepWorkspace& workspace, const SweepResult* results)
+{
+  if (channels == 3)
+  {
+    return RunChannels<3>(plan, wedge, band, images, axis, workspace, results);
+  }
+  RunChannels<1>(plan, wedge, band, images, axis, workspace, results);
 }
 
 //------------------------------------------------------------------------------
@@ -1107,21 +1372,21 @@ HWY_EXPORT(RunTaps);
 HWY_EXPORT(LoadFloats);
 
 //------------------------------------------------------------------------------
-void SweepAxis(const SweepPlan& plan, const SweepWedge& wedge, const SweepImage& image,
-  SweepWorkspace& workspace)
+void SweepAxis(const SweepPlan& plan, const SweepWedge& wedge, const SweepImage* images,
+  int channels, SweepWorkspace& workspace)
 {
   if (!wedge.AxisOctaves.empty())
   {
     HWY_DYNAMIC_DISPATCH(RunBand)
-    (plan, wedge, 0, image, nullptr, workspace, SweepResult{ nullptr, 0 });
+    (plan, wedge, 0, images, channels, nullptr, workspace, nullptr);
   }
 }
 
 //------------------------------------------------------------------------------
-void SweepBand(const SweepPlan& plan, const SweepWedge& wedge, int band, const SweepImage& image,
-  const SweepWorkspace& axis, SweepWorkspace& workspace, const SweepResult& result)
+void SweepBand(const SweepPlan& plan, const SweepWedge& wedge, int band, const SweepImage* images,
+  int channels, SweepWorkspace& axis, SweepWorkspace& workspace, const SweepResult* results)
 {
-  HWY_DYNAMIC_DISPATCH(RunBand)(plan, wedge, band, image, &axis, workspace, result);
+  HWY_DYNAMIC_DISPATCH(RunBand)(plan, wedge, band, images, channels, &axis, workspace, results);
 }
 
 //------------------------------------------------------------------------------

@@ -29,13 +29,15 @@ struct SweepResult
   std::ptrdiff_t Stride;
 };
 
+///@{
+/// Of 1 or 3 images and results at once.
 /// Sweep the axis strip of a wedge, if it has one, and leave what it found in the workspace.
-void SweepAxis(const SweepPlan& plan, const SweepWedge& wedge, const SweepImage& image,
-  SweepWorkspace& workspace);
-
+void SweepAxis(const SweepPlan& plan, const SweepWedge& wedge, const SweepImage* images,
+  int channels, SweepWorkspace& workspace);
 /// Sweep one band of a wedge and write the pixels that lie in it. axis: the strip's workspace.
-void SweepBand(const SweepPlan& plan, const SweepWedge& wedge, int band, const SweepImage& image,
-  const SweepWorkspace& axis, SweepWorkspace& workspace, const SweepResult& result);
+void SweepBand(const SweepPlan& plan, const SweepWedge& wedge, int band, const SweepImage* images,
+  int channels, SweepWorkspace& axis, SweepWorkspace& workspace, const SweepResult* results);
+///@}
 
 /// Sum taps along the marches of pixels first to last of row y, within the image only.
 /// tolerance: root mean square error that is accepted [fraction of the peak].
