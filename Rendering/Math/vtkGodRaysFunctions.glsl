@@ -121,6 +121,49 @@ FUNCTION Real MeanExponential(IN(Real) k)
   return mean;
 }
 
+// The part of a march along which one of its coordinates is within [-margin, 1 + margin]; empty, the
+// first number above the second, if there is none.
+// Formula: the two t at which position + t march is at an end. [fractions of the march]
+FUNCTION Vec2 ClipCoordinate(IN(Real) position, IN(Real) march, IN(Real) margin)
+{
+  Real low = -margin - position;
+  Real high = 1.0 + margin - position;
+  if (abs(march) < 1e-20)
+  {
+    return low <= 0.0 && high >= 0.0 ? Vec2(0.0, 1.0) : Vec2(1.0, 0.0);
+  }
+  return Vec2(min(low / march, high / march), max(low / march, high / march));
+}
+
+// The part of a march from uv along which a layer that is 0 beyond margin can be other than 0.
+// Formula: where ClipCoordinate allows both, within [0, 1]. [fractions of the march]
+FUNCTION Vec2 ClipMarch(IN(Vec2) uv, IN(Vec2) march, IN(Vec2) margin)
+{
+  Vec2 x = ClipCoordinate(uv.x, march.x, margin.x);
+  Vec2 y = ClipCoordinate(uv.y, march.y, margin.y);
+  return Vec2(max(0.0, max(x.x, y.x)), min(1.0, min(x.y, y.y)));
+}
+
+// The mean of a layer along the part of a march from t = part.x to part.y, weighted by e^(-k t) as
+// a part of the whole march, for a layer that is 0 in the rest. Taps are in the middle of equal
+// steps, whose weights are exact.
+// Formula: sum_i s(uv + (t_i + h/2) march) integral_{t_i}^{t_i + h} e^(-k t) dt/MeanExponential(k),
+// t_i = part.x + i h. [the layer's unit]
+LAYER_TEMPLATE Vec3 MeanAlongMarch(
+  IN(Layer) layer, IN(Vec2) uv, IN(Vec2) march, IN(Real) k, IN(Vec2) part, IN(int) taps)
+{
+  Real h = (part.y - part.x) / Real(taps);
+  Real weight = h * exp(-k * part.x) * MeanExponential(k * h) / MeanExponential(k);
+  Real decay = exp(-k * h);
+  Vec3 sum = Vec3(0.0);
+  for (int i = 0; i < taps; ++i)
+  {
+    sum += weight * SampleLayer(layer, uv + (part.x + (Real(i) + 0.5) * h) * march);
+    weight *= decay;
+  }
+  return sum;
+}
+
 // --- Display transfer ----------------------------------------------------------------------------
 
 // Linear light of a display value, and of a colour. Above 1 the curve goes on.
