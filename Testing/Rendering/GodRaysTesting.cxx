@@ -372,7 +372,7 @@ double GetErrorOfScattering(vtkGodRaysPass* rays, vtkRenderer* renderer, std::ar
 //------------------------------------------------------------------------------
 double GetErrorOfLimit(vtkGodRaysPass* rays, vtkRenderer* renderer, std::array<double, 3> clip)
 {
-  return GetError(rays, renderer, clip, 2048).RootMeanSquare;
+  return GetError(rays, renderer, clip, 1024).RootMeanSquare;
 }
 
 //------------------------------------------------------------------------------

@@ -104,7 +104,7 @@ void SumTaps(vtkGodRaysPass* rays);
 double GetErrorOfScattering(
   vtkGodRaysPass* rays, vtkRenderer* renderer, std::array<double, 3> clip);
 
-/// The same as root mean square over the picture, and against 2048 taps: against the limit.
+/// The same as root mean square over the picture, and against 1024 taps: against the limit.
 double GetErrorOfLimit(vtkGodRaysPass* rays, vtkRenderer* renderer, std::array<double, 3> clip);
 
 /// Visit lights of all kinds in a scene: before and behind the camera, off screen, parallel views,

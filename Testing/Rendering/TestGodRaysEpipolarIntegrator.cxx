@@ -40,7 +40,7 @@ class GodRaysEpipolar : public ::testing::TestWithParam<int>
 {
 protected:
   Messages VTKMessages;
-  Stage Scene{ 160, 120 };
+  Stage Scene{ 96, 72 };
   vtkGodRaysPass* Rays = Scene.Rays;
   vtkNew<ProbedIntegrator> Integrator;
 
@@ -94,7 +94,7 @@ TEST_P(GodRaysEpipolar, KeepsTheToleranceForLightsOfAllKinds)
 {
   for (double tolerance : { 1.0 / 255.0, 1e-3 })
   {
-    Stage scene(160, 120);
+    Stage scene(96, 72);
     scene.Rays->SetIntegrator(this->Integrator);
     scene.Rays->SetErrorTolerance(tolerance);
     scene.Rays->SetPrecision(vtkGodRaysPass::SINGLE);
@@ -195,7 +195,7 @@ TEST_P(GodRaysEpipolar, AddsLightsOfAllKinds)
     return this->GetScattering();
   }();
   const double peak = GetLargest(both);
-  for (int i = 0; i < 3 * 160 * 120; ++i)
+  for (int i = 0; i < 3 * 96 * 72; ++i)
   {
     const auto at = [i](vtkImageData* image)
     { return static_cast<float*>(image->GetScalarPointer())[i]; };
@@ -250,6 +250,7 @@ TEST_P(GodRaysEpipolar, IsCheaperWhileTheUserDragsAndThenAsAsked)
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, GodRaysEpipolar,
-  ::testing::Values(static_cast<int>(vtkGodRaysEpipolarIntegrator::PROCESSOR)),
+  ::testing::Values(static_cast<int>(vtkGodRaysEpipolarIntegrator::PROCESSOR),
+    static_cast<int>(vtkGodRaysEpipolarIntegrator::GRAPHICS)),
   [](const auto& info)
   { return info.param == vtkGodRaysEpipolarIntegrator::PROCESSOR ? "Processor" : "Graphics"; });

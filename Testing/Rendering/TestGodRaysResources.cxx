@@ -6,6 +6,7 @@
 
 #include "GodRaysTesting.h"
 
+#include "vtkGodRaysEpipolarIntegrator.h"
 #include "vtkGodRaysRadialModel.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -171,7 +172,8 @@ struct Kind
 {
   const char* Name;
   std::function<void(Stage&)> Arrange;
-  int Objects = 0; // that VTK makes more in every frame
+  int Objects = 0;    // that VTK makes more in every frame
+  bool Grows = false; // textures grow as more is asked for, and stay
 };
 
 void PrintTo(const Kind& kind, std::ostream* os)
@@ -199,8 +201,26 @@ void AddLights(Stage& scene)
   scene.Rays->AddLight(MakeLamplight({ 1.0, 1.0, -3.0 }));
 }
 
+void UseShaders(Stage& scene)
+{
+  auto integrator = vtkGodRaysEpipolarIntegrator::SafeDownCast(scene.Rays->GetIntegrator());
+  integrator->SetBackend(vtkGodRaysEpipolarIntegrator::GRAPHICS);
+}
+
+void AddAll(Stage& scene)
+{
+  AddIgnored(scene);
+  AddShiningProp(scene);
+  AddLights(scene);
+  scene.Window->SetMultiSamples(8);
+  scene.Rays->SetLayerMargin(0.25);
+  scene.Rays->SetResolutionScale(0.5);
+}
+
 const Kind Kinds[] = {
   { "Plain", [](Stage&) {} },
+  { "InShaders", UseShaders, 0, true },
+  { "Taps", [](Stage& scene) { SumTaps(scene.Rays); } },
   { "Tagged", AddIgnored },
   { "ShiningProp", AddShiningProp },
   { "Lights", AddLights },
@@ -219,21 +239,24 @@ const Kind Kinds[] = {
       scene.Renderer->UseDepthPeelingOn();
     },
     1 }, // a mapper's vertex array, as the prop is drawn now with, now without the peeling's shader
-  { "Coarse", [](Stage& scene) { scene.Rays->SetResolutionScale(0.5); } },
+  { "Coarse",
+    [](Stage& scene)
+    {
+      SumTaps(scene.Rays);
+      scene.Rays->SetResolutionScale(0.5);
+    } },
   { "Margin", [](Stage& scene) { scene.Rays->SetLayerMargin(0.25); } },
   { "MultiSamples", [](Stage& scene) { scene.Window->SetMultiSamples(8); } },
   { "ThreePasses", [](Stage& scene) { scene.Rays->ApplyPreset("three.js"); } },
   { "Timed", [](Stage& scene) { scene.Rays->MeasureTimesOn(); } },
-  { "All",
+  { "All", AddAll },
+  { "AllInShaders",
     [](Stage& scene)
     {
-      AddIgnored(scene);
-      AddShiningProp(scene);
-      AddLights(scene);
-      scene.Window->SetMultiSamples(8);
-      scene.Rays->SetLayerMargin(0.25);
-      scene.Rays->SetResolutionScale(0.5);
-    } },
+      AddAll(scene);
+      UseShaders(scene);
+    },
+    0, true },
 };
 
 class GodRaysSteadyFrame : public ::testing::TestWithParam<Kind>
@@ -308,6 +331,12 @@ TEST_P(GodRaysSteadyFrame, NeedsNoShaderForANumber)
   {
     change.second();
     const Counts counts = Draw(scene);
+    if (GetParam().Grows)
+    {
+      EXPECT_EQ(counts.Shaders + counts.Programs + counts.Buffers, 0) << change.first << counts;
+      EXPECT_EQ(Draw(scene).GetMade(), own) << change.first;
+      continue;
+    }
     EXPECT_EQ(counts.GetMade(), own) << change.first << ": " << counts;
     EXPECT_TRUE(counts.AliveAs(Counts())) << change.first << ": " << counts;
   }

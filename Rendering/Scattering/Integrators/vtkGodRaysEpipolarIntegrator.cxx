@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysEpipolarIntegrator.h"
 
+#include "vtkGodRaysBlockMeans.h"
+#include "vtkGodRaysClippedTaps.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysRadialModel.h"
 #include "vtkGodRaysRadialSweep.h"
@@ -55,6 +57,9 @@ struct vtkGodRaysEpipolarIntegrator::Internals
 {
   vtkNew<vtkGodRaysTapsIntegrator> Taps;
   vtkGodRaysRadialSweep Sweep;
+  vtkGodRaysBlockMeans BlockMeans;
+  vtkGodRaysClippedTaps ClippedTaps;
+  std::string Plan = "nothing yet";        // what was done last
   std::vector<float> Pixels;               // of layers and rays of three channels
   vtkGodRaysTarget Rays[2];                // of one channel, and of three
   vtkOpenGLRenderWindow* Window = nullptr; // that Software is known of
@@ -73,6 +78,7 @@ struct vtkGodRaysEpipolarIntegrator::Internals
   }
 
   bool IntegrateOnProcessor(const Request& request, vtkGodRaysRadialModel* model);
+  bool IntegrateOnGraphics(const Request& request);
 };
 
 namespace
@@ -220,7 +226,19 @@ bool vtkGodRaysEpipolarIntegrator::Internals::IntegrateOnProcessor(
       });
     rays.Write(GL_RGB, GL_FLOAT, this->Pixels.data());
   }
+  this->Plan = "on the processor: " + this->Sweep.Describe();
   return request.Result->Lend(rays, request.Color, request.ViewScale);
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysEpipolarIntegrator::Internals::IntegrateOnGraphics(const Request& request)
+{
+  const bool keeps = vtkGodRaysBlockMeans::Keeps(request);
+  const bool done =
+    keeps ? this->BlockMeans.Integrate(request) : this->ClippedTaps.Integrate(request);
+  this->Plan =
+    "in shaders: " + (keeps ? this->BlockMeans.Describe() : this->ClippedTaps.Describe());
+  return done;
 }
 
 //------------------------------------------------------------------------------
@@ -270,7 +288,9 @@ bool vtkGodRaysEpipolarIntegrator::Integrate(const Request& request)
   {
     request.Result->Download(before);
   }
-  if (!self.IntegrateOnProcessor(request, model))
+  if (!(self.UsesProcessor(this->Backend, request.Window)
+          ? self.IntegrateOnProcessor(request, model)
+          : self.IntegrateOnGraphics(request)))
   {
     return false;
   }
@@ -291,13 +311,15 @@ std::string vtkGodRaysEpipolarIntegrator::Describe(vtkGodRaysModel* model, doubl
   {
     return this->Internal->Taps->Describe(model, resolutionScale) + ", as published";
   }
-  return "epipolar, on the processor: " + this->Internal->Sweep.Describe();
+  return "epipolar, " + this->Internal->Plan;
 }
 
 //------------------------------------------------------------------------------
 void vtkGodRaysEpipolarIntegrator::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Taps->ReleaseGraphicsResources(window);
+  this->Internal->BlockMeans.Release(window);
+  this->Internal->ClippedTaps.Release();
   this->Internal->Rays[0].Release(window);
   this->Internal->Rays[1].Release(window);
   this->Internal->Window = nullptr;
