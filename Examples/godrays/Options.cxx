@@ -279,7 +279,8 @@ void AddOutputOptions(Parser& parser, Options& options)
     [&options](const std::string& text) { options.Output = text; });
   parser.AddFlag("--interactive", options.Interactive,
     "Open a window, also with --output, which is then written when it closes");
-  parser.AddFlag("--stats", options.Stats, "Print what was drawn, how, and how long it took");
+  parser.AddFlag("--stats", options.Stats,
+    "Print what was drawn, how, how long it took, and how exact the rays are");
   parser.AddFlag("--list-presets", options.ListPresets, "List the named looks");
   parser.AddFlag("--list-colormaps", options.ListColormaps, "List the colour maps");
 }

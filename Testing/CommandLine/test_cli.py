@@ -341,6 +341,9 @@ class Lists(ProgramTest):
         for word in ("cells", "colours    by Elevation", "--camera-position", "--sun", "(chosen)",
                      "plan", "stage times", "scattering"):
             self.assertIn(word, text)
+        error, largest = map(float, re.search(r"error +(\S+) .*largest ([^;]+);", text).groups())
+        self.assertTrue(0 < error <= largest < 0.1, text)
+        self.assertLess(error, 1 / 255)
         self.assertIn("--no-rays", godrays(*arguments, "--no-rays").stdout)
 
     def test_stats_tell_how_to_have_the_picture_again(self):
