@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <sstream>
+#include <tuple>
 #include <vector>
 
 namespace
@@ -127,7 +128,7 @@ bool ChooseEffort(
   for (const EffortRow& row : Efforts)
   {
     // Parallel lines a whole fraction of a pixel apart can meet the centres of all pixels.
-    effort.Spacing = parallelism > 2.0 ? 1.0 / std::ceil(1.0 / row.Spacing - 1e-6) : row.Spacing;
+    effort.Spacing = parallelism > 3.0 ? 1.0 / std::ceil(1.0 / row.Spacing - 1e-6) : row.Spacing;
     effort.SubrowReach = row.SubrowReach;
     if (row.Error * scale <= tolerance)
     {
@@ -135,6 +136,24 @@ bool ChooseEffort(
     }
   }
   return false;
+}
+
+//------------------------------------------------------------------------------
+// Of a band, within the image; rows that are divided count as more.
+double EstimatePixels(const SweepWedge& wedge, int band)
+{
+  const double low = wedge.FirstSlope + band * wedge.BandWidth;
+  double pixels = 0.0;
+  const std::size_t step = std::max<std::size_t>(1, wedge.Schedule.size() / 64);
+  for (std::size_t i = 0; i < wedge.Schedule.size(); i += step)
+  {
+    const double s = wedge.Schedule[i].Distance;
+    const double left = std::max(-1.0, wedge.LightColumn + low * s);
+    const double right =
+      std::min<double>(wedge.Columns, wedge.LightColumn + (low + wedge.BandWidth) * s);
+    pixels += 16.0 + std::max(0.0, right - left);
+  }
+  return pixels * static_cast<double>(step);
 }
 
 //------------------------------------------------------------------------------
@@ -228,12 +247,7 @@ public:
     {
       return this->SumTaps(monitor, std::max(steps, 20));
     }
-    if (!this->Sweep(monitor, steps))
-    {
-      return false;
-    }
-    this->SumTapsNearLight();
-    return true;
+    return this->Sweep(monitor, steps);
   }
 
   void SetResult(int component, float* values) { this->Places[component] = values; }
@@ -306,6 +320,18 @@ private:
     int Component; // the first one
     int Channels;
     int Strip; // of the axis, in this wedge and component
+    double Cost;
+  };
+
+  // A row of the disc about the light.
+  struct NearRow
+  {
+    int Y;
+    int First;
+    int Last;
+    std::size_t Offset; // in NearPixels; components follow each other
+
+    std::size_t GetWidth() const { return static_cast<std::size_t>(this->Last) - this->First + 1; }
   };
 
   // Three components are swept together, others one by one. Each band of lines writes pixels of
@@ -321,74 +347,127 @@ private:
       {
         const SweepWedge& wedge = this->Plan.Wedges[i];
         const int strip = static_cast<int>(this->Strips.size());
-        this->Strips.push_back({ &wedge, 0, c, channels, strip });
+        this->Strips.push_back({ &wedge, 0, c, channels, strip, 0.0 });
         for (int band = 0; band < wedge.Bands; ++band)
         {
-          this->Tasks.push_back({ &wedge, band, c, channels, strip });
+          this->Tasks.push_back({ &wedge, band, c, channels, strip, 0.0 });
         }
       }
       c += channels;
     }
     this->Axes.resize(std::max(this->Axes.size(), this->Strips.size()));
     this->Workspaces.resize(std::max(this->Workspaces.size(), this->Tasks.size()));
-    RunTasks(static_cast<vtkIdType>(this->Strips.size()), 1,
-      [this](int i)
+    this->FindNearRows();
+    this->SortTasks();
+    const int strips = static_cast<int>(this->Strips.size());
+    RunTasks(strips + static_cast<vtkIdType>(this->NearRows.size()), 1,
+      [this, strips](int i)
       {
+        if (i >= strips)
+        {
+          this->SumTapsNearLight(this->NearRows[i - strips]);
+          return;
+        }
         const Task& task = this->Strips[i];
         vtkGodRays::SweepAxis(
           this->Plan, *task.Wedge, this->Images + task.Component, task.Channels, this->Axes[i]);
       });
-    return RunSteps(static_cast<int>(this->Tasks.size()), steps, monitor,
-      [this](int i)
-      {
-        const Task& task = this->Tasks[i];
-        vtkGodRays::SweepBand(this->Plan, *task.Wedge, task.Band, this->Images + task.Component,
-          task.Channels, this->Axes[task.Strip], this->Workspaces[i],
-          this->Targets + task.Component);
-      });
+    if (!RunSteps(static_cast<int>(this->Tasks.size()), steps, monitor,
+          [this](int i)
+          {
+            const Task& task = this->Tasks[i];
+            vtkGodRays::SweepBand(this->Plan, *task.Wedge, task.Band, this->Images + task.Component,
+              task.Channels, this->Axes[task.Strip], this->Workspaces[i],
+              this->Targets + task.Component);
+          }))
+    {
+      return false;
+    }
+    this->WriteNearRows();
+    return true;
   }
 
-  // The disc about the light where lines are too close together to matter.
-  void SumTapsNearLight()
+  // The longest ones first, so that threads end together.
+  void SortTasks()
+  {
+    for (Task& task : this->Tasks)
+    {
+      task.Cost = task.Channels * EstimatePixels(*task.Wedge, task.Band);
+    }
+    std::sort(this->Tasks.begin(), this->Tasks.end(),
+      [](const Task& a, const Task& b)
+      { return std::tie(b.Cost, a.Strip, a.Band) < std::tie(a.Cost, b.Strip, b.Band); });
+  }
+
+  // The disc about the light where lines are too close together to matter: rows of its pixels.
+  void FindNearRows()
   {
     const double* light = this->Plan.Light;
     const double radius = this->Plan.NearRadius;
-    const int width = this->Plan.Width;
+    this->NearRows.clear();
     const double low = std::max(std::ceil(light[1] - radius), 0.0);
     const double high = std::min(std::floor(light[1] + radius), this->Plan.Height - 1.0);
-    if (!(low <= high))
+    std::size_t size = 0;
+    for (double y = low; y <= high; y += 1.0)
     {
-      return;
-    }
-    const int first = static_cast<int>(low);
-    RunTasks(static_cast<vtkIdType>(high) - first + 1, 2,
-      [&](int i)
+      const double reach =
+        std::sqrt(std::max(0.0, radius * radius - (y - light[1]) * (y - light[1])));
+      const double left = std::max(std::ceil(light[0] - reach), 0.0);
+      const double right = std::min(std::floor(light[0] + reach), this->Plan.Width - 1.0);
+      if (left <= right)
       {
-        const int y = first + i;
-        const double reach =
-          std::sqrt(std::max(0.0, radius * radius - (y - light[1]) * (y - light[1])));
-        const double left = std::max(std::ceil(light[0] - reach), 0.0);
-        const double right = std::min(std::floor(light[0] + reach), width - 1.0);
-        if (left <= right)
-        {
-          this->SumTapsInRow(y, static_cast<int>(left), static_cast<int>(right));
-        }
-      });
+        this->NearRows.push_back(
+          { static_cast<int>(y), static_cast<int>(left), static_cast<int>(right), size });
+        size += this->NearRows.back().GetWidth() * this->Components;
+      }
+    }
+    this->NearPixels.resize(std::max(this->NearPixels.size(), size));
+  }
+
+  // Bands write these pixels, too: so later.
+  void SumTapsNearLight(const NearRow& row)
+  {
+    for (int c = 0; c < this->Components; ++c)
+    {
+      this->SumTapsInRow(
+        c, row.Y, row.First, row.Last, this->NearPixels.data() + row.Offset + c * row.GetWidth());
+    }
+  }
+
+  void WriteNearRows()
+  {
+    for (const NearRow& row : this->NearRows)
+    {
+      for (int c = 0; c < this->Components; ++c)
+      {
+        std::copy_n(this->NearPixels.data() + row.Offset + c * row.GetWidth(), row.GetWidth(),
+          this->GetTarget(c, row.Y) + row.First);
+      }
+    }
   }
 
   bool SumTaps(const Monitor& monitor, int steps)
   {
     return RunSteps(this->Plan.Height, steps, monitor,
-      [this](int y) { this->SumTapsInRow(y, 0, this->Plan.Width - 1); });
+      [this](int y)
+      {
+        for (int c = 0; c < this->Components; ++c)
+        {
+          this->SumTapsInRow(c, y, 0, this->Plan.Width - 1, this->GetTarget(c, y));
+        }
+      });
   }
 
-  void SumTapsInRow(int y, int first, int last)
+  void SumTapsInRow(int component, int y, int first, int last, float* to)
   {
-    for (int c = 0; c < this->Components; ++c)
-    {
-      vtkGodRays::SumClippedTaps(this->Plan.March, this->Images[c], this->Plan.Effort.TapTolerance,
-        y, first, last, this->Targets[c]);
-    }
+    vtkGodRays::SumClippedTaps(this->Plan.March, this->Images[component],
+      this->Plan.Effort.TapTolerance, y, first, last, to);
+  }
+
+  float* GetTarget(int component, int y) const
+  {
+    const SweepResult& target = this->Targets[component];
+    return target.Values + y * target.Stride;
   }
 
   SweepPlan Plan;
@@ -404,6 +483,8 @@ private:
   std::vector<float> Results[MaximumComponents];
   std::vector<Task> Tasks;
   std::vector<Task> Strips;
+  std::vector<NearRow> NearRows;
+  std::vector<float> NearPixels;
   std::vector<SweepWorkspace> Workspaces;
   std::vector<SweepWorkspace> Axes; // of the axis strips
 };

@@ -1283,7 +1283,7 @@ inline int CountTaps(const SweepMarch& march, const SweepImage& image, double re
 // Midpoint taps; each has the weight that the kernel has in its stretch:
 //   L = Gain/phi(k) sum_i e^(-k t_i) sinh(z)/z dt s(p + t_i v),  z = k dt/2
 void RunTaps(const SweepMarch& march, const SweepImage& image, double tolerance, int y,
-  int firstPixel, int lastPixel, const SweepResult& result)
+  int firstPixel, int lastPixel, float* to)
 {
   const FloatTag d;
   const int lanes = GetLanes();
@@ -1330,7 +1330,7 @@ void RunTaps(const SweepMarch& march, const SweepImage& image, double tolerance,
       value = hn::Max(hn::Min(value, hn::Set(d, LargestFloat)), hn::Zero(d));
       HWY_ALIGN float values[16];
       hn::Store(value, d, values);
-      std::copy_n(values, std::min(lanes, groupEnd - x), result.Values + y * result.Stride + x);
+      std::copy_n(values, std::min(lanes, groupEnd - x), to + (x - firstPixel));
     }
   }
 }
@@ -1391,9 +1391,9 @@ void SweepBand(const SweepPlan& plan, const SweepWedge& wedge, int band, const S
 
 //------------------------------------------------------------------------------
 void SumClippedTaps(const SweepMarch& march, const SweepImage& image, double tolerance, int y,
-  int first, int last, const SweepResult& result)
+  int first, int last, float* to)
 {
-  HWY_DYNAMIC_DISPATCH(RunTaps)(march, image, tolerance, y, first, last, result);
+  HWY_DYNAMIC_DISPATCH(RunTaps)(march, image, tolerance, y, first, last, to);
 }
 
 //------------------------------------------------------------------------------
