@@ -221,7 +221,9 @@ private:
     {
       const bool nearest = i + 1 == w.Octaves.size();
       const double change = nearest ? std::min(0.5, 1.0 - this->Nearest / top) : 0.5;
-      const double reach = std::min(AxisReach / std::max(change, 1e-9), LargestAxisReach);
+      // Whole lines, so that one has slope 0.
+      const double reach = AxisSpacing *
+        std::ceil(std::min(AxisReach / std::max(change, 1e-9), LargestAxisReach) / AxisSpacing);
       SweepOctave octave;
       octave.HalfWidth = reach / top;
       octave.SlopeStep = AxisSpacing / top;

@@ -22,6 +22,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
@@ -89,7 +90,9 @@ float Hash(int x, int y)
 
 Image MakeHashed(int width, int height)
 {
-  return MakeFloats(width, height, [](int x, int y) { return Hash(x, y) < 0.4f ? 0.0f : 1.0f; });
+  std::mt19937 generator(41);
+  return MakeFloats(
+    width, height, [&generator](int, int) { return generator() < 1717986918u ? 0.0f : 1.0f; });
 }
 
 // Compares some rows, all of them if none are given.
@@ -105,9 +108,10 @@ void Check(
   reference->SetInputData(image);
 
   const int* size = image->GetDimensions();
-  for (int y = 0; rows.empty() && y < size[1]; ++y)
+  if (rows.empty())
   {
-    rows.push_back(y);
+    rows.resize(size[1]);
+    std::iota(rows.begin(), rows.end(), 0);
   }
   double peak = 0.0;
   double squares = 0.0;
@@ -139,12 +143,12 @@ void Check(
 // Exactly on the centre of a pixel, on the border between two, at corners, and close to these.
 TEST(GodRaysSweepStability, LightOnPixels)
 {
-  const int width = 161;
-  const int height = 120;
+  const int width = 81;
+  const int height = 60;
   const Image image = MakeHashed(width, height);
-  for (const double x : { 0.0, 0.5, 1.0, 80.0, 80.5, 81.0, 160.0, 160.5, 161.0 })
+  for (const double x : { 0.0, 0.5, 1.0, 40.0, 40.5, 80.5, 81.0 })
   {
-    for (const double y : { 0.0, 0.5, 60.0, 60.5, 119.5, 120.0 })
+    for (const double y : { 0.0, 0.5, 30.0, 30.5, 59.5, 60.0 })
     {
       for (const double shift : { 0.0, 1e-12, -1e-7 })
       {
@@ -178,7 +182,7 @@ TEST(GodRaysSweepStability, PixelAtLight)
 //------------------------------------------------------------------------------
 TEST(GodRaysSweepStability, DensitiesAndDecays)
 {
-  const Image image = MakeHashed(140, 90);
+  const Image image = MakeHashed(70, 50);
   for (const double density : { 0.0, 1e-300, 1e-9, 1e-3, 0.1, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 2.0 })
   {
     // k from -49 over 0 to 69 078 and infinity
@@ -193,8 +197,7 @@ TEST(GodRaysSweepStability, DensitiesAndDecays)
         parameters.SetPosition(0.31, 0.6);
         Check(parameters, image,
           "density " + std::to_string(density) + ", decay " + std::to_string(decay) + ", samples " +
-            std::to_string(samples),
-          { 0, 7, 53, 54, 89 });
+            std::to_string(samples));
       }
     }
   }
@@ -204,8 +207,7 @@ TEST(GodRaysSweepStability, DensitiesAndDecays)
 // To a million screens away, through infinity, and behind the camera.
 TEST(GodRaysSweepStability, LightsOutside)
 {
-  const Image image = MakeHashed(161, 121);
-  const std::vector<int> rows = { 0, 30, 60, 61, 120 };
+  const Image image = MakeHashed(97, 73);
   for (const double distance : { 0.5, 1.0, 7.0, 1e2, 1e3, 1e4, 1e5, 1e6 })
   {
     for (const double angle : { 0.0, 0.7853981633974483, 1.1, 3.141592653589793, 4.0 })
@@ -215,7 +217,8 @@ TEST(GodRaysSweepStability, LightsOutside)
         Case parameters;
         parameters.SetPosition(0.5 + distance * std::cos(angle), 0.5 + distance * std::sin(angle));
         parameters.MarchScale = capped ? 1.0 / distance : 1.0;
-        Check(parameters, image, "distance " + std::to_string(distance), rows);
+        Check(parameters, image,
+          "distance " + std::to_string(distance) + ", angle " + std::to_string(angle));
       }
     }
   }
@@ -225,7 +228,7 @@ TEST(GodRaysSweepStability, LightsOutside)
     parameters.Light[0] = 0.7;
     parameters.Light[1] = -0.4;
     parameters.Light[2] = w;
-    Check(parameters, image, "w " + std::to_string(w), rows);
+    Check(parameters, image, "w " + std::to_string(w));
   }
 }
 
@@ -287,8 +290,8 @@ TEST(GodRaysSweepStability, ValuesThatAreNoNumbers)
         results.emplace_back(values, values + 130 * 110);
       }
       EXPECT_EQ(results[0], results[1]);
-      EXPECT_TRUE(std::all_of(results[0].begin(), results[0].end(),
-        [](float value) { return std::isfinite(value); }));
+      EXPECT_TRUE(std::all_of(
+        results[0].begin(), results[0].end(), [](float value) { return std::isfinite(value); }));
     }
   }
 }
@@ -296,7 +299,8 @@ TEST(GodRaysSweepStability, ValuesThatAreNoNumbers)
 //------------------------------------------------------------------------------
 TEST(GodRaysSweepStability, SizesAndThinFeatures)
 {
-  for (const auto& size : std::vector<std::vector<int>>{ { 1, 1 }, { 3, 5 }, { 1, 77 }, { 64, 33 } })
+  for (const auto& size :
+    std::vector<std::vector<int>>{ { 1, 1 }, { 3, 5 }, { 1, 77 }, { 64, 33 } })
   {
     Check(Case(), MakeHashed(size[0], size[1]), std::to_string(size[0]) + " pixels wide");
   }
@@ -313,7 +317,8 @@ TEST(GodRaysSweepStability, SizesAndThinFeatures)
     {
       Case parameters;
       parameters.SetPosition(u, 0.5);
-      Check(parameters, picture, "light at " + std::to_string(u), rows);
+      Check(parameters, picture,
+        "picture " + std::to_string(&picture - pictures) + ", light at " + std::to_string(u), rows);
     }
   }
 }
@@ -322,9 +327,9 @@ TEST(GodRaysSweepStability, SizesAndThinFeatures)
 // 8K: single precision of positions, 4000 rows of sums.
 TEST(GodRaysSweepStability, LargePicture)
 {
-  const Image image = MakeFloats(7680, 4320,
-    [](int x, int y) { return (x / 13 + y / 17) % 3 ? 1.0f : Hash(x, y); });
-  for (const double u : { 0.5, 0.001, -2.0 })
+  const Image image =
+    MakeFloats(7680, 4320, [](int x, int y) { return (x / 13 + y / 17) % 3 ? 1.0f : Hash(x, y); });
+  for (const double u : { 0.5, -2.0 })
   {
     Case parameters;
     parameters.SetPosition(u, 0.37);
