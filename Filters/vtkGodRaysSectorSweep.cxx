@@ -15,8 +15,9 @@ namespace
 // should be by less than 1e-4 pixels in an image of 1000.
 constexpr double FarthestLight = 1e7;
 
-// Of a band, where it is widest: its state stays in the first-level cache.
-constexpr double LinesOfBand = 384.0;
+// Of a band, where it is widest: its state stays in the first-level cache, and what is computed
+// once a row weighs little.
+constexpr double LinesOfBand = 640.0;
 
 // Octaves nearer to the light than this are not worth it [pixels].
 constexpr double ShortestOctave = 24.0;
@@ -194,7 +195,8 @@ private:
     const double first = std::floor(w.LightColumn + this->LowSlope * this->Farthest);
     const double last = std::ceil(w.LightColumn + this->HighSlope * this->Farthest);
     const double bands = std::ceil((last - first) / this->Plan.Effort.Spacing / LinesOfBand);
-    w.Bands = std::max(1, static_cast<int>(bands));
+    // Even numbers are shared best.
+    w.Bands = bands > 1.0 ? RoundUp(static_cast<int>(bands), 2) : 1;
     w.FirstSlope = (first - w.LightColumn) / this->Farthest;
     w.BandWidth = std::max(1.0, std::ceil((last - first) / w.Bands)) / this->Farthest;
     for (SweepOctave& octave : w.Octaves)
