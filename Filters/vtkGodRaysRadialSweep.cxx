@@ -29,6 +29,9 @@ using Parameters = vtkGodRaysRadialSweep::Parameters;
 constexpr double ShortestMarch = 8.0; // [pixels]
 constexpr int SmallestImage = 32;     // [pixels]
 
+// Taps of a picture that are affordable: as many as 100 a pixel of 1920 x 1080.
+constexpr double MostTaps = 2e8;
+
 // Sums of the largest floats stay finite.
 constexpr float ScaleOfFloats = 1.0f / 1048576.0f;
 
@@ -82,8 +85,8 @@ const EffortRow Efforts[] = {
 };
 
 //------------------------------------------------------------------------------
-// How many pixels are summed, in the mean [pixels]. Steep kernels sum fewer.
-double EstimateSummedPixels(const SweepMarch& march, int width, int height)
+// How long the marches are within the picture, in the mean [pixels].
+double EstimateLength(const SweepMarch& march, int width, int height)
 {
   double sum = 0.0;
   const double points[5][2] = { { 0.5, 0.5 }, { 0, 0 }, { 1, 0 }, { 0, 1 }, { 1, 1 } };
@@ -92,8 +95,23 @@ double EstimateSummedPixels(const SweepMarch& march, int width, int height)
     sum += std::hypot(march.Constant[0] - march.Slope * point[0] * (width - 1),
       march.Constant[1] - march.Slope * point[1] * (height - 1));
   }
-  const double length = std::min(0.2 * sum, 0.4 * std::sqrt(static_cast<double>(width) * height));
+  return std::min(0.2 * sum, 0.4 * std::sqrt(static_cast<double>(width) * height));
+}
+
+//------------------------------------------------------------------------------
+// How many pixels are summed, in the mean [pixels]. Steep kernels sum fewer.
+double EstimateSummedPixels(const SweepMarch& march, int width, int height)
+{
+  const double length = EstimateLength(march, width, height);
   return std::max(1.0, length / std::sqrt(std::max(1.0, std::abs(march.K))));
+}
+
+//------------------------------------------------------------------------------
+// How many taps the whole picture takes at a distance that SumClippedTaps() chooses.
+double EstimateTaps(const SweepMarch& march, int width, int height, double tolerance)
+{
+  const double spacing = std::min(std::max(std::sqrt(tolerance / 0.09), 0.02), 1.0);
+  return EstimateLength(march, width, height) / spacing * width * height;
 }
 
 //------------------------------------------------------------------------------
@@ -291,9 +309,16 @@ private:
       this->Reason = "the longest march is below 8 pixels";
       return false;
     }
-    if (method == AUTOMATIC && (size < SmallestImage || !this->IsKept))
+    if (method == AUTOMATIC && size < SmallestImage)
     {
-      this->Reason = this->IsKept ? "the image is small" : "the march is short for the tolerance";
+      this->Reason = "the image is small";
+      return false;
+    }
+    if (method == AUTOMATIC && !this->IsKept &&
+      EstimateTaps(this->Plan.March, this->Plan.Width, this->Plan.Height,
+        this->Plan.Effort.TapTolerance) <= MostTaps)
+    {
+      this->Reason = "the march is short for the tolerance";
       return false;
     }
     return vtkGodRays::PlanSweep(this->Plan, this->Reason);
@@ -519,6 +544,10 @@ std::string vtkGodRaysRadialSweep::vtkInternals::Describe() const
        << " divided, taps within " << this->Plan.NearRadius << ", "
        << (tail ? "history, " : "no history, ") << bands << " bands in "
        << this->Plan.NumberOfWedges << " wedges";
+  if (!this->IsKept)
+  {
+    text << "; on noise, the tolerance is not kept";
+  }
   return text.str();
 }
 

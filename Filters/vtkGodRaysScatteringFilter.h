@@ -21,6 +21,8 @@
  * the image alone. That is so for marches below 8 pixels, images below 32 pixels, Density above 1,
  * kernels that end within few pixels (k > 30), and most that grow (k < 0) where less than the way to
  * the light is marched. GetPlan() tells. It costs 10 to 100 times as much, but for short marches.
+ * Tolerances below some 3e-4 of large pictures would take too many: there the finest sweep is done,
+ * which keeps them on pictures of shapes, but not on black and white noise.
  *
  * Input: a 2-D vtkImageData (any extent in x and y, one slice) with 1 to 4 components of type
  * unsigned char, float or double. Bytes count as value/255. Components are independent, alpha
