@@ -254,6 +254,10 @@ public:
 
   bool Execute(const Parameters& parameters, const Monitor& monitor, int steps)
   {
+    if (this->Components == 0)
+    {
+      return false;
+    }
     if (!this->Planned || parameters != this->PlannedParameters)
     {
       this->MakePlan(parameters);

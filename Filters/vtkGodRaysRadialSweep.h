@@ -102,9 +102,9 @@ public:
   void SetResult(int component, float* values);
 
   /**
-   * Compute the result of the input; false if the monitor stopped it, and then the result is of no
-   * use. The monitor is asked up to steps times, as each of them costs the start of the threads;
-   * where taps are summed, up to 20 times at least.
+   * Compute the result of the input; false if there is none, or if the monitor stopped it: then the
+   * result is of no use. The monitor is asked up to steps times, each of which costs a start of the
+   * threads; where taps are summed, up to 20 times at least.
    */
   bool Execute(const Parameters& parameters, const Monitor& monitor = nullptr, int steps = 1);
 

@@ -127,6 +127,7 @@ TEST(GodRaysRadialSweep, DoesWhatTheFilterDoes)
   std::mt19937 generator = MakeGenerator(31);
   Sweep sweep;
   EXPECT_EQ(sweep.GetResult(0), nullptr);
+  EXPECT_FALSE(sweep.Execute(Sweep::Parameters()));
   EXPECT_EQ(sweep.Describe(), "nothing has been computed");
   const int sizes[][3] = { { 200, 150, 1 }, { 200, 150, 3 }, { 150, 200, 2 }, { 40, 33, 4 },
     { 1, 1, 1 }, { 333, 77, 1 } };
