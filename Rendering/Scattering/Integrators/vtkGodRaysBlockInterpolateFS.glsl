@@ -39,7 +39,7 @@ vec3 SumTapsNearLight(vec2 point, vec2 march)
   {
     return vec3(0.0);
   }
-  int taps = int(clamp(ceil((part.y - part.x) * length(march) * tapsPerPixel), 1.0, 1024.0));
+  int taps = int(clamp(ceil((part.y - part.x) * length(march) * tapsPerPixel), 16.0, 1024.0));
   return MeanAlongMarch(layer, uv, march / layerSize, k, part, taps);
 }
 

@@ -40,7 +40,6 @@ constexpr double SlopeMargin = 4e-6;
 
 constexpr double ShortestBlock = 2.0; // [pixels]
 constexpr int NumberOfWedges = 4;
-constexpr double NegligibleTail = 1e-4;     // see Plan::MakeTail() [fraction of the peak]
 constexpr double LeastHalfTolerance = 1e-3; // for means and nodes in 16 bits
 constexpr std::size_t MaximumPlans = 8;     // that are kept: one for each light
 
@@ -54,17 +53,19 @@ struct Effort
   double LongestBlock;  // [pixels]
   double Ratio;         // of a block's length to that of the march, times k
   double BumpTapLength; // [pixels]
+  double LeastTail; // smaller ends of marches within a block are left out [fraction of the peak]
   bool operator==(const Effort& other) const { return this->Error == other.Error; }
 };
 
 // What each attains on black and white noise from pixel to pixel: root mean square error [fraction
-// of the peak] times the root of the number of pixels that are summed. Measured.
+// of the peak] times the root of the number of pixels that are summed, or less; measured.
 const Effort Efforts[] = {
-  { 0.080, 1.0, 1.0, 16.0, 0.125, 2.0 },
-  { 0.040, 0.5, 1.0, 16.0, 0.125, 2.0 },
-  { 0.020, 0.5, 2.0, 16.0, 0.125, 1.0 },
-  { 0.010, 1.0 / 3.0, 3.0, 8.0, 0.0625, 1.0 },
-  { 0.004, 1.0 / 6.0, 4.0, 8.0, 0.0625, 0.5 },
+  { 0.16, 1.0, 1.0, 16.0, 0.125, 2.0, 2e-3 },
+  { 0.077, 1.0, 1.0, 16.0, 0.0625, 1.0, 1e-3 },
+  { 0.040, 0.5, 2.0, 16.0, 0.0625, 1.0, 1e-3 },
+  { 0.020, 0.5, 2.0, 8.0, 0.0625, 1.0, 5e-4 },
+  { 0.010, 1.0 / 3.0, 3.0, 8.0, 0.0625, 1.0, 2e-4 },
+  { 0.004, 1.0 / 6.0, 4.0, 8.0, 0.0625, 0.5, 1e-4 },
 };
 
 //------------------------------------------------------------------------------
@@ -503,7 +504,7 @@ void Plan::MakeTail(const Wedge& wedge, double r, double march, int row, int ind
   const double length = 2.0 * tail < begin + *next ? tail - begin : tail - *next;
   const double k = this->March.K;
   const double factor = -std::exp(-k) / vtkGodRays::MeanExponential(k) * length / march;
-  if (std::abs(factor) > NegligibleTail)
+  if (std::abs(factor) > this->Chosen->LeastTail)
   {
     this->Rows.Set(row, index, length, factor, block, -march);
     this->HasTail = true;
