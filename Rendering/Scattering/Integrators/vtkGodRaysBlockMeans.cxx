@@ -64,8 +64,8 @@ const Effort Efforts[] = {
   { 0.077, 1.0, 1.0, 16.0, 0.0625, 1.0, 1e-3 },
   { 0.040, 0.5, 2.0, 16.0, 0.0625, 1.0, 1e-3 },
   { 0.020, 0.5, 2.0, 8.0, 0.0625, 1.0, 5e-4 },
-  { 0.010, 1.0 / 3.0, 3.0, 8.0, 0.0625, 1.0, 2e-4 },
-  { 0.004, 1.0 / 6.0, 4.0, 8.0, 0.0625, 0.5, 1e-4 },
+  { 0.014, 1.0 / 3.0, 3.0, 8.0, 0.0625, 1.0, 2e-4 },
+  { 0.0085, 1.0 / 6.0, 4.0, 8.0, 0.0625, 0.5, 1e-4 },
 };
 
 //------------------------------------------------------------------------------
@@ -261,8 +261,8 @@ private:
 void Plan::Fill()
 {
   this->FindLight();
-  this->ShortestMarch =
-    std::max(24.0 * std::abs(this->Density), 4.0 * std::max(1.0, std::abs(this->March.K)));
+  // Within few blocks there is nothing to gain.
+  this->ShortestMarch = std::max(24.0, 4.0 * std::abs(this->March.K));
   this->Lines = 1;
   this->BlockColumns = 0;
   this->NodeColumns = 0;

@@ -28,7 +28,9 @@ double ChooseTapsPerPixel(const vtkGodRaysMarch& march, double tolerance)
   const double size = std::min(march.LayerSize[0], march.LayerSize[1]);
   const double length = std::min(0.5 * march.GetLongest(), 0.5 * size);
   const double summed = std::max(1.0, length / std::max(1.0, std::abs(march.K)));
-  const double perPixel = std::sqrt(NoiseError / (tolerance * std::sqrt(summed)));
+  // A kernel that grows gives most weight to the end, where many marches meet the same pixels.
+  const double growth = std::exp(0.5 * std::min(std::max(-march.K, 0.0), 5.0));
+  const double perPixel = std::sqrt(growth * NoiseError / (tolerance * std::sqrt(summed)));
   return std::min(std::max(1.0, perPixel), 16.0);
 }
 }

@@ -31,7 +31,7 @@ void main()
   vec3 mean = vec3(0.0);
   if (part.x < part.y)
   {
-    int taps = int(clamp(ceil((part.y - part.x) * length(march) * tapsPerPixel), 1.0, 32768.0));
+    int taps = int(clamp(ceil((part.y - part.x) * length(march) * tapsPerPixel), 16.0, 32768.0));
     mean = MeanAlongMarch(layer, uv, march / layerSize, k, part, taps);
   }
   gl_FragData[0] = vec4(gain * (OneChannel ? vec3(mean.r) : mean), 1.0);
