@@ -102,6 +102,14 @@ FUNCTION Real MarchScale(IN(Vec3) lightClip, IN(Real) aspect, IN(Real) cap)
   return cap / max(max(reach, cap * abs(lightClip.z)), 1e-30);
 }
 
+// Noise for the offset of each pixel's taps: between 0 and 1, even on every block of pixels, and
+// different from one pixel to the next. pixel is a position [pixels].
+// Formula: fract(52.9829189 fract(0.06711056 x + 0.00583715 y)). [no unit] [Jimenez2014]
+FUNCTION Real InterleavedGradientNoise(IN(Vec2) pixel)
+{
+  return fract(52.9829189 * fract(0.06711056 * pixel.x + 0.00583715 * pixel.y));
+}
+
 // --- Kernels -------------------------------------------------------------------------------------
 
 // The mean of e^(-k t) over t in [0, 1]: what a converged radial sum makes of a constant layer.

@@ -85,6 +85,26 @@ TEST(SumTaps, IsTheFormula)
 }
 
 //------------------------------------------------------------------------------
+TEST(InterleavedGradientNoise, HasThePublishedNumbersAndIsEven)
+{
+  // evaluated with 40 decimal digits
+  EXPECT_NEAR(InterleavedGradientNoise(Vec2(0.0, 0.0)), 0.0, 1e-12);
+  EXPECT_NEAR(InterleavedGradientNoise(Vec2(1.0, 0.0)), 0.555713357813584, 1e-12);
+  EXPECT_NEAR(InterleavedGradientNoise(Vec2(0.0, 1.0)), 0.309269245057135, 1e-12);
+  EXPECT_NEAR(InterleavedGradientNoise(Vec2(13.0, 7.0)), 0.389158366976537, 1e-12);
+  EXPECT_NEAR(InterleavedGradientNoise(Vec2(1919.0, 1079.0)), 0.421397560916361, 1e-11);
+  int counts[8] = {};
+  for (int i = 0; i < 64 * 64; ++i)
+  {
+    ++counts[static_cast<int>(8.0 * InterleavedGradientNoise(Vec2(i % 64, i / 64)))];
+  }
+  for (int count : counts)
+  {
+    EXPECT_NEAR(count, 512, 26);
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(SumTaps, WithoutTapsIsTheOrigin)
 {
   TapSum taps = PlainTapSum(1, 0);

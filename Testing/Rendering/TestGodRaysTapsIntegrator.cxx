@@ -355,6 +355,95 @@ TEST_F(GodRaysTapsOnNoise, TakeTheTapsThatAreAskedFor)
   }
 }
 
+TEST_F(GodRaysTapsOnNoise, SeveralPassesEqualOneForParallelShafts)
+{
+  this->MakeLayer(64, 48);
+  this->Model->SetDecay(0.95);
+  // 64 taps, a pixel apart in x, so that a repeated interpolation changes nothing
+  const std::array<double, 3> light = { 1.0, 0.0, 0.0 };
+  const double scale = this->GetMarchScale(light);
+  this->Model->SetDensity(1.0 / (0.5 * scale));
+  ASSERT_NEAR(this->Model->GetDensity() * 0.5 * scale, 1.0, 1e-12) << "the cap is too low";
+  this->Integrator->SetNumberOfTaps(64);
+  vtkNew<vtkImageData> one;
+  this->Integrate(light, GL_RGBA32F, one);
+  const double peak = GetPeak(one);
+  for (int passes : { 2, 3 })
+  {
+    this->Integrator->SetNumberOfPasses(passes);
+    vtkNew<vtkImageData> several;
+    this->Integrate(light, GL_RGBA32F, several);
+    const double error = GetError(several, one, peak);
+    Record("Parallel_" + std::to_string(passes) + "_passes", error);
+    EXPECT_LE(error, 1e-5) << passes;
+    EXPECT_EQ(this->Integrator->Describe(this->Model, 1.0),
+      passes == 2 ? "taps: 8 + 8 a pixel" : "taps: 4 + 4 + 4 a pixel");
+  }
+
+  // and differ where shafts meet: a shortcut
+  vtkNew<vtkImageData> several;
+  const std::array<double, 3> inside = { 0.31, -0.23, 1.0 };
+  this->Integrate(inside, GL_RGBA32F, several);
+  this->Integrator->SetNumberOfPasses(1);
+  this->Integrate(inside, GL_RGBA32F, one);
+  EXPECT_GT(GetError(several, one, GetPeak(one)), 1e-2);
+
+  // the passes of the authors stay
+  this->SetFormulation(vtkGodRaysRadialModel::MITCHELL);
+  const std::string published = this->Integrator->Describe(this->Model, 1.0);
+  this->Integrator->SetNumberOfPasses(3);
+  this->Integrator->JitterOn();
+  EXPECT_EQ(this->Integrator->Describe(this->Model, 1.0), published);
+}
+
+TEST_F(GodRaysTapsOnNoise, JitterIsGrainAboutTheSameMean)
+{
+  // a smooth layer: the grain of taps so few is large, its mean over 4 by 4 pixels is not
+  this->MakeLayer(64, 48);
+  std::vector<float> rgba;
+  for (int y = 0; y < 48; ++y)
+  {
+    for (int x = 0; x < 64; ++x)
+    {
+      const double wave = std::sin(0.35 * x + 0.2 * y);
+      rgba.insert(rgba.end(), 4, static_cast<float>(0.5 + 0.5 * wave));
+    }
+  }
+  this->Target.Write(GL_RGBA, GL_FLOAT, rgba.data());
+  this->Model->SetDensity(0.25);
+  const std::array<double, 3> light = { 0.31, -0.23, 1.0 };
+  this->Integrator->SetNumberOfTaps(4);
+  vtkNew<vtkImageData> plain;
+  this->Integrate(light, GL_RGBA32F, plain);
+  this->Integrator->JitterOn();
+  vtkNew<vtkImageData> jittered;
+  this->Integrate(light, GL_RGBA32F, jittered);
+  EXPECT_EQ(this->Integrator->Describe(this->Model, 1.0), "taps: 4 a pixel, jittered");
+
+  const double peak = GetPeak(plain);
+  double grain = 0.0;
+  double worst = 0.0;
+  for (int y = 0; y < 48; y += 4)
+  {
+    for (int x = 0; x < 64; x += 4)
+    {
+      double difference = 0.0;
+      for (int i = 0; i < 16; ++i)
+      {
+        const double one =
+          GetValue(jittered, x + i % 4, y + i / 4) - GetValue(plain, x + i % 4, y + i / 4);
+        difference += one / 16;
+        grain = std::max(grain, std::abs(one) / peak);
+      }
+      worst = std::max(worst, std::abs(difference) / peak);
+    }
+  }
+  Record("Jitter_grain", grain);
+  Record("Jitter_mean_of_tile", worst);
+  EXPECT_GT(grain, 0.02) << "nothing is moved";
+  EXPECT_LT(worst, 0.02) << "the mean of a tile is moved";
+}
+
 //------------------------------------------------------------------------------
 // Whole scenes
 

@@ -19,6 +19,9 @@ uniform sampler2D coarse; // the sum on a coarser grid
 uniform bool refine;      // whether to start from it
 uniform float threshold;  // neighbours that differ by more are not interpolated
 
+//VTK::GodRays::Terms
+// jitter: each pixel's taps have an offset of their own
+
 // The centre of the pixel, exactly.
 vec2 Picture()
 {
@@ -28,7 +31,12 @@ vec2 Picture()
 vec3 Evaluate()
 {
   vec2 uv = 0.5 + (Picture() - 0.5) * viewScale;
-  return SumTaps(layer, taps, uv, MarchVector(lightClip, 2.0 * uv - 1.0, marchScale));
+  TapSum sum = taps;
+  if (jitter)
+  {
+    sum.TapOffset += InterleavedGradientNoise(floor(texCoord * size)) - 0.5;
+  }
+  return SumTaps(layer, sum, uv, MarchVector(lightClip, 2.0 * uv - 1.0, marchScale));
 }
 
 float Greatest(vec3 c)

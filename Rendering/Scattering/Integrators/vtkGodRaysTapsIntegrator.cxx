@@ -63,9 +63,10 @@ struct vtkGodRaysTapsIntegrator::Internals
 
   /// Draw one sum of taps of a layer into the framebuffer that is bound.
   bool Draw(const Request& request, const vtkGodRays::TapSum& taps, vtkTextureObject* layer,
-    int width, int height, double viewScale, vtkTextureObject* coarse, double threshold)
+    int width, int height, double viewScale, bool jitter, vtkTextureObject* coarse,
+    double threshold)
   {
-    vtkShaderProgram* program = this->Quad.Begin(request.Window);
+    vtkShaderProgram* program = this->Quad.Begin(request.Window, { { "jitter", jitter } });
     if (!program)
     {
       return false;
@@ -88,12 +89,12 @@ struct vtkGodRaysTapsIntegrator::Internals
 
   /// Draw one sum of taps of a layer into a target.
   bool Draw(const Request& request, const vtkGodRays::TapSum& taps, vtkTextureObject* layer,
-    vtkGodRaysTarget& target, double viewScale)
+    vtkGodRaysTarget& target, double viewScale, bool jitter)
   {
     request.Window->GetState()->vtkglDisable(GL_BLEND);
     return target.Bind() &&
-      this->Draw(
-        request, taps, layer, target.GetWidth(), target.GetHeight(), viewScale, nullptr, 0.0);
+      this->Draw(request, taps, layer, target.GetWidth(), target.GetHeight(), viewScale, jitter,
+        nullptr, 0.0);
   }
 };
 
@@ -113,11 +114,46 @@ bool vtkGodRaysTapsIntegrator::Supports(vtkGodRaysModel* model)
 }
 
 //------------------------------------------------------------------------------
+bool vtkGodRaysTapsIntegrator::IsJittered(vtkGodRaysRadialModel* model) const
+{
+  return this->Jitter && model->GetFormulation() == vtkGodRaysRadialModel::INVARIANT;
+}
+
+//------------------------------------------------------------------------------
+// sum_{k<m^p} w d^k s(k) = sum_{i<m} w d^i sum_{j<m} (d^m)^j s(i + m j), and so on.
+void vtkGodRaysTapsIntegrator::GetPasses(
+  vtkGodRaysRadialModel* model, std::vector<vtkGodRays::TapSum>& passes) const
+{
+  const int asked = this->NumberOfTaps > 0 ? this->NumberOfTaps : model->GetNumberOfSamples();
+  if (this->NumberOfPasses == 1 || model->GetFormulation() != vtkGodRaysRadialModel::INVARIANT)
+  {
+    model->GetTapSums(passes, asked);
+    return;
+  }
+  const int taps = static_cast<int>(std::lround(std::pow(asked, 1.0 / this->NumberOfPasses)));
+  model->GetTapSums(passes, static_cast<int>(std::lround(std::pow(taps, this->NumberOfPasses))));
+  vtkGodRays::TapSum coarser = passes[0];
+  passes[0].LastTap = taps;
+  coarser.FirstTap = 0;
+  coarser.LastTap = taps - 1;
+  coarser.TapOffset = 0.0;
+  coarser.FirstWeight = 1.0;
+  coarser.OutputGain = 1.0;
+  for (int i = 1; i < this->NumberOfPasses; ++i)
+  {
+    coarser.Decay = std::pow(coarser.Decay, taps);
+    coarser.Step *= taps;
+    passes.push_back(coarser);
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkGodRaysTapsIntegrator::Integrate(const Request& request)
 {
   auto model = vtkGodRaysRadialModel::SafeDownCast(request.Model);
   std::vector<vtkGodRays::TapSum> passes;
-  model->GetTapSums(passes, this->NumberOfTaps);
+  this->GetPasses(model, passes);
+  const bool jitter = this->IsJittered(model); // the first pass alone: its taps are the closest
 
   // all passes but the last cover the whole layer, margin included
   vtkTextureObject* layer = request.Layer->GetColor();
@@ -127,7 +163,7 @@ bool vtkGodRaysTapsIntegrator::Integrate(const Request& request)
     vtkGodRaysTarget& target = this->Internal->Between[i % 2];
     target.Prepare(request.Window, static_cast<int>(layer->GetWidth()),
       static_cast<int>(layer->GetHeight()), { request.Result->GetFormat(), 0 });
-    if (!this->Internal->Draw(request, passes[i], layer, target, 1.0))
+    if (!this->Internal->Draw(request, passes[i], layer, target, 1.0, jitter && i == 0))
     {
       return false;
     }
@@ -143,7 +179,7 @@ bool vtkGodRaysTapsIntegrator::Integrate(const Request& request)
     vtkGodRaysTarget& target = this->Internal->Coarse;
     target.Prepare(request.Window, scaled(request.Result->GetWidth()),
       scaled(request.Result->GetHeight()), { request.Result->GetFormat(), 0 });
-    if (!this->Internal->Draw(request, passes.back(), layer, target, request.ViewScale))
+    if (!this->Internal->Draw(request, passes.back(), layer, target, request.ViewScale, jitter))
     {
       return false;
     }
@@ -153,7 +189,8 @@ bool vtkGodRaysTapsIntegrator::Integrate(const Request& request)
   const double threshold = request.ErrorTolerance * model->GetFlatGain() * request.Peak;
   return request.Result->BindToAdd() &&
     this->Internal->Draw(request, passes.back(), layer, request.Result->GetWidth(),
-      request.Result->GetHeight(), request.ViewScale, coarse, threshold);
+      request.Result->GetHeight(), request.ViewScale, jitter && passes.size() == 1, coarse,
+      threshold);
 }
 
 //------------------------------------------------------------------------------
@@ -165,7 +202,7 @@ std::string vtkGodRaysTapsIntegrator::Describe(vtkGodRaysModel* model, double re
     return "taps: none, only a vtkGodRaysRadialModel can be evaluated";
   }
   std::vector<vtkGodRays::TapSum> passes;
-  radial->GetTapSums(passes, this->NumberOfTaps);
+  this->GetPasses(radial, passes);
   std::ostringstream text;
   text << "taps: ";
   for (std::size_t i = 0; i < passes.size(); ++i)
@@ -173,12 +210,11 @@ std::string vtkGodRaysTapsIntegrator::Describe(vtkGodRaysModel* model, double re
     const int origin = passes[i].OriginWeight != 0.0 ? 1 : 0;
     text << (i ? " + " : "") << passes[i].LastTap - passes[i].FirstTap + 1 + origin;
   }
-  text << " a pixel";
+  text << " a pixel" << (this->IsJittered(radial) ? ", jittered" : "");
   if (resolutionScale < 1.0)
   {
-    text << (passes.size() == 1
-        ? ", on a coarser grid and, where neighbours differ, at full size"
-        : ", at full size: a formulation of several passes has no coarser grid");
+    text << (passes.size() == 1 ? ", on a coarser grid and, where neighbours differ, at full size"
+                                : ", at full size: several passes have no coarser grid");
   }
   return text.str();
 }
@@ -197,4 +233,6 @@ void vtkGodRaysTapsIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfTaps: " << this->NumberOfTaps << "\n";
+  os << indent << "Jitter: " << (this->Jitter ? "On\n" : "Off\n");
+  os << indent << "NumberOfPasses: " << this->NumberOfPasses << "\n";
 }

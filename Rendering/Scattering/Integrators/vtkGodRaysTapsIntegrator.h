@@ -8,7 +8,8 @@
  * [Mitchell2007] and its kin, at a cost of n texture reads a pixel. At a ResolutionScale below 1
  * the sum is evaluated on a coarser grid, interpolated where the four neighbours of a pixel agree
  * to the pass's ErrorTolerance, and evaluated anew, at full size, where they do not: at the edges
- * of the shafts.
+ * of the shafts. Jitter and several passes, two customary approximations, are there to be compared
+ * with.
  *
  * @sa vtkGodRaysPass vtkGodRaysRadialModel
  */
@@ -20,6 +21,14 @@
 #include "vtkGodRaysRenderingModule.h" // For export macro
 
 #include <memory> // For std::unique_ptr
+#include <vector> // For std::vector
+
+class vtkGodRaysRadialModel;
+
+namespace vtkGodRays
+{
+struct TapSum;
+}
 
 class VTKGODRAYSRENDERING_EXPORT vtkGodRaysTapsIntegrator : public vtkGodRaysIntegrator
 {
@@ -38,6 +47,31 @@ public:
   vtkGetMacro(NumberOfTaps, int);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get whether each pixel's taps are moved by up to half their distance either way, by a fixed
+   * noise: [Jimenez2014], the customary way to turn banding into grain, which is then left to a blur.
+   * It is there for comparison. Parity formulations are never jittered. Default is off.
+   */
+  vtkSetMacro(Jitter, bool);
+  vtkGetMacro(Jitter, bool);
+  vtkBooleanMacro(Jitter, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get in how many passes, each on the result of the one before, the sum is evaluated [no
+   * unit]. p passes take m taps each, m being the p-th root of the number of taps, rounded, and stand
+   * for m^p of them: each pass strides m times as far as the one before. This is the customary
+   * shortcut, there for comparison: exact where all shafts are parallel, but for repeated
+   * interpolation; elsewhere each pass starts from where the one before has led, so that marches come
+   * short of the light. There is no coarser grid then. Parity formulations always take the passes of
+   * their authors. Valid range: [1, 4]. Default is 1.
+   */
+  vtkSetClampMacro(NumberOfPasses, int, 1, 4);
+  vtkGetMacro(NumberOfPasses, int);
+  ///@}
+
   bool Supports(vtkGodRaysModel* model) override;
   VTK_WRAPEXCLUDE bool Integrate(const Request& request) override;
   std::string Describe(vtkGodRaysModel* model, double resolutionScale) override;
@@ -54,7 +88,12 @@ private:
   struct Internals;
   std::unique_ptr<Internals> Internal;
 
+  bool IsJittered(vtkGodRaysRadialModel* model) const;
+  void GetPasses(vtkGodRaysRadialModel* model, std::vector<vtkGodRays::TapSum>& passes) const;
+
   int NumberOfTaps = 0;
+  bool Jitter = false;
+  int NumberOfPasses = 1;
 };
 
 #endif
