@@ -17,7 +17,7 @@ die() { echo "Examples/run.sh: $*" >&2; exit 1; }
 
 packages=(
   g++ cmake ninja-build ccache
-  libvtk9-dev python3-vtk9 libglm-dev libhwy-dev libcli11-dev libgtest-dev
+  libvtk9-dev python3-vtk9 libglm-dev libhwy-dev libcli11-dev libgtest-dev libbenchmark-dev
   xvfb xauth libgl1-mesa-dri
   python3-numpy python-matplotlib-data assimp-testmodels) # the last two: elevations and a mesh
 

@@ -34,6 +34,7 @@ done
 packages=(
   g++ cmake ninja-build ccache clang-format-14
   libvtk9-dev python3-vtk9 python3-numpy libglm-dev libhwy-dev libcli11-dev libgtest-dev
+  libbenchmark-dev
   xvfb xauth libgl1-mesa-dri)
 if $paraview; then
   packages+=(paraview paraview-dev)
