@@ -55,9 +55,11 @@ std::vector<Method> MakeMethods()
     { "taps 64", "taps", "64", MakeTaps(64) },
     { "taps 100", "taps", "100", MakeTaps(100) },
     { "taps 256", "taps", "256", MakeTaps(256), level, 1.0, Method::SLOW },
-    { "taps 1024", "taps", "1024", MakeTaps(1024), level, 1.0, Method::SLOW },
-    { "taps 100, half size", "taps, coarser grid", "100 at 1/2", MakeTaps(100), level, 0.5 },
-    { "taps 100, quarter size", "taps, coarser grid", "100 at 1/4", MakeTaps(100), level, 0.25 },
+    { "taps 1024", "taps", "1024", MakeTaps(1024), level, 1.0, Method::SLOWEST },
+    { "taps 100, half size", "taps, coarser grid", "100 at 1/2", MakeTaps(100), level, 0.5,
+      Method::SLOW },
+    { "taps 100, quarter size", "taps, coarser grid", "100 at 1/4", MakeTaps(100), level, 0.25,
+      Method::SLOW },
     { "taps 16, jittered", "taps, jittered", "16", MakeJittered(16) },
     { "taps 32, jittered", "taps, jittered", "32", MakeJittered(32) },
     { "taps 3 x 6", "taps, three passes", "3 x 6", MakeHierarchical(216, 3) },
@@ -69,7 +71,7 @@ std::vector<Method> MakeMethods()
     double Value;
     int Pace;
   } tolerances[] = { { "1e-2", 1e-2, Method::STEADY }, { "1/255", level, Method::STEADY },
-    { "1e-3", 1e-3, Method::STEADY }, { "1e-4", 1e-4, Method::SLOWEST } };
+    { "1e-3", 1e-3, Method::SLOW }, { "1e-4", 1e-4, Method::SLOWEST } };
   for (const auto& tolerance : tolerances)
   {
     const std::string name = tolerance.Name;

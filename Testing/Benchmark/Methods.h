@@ -27,8 +27,8 @@ struct Method
   enum Paces
   {
     STEADY, ///< in every round
-    SLOW,   ///< once in each case
-    SLOWEST ///< once in each case of one picture, and for one colour only
+    SLOW,   ///< once in each case, and for one colour only
+    SLOWEST ///< the same, in two cases only
   };
 };
 

@@ -356,7 +356,8 @@ void Report::WritePage(const std::string& file, const std::string& command) cons
        "result, on "
     << this->Rows << " rows of each\ncase: " << this->Width << " x " << this->Height
     << ", density 0.97, decay 0.99, 100 samples, 16-bit layers. RMSE: over all cases, and of "
-       "the worst; 99.9th\npercentile: of the median case, and of the worst.\n\n"
+       "the worst; 99.9th\npercentile: of the median case, and of the worst. "
+    << this->Get("scattering", "taps 100", 1, GetRMS).size() << " cases: pictures times lights.\n\n"
     << "OpenGL: " << this->Renderer << ".\n\n"
     << "![Speed against error](Charts/speed-and-error.png)\n\n"
     << this->MakeTables() << "\n"
