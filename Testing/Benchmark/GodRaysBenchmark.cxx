@@ -31,6 +31,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace GodRaysPictures;
@@ -72,7 +73,7 @@ struct Options
   std::string Methods = ".";
   std::string CSV;
   std::string Documentation;
-  std::string Command = "godrays_benchmark";
+  std::string Command = "build/bin/godrays_benchmark"; // as the page tells it
 };
 
 struct Size
@@ -218,9 +219,9 @@ void Benchmark::MeasureScattering()
         this->IsWanted(std::string("scattering/") + picture.Name + "/" + light.Name))
       {
         this->MeasureCase(picture, mask, light);
+        this->WriteFiles();
       }
     }
-    this->WriteFiles();
   }
 }
 
@@ -323,7 +324,7 @@ void Benchmark::MeasureEffect()
       {
         items.push_back({ variant.Name, [&scene, &variant]() { return scene.Draw(variant); }, {} });
       }
-      MeasureRounds("effect/" + GetName(size), items, this->Settings.Quick ? 2 : 9);
+      MeasureRounds("effect/" + GetName(size), items, this->Settings.Quick ? 2 : 7);
       const auto copies = GetSeconds(items, "copy");
       const auto marches = GetSeconds(items, "march");
       for (const auto& variant : EffectScene::GetVariants())
@@ -502,7 +503,8 @@ void Benchmark::MeasurePixels()
     {
       if (this->FindMethod(method.Name) &&
         (method.Name == ProcessorMethod || method.Name == GraphicsMethod ||
-          method.Name == ControlMethod))
+          method.Name == ControlMethod) &&
+        (method.Name == ProcessorMethod || size.Width <= 3840)) // the others take seconds there
       {
         methods.back().push_back(method);
       }
@@ -530,6 +532,10 @@ void Benchmark::MeasurePixels()
     for (const Size& size : sizes)
     {
       const auto seconds = GetSeconds(items, name + " " + GetName(size));
+      if (seconds.empty())
+      {
+        continue;
+      }
       Record record;
       record.Section = "pixels";
       record.Picture = "lattice";
@@ -545,8 +551,9 @@ void Benchmark::MeasurePixels()
     }
     if (name != ControlMethod && !this->Settings.Quick)
     {
-      this->AddFigure("exponent of cost against 0.25 to 33 million pixels, " + name, Figure::ABOUT,
-        0.1, FitExponent(pixels, times), "", 1.0);
+      this->AddFigure("exponent of cost against pixels, " + name, Figure::ABOUT, 0.1,
+        FitExponent(pixels, times),
+        "0.25 to " + std::to_string(std::lround(1e-6 * pixels.back())) + " million", 1.0);
     }
   }
 }
@@ -779,7 +786,7 @@ void Benchmark::Print()
 }
 
 //------------------------------------------------------------------------------
-// Anew after each picture, so that a run that is ended early leaves what it has.
+// Anew after each case, so that a run that is ended early leaves what it has.
 void Benchmark::WriteFiles()
 {
   const std::vector<Figure> figures = this->Results.Figures;
@@ -856,14 +863,12 @@ Options ReadOptions(int count, char* arguments[])
   for (int i = 1; i < count; ++i)
   {
     const std::string name = arguments[i];
-    options.Command += " " + name;
     const auto value = [&]()
     {
       if (++i == count)
       {
         throw std::runtime_error(name + " needs a value; see --help");
       }
-      options.Command += std::string(" ") + arguments[i];
       return std::string(arguments[i]);
     };
     if (name == "--help" || name == "-h")
@@ -915,6 +920,19 @@ Options ReadOptions(int count, char* arguments[])
       throw std::runtime_error("'" + *expression + "' is not a regular expression");
     }
   }
+  if (options.Quick)
+  {
+    options.Command += " --quick";
+  }
+  for (const auto& option : { std::make_pair(" --filter '", options.Filter),
+         std::make_pair(" --methods '", options.Methods) })
+  {
+    if (option.second != ".")
+    {
+      options.Command += option.first + option.second + "'";
+    }
+  }
+  options.Command += " --documentation Documentation";
   return options;
 }
 

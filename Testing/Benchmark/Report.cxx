@@ -351,7 +351,9 @@ void Report::WritePage(const std::string& file, const std::string& command) cons
        "a full-screen quad of 8-bit RGBA that is interpolated\nonce, and to a *march*, the "
        "bare loop of 60 taps of such a picture at full size, which is the steadier of the\n"
        "two. Rounds run everything once, in rotating order; medians, and quartiles in "
-       "brackets. An integrator's time\nincludes all copies to and from the card.\n\n"
+       "brackets. An integrator's time\nincludes all copies to and from the card. Taps have no "
+       "layers of one channel: one colour "
+       "costs them as much as RGB.\n\n"
     << "Errors are against `vtkGodRaysReferenceFilter`, as fractions of the peak of the exact "
        "result, on "
     << this->Rows << " rows of each\ncase: " << this->Width << " x " << this->Height
