@@ -5,6 +5,7 @@
 #include "vtkGodRaysBlockInterpolateFS.h"
 #include "vtkGodRaysBlockMeansFS.h"
 #include "vtkGodRaysBlockSumFS.h"
+#include "vtkGodRaysClippedTaps.h"
 #include "vtkGodRaysMarch.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysQuad.h"
@@ -20,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <sstream>
 #include <vector>
 
@@ -28,6 +30,7 @@ namespace
 // Below these, taps are as fast, and exact.
 constexpr double ShortestMarch = 8.0; // [pixels]
 constexpr int SmallestLayer = 32;     // [pixels]
+constexpr double MostTaps = 1e9;      // of a picture, that are affordable
 constexpr double SteepestKernel = 30.0;
 constexpr double SteepestGrowth = -5.0;
 
@@ -69,20 +72,21 @@ const Effort Efforts[] = {
 };
 
 //------------------------------------------------------------------------------
-// The least effort that keeps the tolerance; null if none does.
-const Effort* ChooseEffort(const vtkGodRaysMarch& march, double tolerance)
+// The least effort that keeps the tolerance, or else, kept being false, the greatest.
+const Effort* ChooseEffort(const vtkGodRaysMarch& march, double tolerance, bool& kept)
 {
   // A kernel that grows gives the far end of the march more weight, where errors are as large.
   const double growth = std::exp(0.5 * std::min(std::max(-march.K, 0.0), 5.0));
   const double scale = growth * march.GetParallelism() / std::sqrt(march.GetSummedPixels());
   for (const Effort& effort : Efforts)
   {
-    if (effort.Error * scale <= tolerance)
+    kept = effort.Error * scale <= tolerance;
+    if (kept)
     {
       return &effort;
     }
   }
-  return nullptr;
+  return std::end(Efforts) - 1;
 }
 
 //------------------------------------------------------------------------------
@@ -575,8 +579,8 @@ struct vtkGodRaysBlockMeans::Internals
 Plan* vtkGodRaysBlockMeans::Internals::Prepare(const vtkGodRaysIntegrator::Request& request)
 {
   const vtkGodRaysMarch march(request);
-  const Effort* effort = ChooseEffort(march, request.ErrorTolerance);
-  effort = effort ? effort : std::end(Efforts) - 1;
+  bool kept = false;
+  const Effort* effort = ChooseEffort(march, request.ErrorTolerance, kept);
   const bool oneChannel = request.Layer->HasOneChannel();
   const auto found = std::find_if(this->Plans.begin(), this->Plans.end(),
     [&](const auto& plan) { return plan->Is(march, effort, oneChannel); });
@@ -724,9 +728,10 @@ bool vtkGodRaysBlockMeans::Keeps(const vtkGodRaysIntegrator::Request& request)
 {
   const vtkGodRaysMarch march(request);
   const int size = std::min(march.LayerSize[0], march.LayerSize[1]);
-  const Effort* effort = ChooseEffort(march, request.ErrorTolerance);
-  if (!effort || size < SmallestLayer || march.GetLongest() < ShortestMarch ||
-    march.K > SteepestKernel || march.K < SteepestGrowth)
+  bool kept = false;
+  const Effort* effort = ChooseEffort(march, request.ErrorTolerance, kept);
+  if ((!kept && vtkGodRaysClippedTaps::CountTaps(request) <= MostTaps) || size < SmallestLayer ||
+    march.GetLongest() < ShortestMarch || march.K > SteepestKernel || march.K < SteepestGrowth)
   {
     return false;
   }

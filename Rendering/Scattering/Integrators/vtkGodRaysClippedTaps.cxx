@@ -86,6 +86,16 @@ bool vtkGodRaysClippedTaps::Integrate(const vtkGodRaysIntegrator::Request& reque
 }
 
 //------------------------------------------------------------------------------
+double vtkGodRaysClippedTaps::CountTaps(const vtkGodRaysIntegrator::Request& request)
+{
+  const vtkGodRaysMarch march(request);
+  const double size = std::min(march.LayerSize[0], march.LayerSize[1]);
+  const double length = std::min(0.5 * march.GetLongest(), 0.5 * size);
+  return ChooseTapsPerPixel(march, request.ErrorTolerance) * length * march.PictureSize[0] *
+    march.PictureSize[1];
+}
+
+//------------------------------------------------------------------------------
 std::string vtkGodRaysClippedTaps::Describe() const
 {
   std::ostringstream text;

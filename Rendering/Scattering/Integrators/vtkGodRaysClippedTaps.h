@@ -28,6 +28,9 @@ public:
    */
   bool Integrate(const vtkGodRaysIntegrator::Request& request);
 
+  /// How many taps the picture takes, about.
+  static double CountTaps(const vtkGodRaysIntegrator::Request& request);
+
   /// What the last Integrate() did, in one line.
   std::string Describe() const;
 
