@@ -39,16 +39,15 @@ constexpr float ScaleOfFloats = 1.0f / 1048576.0f;
 // What the parameters mean in pixels. An infinite k, no march: the pixel itself, times Gain.
 SweepMarch MakeMarch(const Parameters& parameters, int width, int height)
 {
-  const double logarithm = std::log(parameters.Decay);
   const int n = parameters.NumberOfSamples;
-  const double samples = logarithm == 0.0 ? n : std::expm1(n * logarithm) / std::expm1(logarithm);
   const double* light = parameters.LightClip;
   const vtkGodRays::Vec3 lightClip(light[0], light[1], light[2]);
   const double size[2] = { static_cast<double>(width), static_cast<double>(height) };
 
   SweepMarch march;
-  march.Gain = parameters.Exposure * parameters.Weight * samples;
-  march.K = -n * logarithm;
+  march.Gain =
+    parameters.Exposure * parameters.Weight * vtkGodRays::GeometricSum(parameters.Decay, n);
+  march.K = -n * std::log(parameters.Decay);
   // The march is linear in the pixel: known from that at the picture's centre, where ndc is 0.
   const vtkGodRays::Vec2 center =
     vtkGodRays::MarchVector(lightClip, vtkGodRays::Vec2(0.0), parameters.MarchScale);

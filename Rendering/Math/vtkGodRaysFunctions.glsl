@@ -129,6 +129,19 @@ FUNCTION Real MeanExponential(IN(Real) k)
   return mean;
 }
 
+// What n samples weigh together, each decay times as much as the one before; n need not be whole.
+// Formula: (1 - d^n)/(1 - d) = n phi(-n ln d)/phi(-ln d), phi being MeanExponential(); 1 for d = 0.
+// [no unit]
+FUNCTION Real GeometricSum(IN(Real) decay, IN(Real) n)
+{
+  if (decay <= 0.0)
+  {
+    return 1.0;
+  }
+  Real k = -log(decay);
+  return n * MeanExponential(n * k) / MeanExponential(k);
+}
+
 // The part of a march along which one of its coordinates is within [-margin, 1 + margin]; empty, the
 // first number above the second, if there is none.
 // Formula: the two t at which position + t march is at an end. [fractions of the march]

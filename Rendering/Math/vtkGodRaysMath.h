@@ -36,6 +36,7 @@ using glm::dot;
 using glm::exp;
 using glm::fract;
 using glm::length;
+using glm::log;
 using glm::max;
 using glm::min;
 using glm::pow;

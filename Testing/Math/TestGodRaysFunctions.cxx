@@ -300,6 +300,27 @@ TEST(Blend, AddsAndScreens)
 }
 
 //------------------------------------------------------------------------------
+TEST(GeometricSum, IsTheSumOfItsTerms)
+{
+  for (double decay : { 0.0, 1e-9, 0.5, 0.93, 0.99, 1.0 - 1e-9, 1.0, 1.0 + 1e-9, 1.05 })
+  {
+    for (int n : { 1, 2, 60, 1000 })
+    {
+      long double sum = 0.0L;
+      long double term = 1.0L;
+      for (int i = 0; i < n; ++i)
+      {
+        sum += term;
+        term *= decay;
+      }
+      EXPECT_NEAR(GeometricSum(decay, n) / static_cast<double>(sum), 1.0, 1e-12)
+        << decay << ", " << n;
+    }
+  }
+  // in two halves
+  EXPECT_NEAR(GeometricSum(0.9, 0.5) * (1.0 + std::sqrt(0.9)), 1.0, 1e-14);
+}
+
 TEST(PixelAngle, IsHowFarTheRayTurnsAlongTheLargerSide)
 {
   const Vec3 ray(0.3, -0.7, -2.5);

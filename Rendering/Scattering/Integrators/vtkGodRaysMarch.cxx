@@ -14,11 +14,10 @@
 vtkGodRaysMarch::vtkGodRaysMarch(const vtkGodRaysIntegrator::Request& request)
 {
   auto model = vtkGodRaysRadialModel::SafeDownCast(request.Model);
-  const double logarithm = std::log(model->GetDecay());
   const int n = model->GetNumberOfSamples();
-  const double samples = logarithm == 0.0 ? n : std::expm1(n * logarithm) / std::expm1(logarithm);
-  this->Gain = model->GetExposure() * model->GetWeight() * samples;
-  this->K = -n * logarithm;
+  this->Gain =
+    model->GetExposure() * model->GetWeight() * vtkGodRays::GeometricSum(model->GetDecay(), n);
+  this->K = -n * std::log(model->GetDecay());
 
   this->LayerSize[0] = request.Layer->GetWidth();
   this->LayerSize[1] = request.Layer->GetHeight();

@@ -62,15 +62,13 @@ TapSum MakeTapSum(
 }
 
 //------------------------------------------------------------------------------
-// The weight is w (1 - d_N)/(1 - d), written so that it stays exact for d near 1 and holds for 0.
+// The weight is w (1 - d_N)/(1 - d).
 TapSums SumInvariant(const Parameters& p, int taps)
 {
   const int count = taps > 0 ? taps : p.NumberOfSamples;
   const double ratio = static_cast<double>(p.NumberOfSamples) / count;
-  const double logarithm = std::log(p.Decay);
-  const double rescaled =
-    p.Decay == 1.0 ? ratio : std::expm1(ratio * logarithm) / std::expm1(logarithm);
-  TapSum sum = MakeTapSum(p, 1, count, 0.0, p.Weight * rescaled, p.Exposure);
+  const double weight = p.Weight * vtkGodRays::GeometricSum(p.Decay, ratio);
+  TapSum sum = MakeTapSum(p, 1, count, 0.0, weight, p.Exposure);
   sum.TapOffset = 0.5;
   sum.Decay = std::pow(p.Decay, ratio);
   sum.Step = p.Density / count;
