@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 using namespace Statistics;
 
@@ -42,6 +44,22 @@ std::string Format(double value)
     return zero == std::string::npos ? shorter : shorter.erase(zero + 2, 1);
   }
   return text;
+}
+
+/// How busy the machine is; more programs than processors make the figures of threads meaningless.
+std::string GetLoad()
+{
+#ifdef __unix__
+  double load = 0.0;
+  if (getloadavg(&load, 1) == 1)
+  {
+    return "; programs that wanted one in the last minute: " + Format(load) +
+      (load > 1.5 * std::thread::hardware_concurrency()
+          ? ", so figures of threads, and of small differences, mean little"
+          : "");
+  }
+#endif
+  return {};
 }
 
 /// The middle half of samples, about their median.
@@ -359,8 +377,11 @@ void Report::WritePage(const std::string& file, const std::string& command) cons
     << this->Rows << " rows of each\ncase: " << this->Width << " x " << this->Height
     << ", density 0.97, decay 0.99, 100 samples, 16-bit layers. RMSE: over all cases, and of "
        "the worst; 99.9th\npercentile: of the median case, and of the worst. "
-    << this->Get("scattering", "taps 100", 1, GetRMS).size() << " cases: pictures times lights.\n\n"
-    << "OpenGL: " << this->Renderer << ".\n\n"
+    << this->Get("scattering", "taps 100", 1, GetRMS).size()
+    << " cases: pictures times lights; the slowest\nintegrators run in two of them at most, "
+       "also in the chart.\n\n"
+    << "OpenGL: " << this->Renderer << ". Processors: " << std::thread::hardware_concurrency()
+    << GetLoad() << ".\n\n"
     << "![Speed against error](Charts/speed-and-error.png)\n\n"
     << this->MakeTables() << "\n"
     << "![Cost against NumberOfSamples](Charts/samples.png)\n\n"
