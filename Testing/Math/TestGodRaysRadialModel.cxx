@@ -381,7 +381,7 @@ TEST(RadialModel, ParametersAreClampedAndNeverNaN)
   model->SetNumberOfSamples(0);
   EXPECT_EQ(model->GetNumberOfSamples(), 1);
   model->SetNumberOfSamples(100000);
-  EXPECT_EQ(model->GetNumberOfSamples(), 1024);
+  EXPECT_EQ(model->GetNumberOfSamples(), 10000);
   const vtkMTimeType before = model->GetMTime();
   model->SetFormulation(vtkGodRaysRadialModel::BABYLON);
   EXPECT_GT(model->GetMTime(), before);

@@ -43,8 +43,7 @@ constexpr double SlopeMargin = 4e-6;
 
 constexpr double ShortestBlock = 2.0; // [pixels]
 constexpr int NumberOfWedges = 4;
-constexpr double LeastHalfTolerance = 1e-3; // for means and nodes in 16 bits
-constexpr std::size_t MaximumPlans = 8;     // that are kept: one for each light
+constexpr std::size_t MaximumPlans = 8; // that are kept: one for each light
 
 //------------------------------------------------------------------------------
 // What accuracy takes.
@@ -570,8 +569,8 @@ struct vtkGodRaysBlockMeans::Internals
   Plan* Prepare(const vtkGodRaysIntegrator::Request& request);
   bool Bind(vtkOpenGLRenderWindow* window, vtkGodRaysTarget& target, int width, int height,
     unsigned int format);
-  bool DrawMeans(const vtkGodRaysIntegrator::Request& request, const Plan& plan, bool half);
-  bool DrawSums(const vtkGodRaysIntegrator::Request& request, const Plan& plan, bool half);
+  bool DrawMeans(const vtkGodRaysIntegrator::Request& request, const Plan& plan);
+  bool DrawSums(const vtkGodRaysIntegrator::Request& request, const Plan& plan);
   bool DrawPicture(const vtkGodRaysIntegrator::Request& request, const Plan& plan);
 };
 
@@ -624,11 +623,10 @@ bool vtkGodRaysBlockMeans::Internals::Bind(vtkOpenGLRenderWindow* window, vtkGod
 
 //------------------------------------------------------------------------------
 bool vtkGodRaysBlockMeans::Internals::DrawMeans(
-  const vtkGodRaysIntegrator::Request& request, const Plan& plan, bool half)
+  const vtkGodRaysIntegrator::Request& request, const Plan& plan)
 {
-  const unsigned int format = half ? GL_RGBA16F : GL_RGBA32F;
   vtkShaderProgram* program = this->Bind(request.Window, this->Means[plan.OneChannel ? 0 : 1],
-                                plan.BlockColumns, plan.Lines, format)
+                                plan.BlockColumns, plan.Lines, GL_RGBA32F)
     ? this->MeansQuad.Begin(request.Window, { { "OneChannel", plan.OneChannel } })
     : nullptr;
   if (!program)
@@ -647,11 +645,10 @@ bool vtkGodRaysBlockMeans::Internals::DrawMeans(
 
 //------------------------------------------------------------------------------
 bool vtkGodRaysBlockMeans::Internals::DrawSums(
-  const vtkGodRaysIntegrator::Request& request, const Plan& plan, bool half)
+  const vtkGodRaysIntegrator::Request& request, const Plan& plan)
 {
   const int index = plan.OneChannel ? 0 : 1;
-  const unsigned int format =
-    plan.OneChannel ? (half ? GL_R16F : GL_R32F) : (half ? GL_RGBA16F : GL_RGBA32F);
+  const unsigned int format = plan.OneChannel ? GL_R32F : GL_RGBA32F;
   vtkShaderProgram* program =
     this->Bind(request.Window, this->Sums[index], plan.NodeColumns, plan.Lines, format)
     ? this->SumQuad.Begin(request.Window, { { "OneChannel", plan.OneChannel } })
@@ -756,9 +753,7 @@ bool vtkGodRaysBlockMeans::Integrate(const vtkGodRaysIntegrator::Request& reques
   layer->SetWrapS(vtkTextureObject::ClampToBorder);
   layer->SetWrapT(vtkTextureObject::ClampToBorder);
   const Plan* plan = self.Prepare(request);
-  const bool half =
-    request.Result->GetFormat() == GL_RGBA16F && request.ErrorTolerance >= LeastHalfTolerance;
-  return self.DrawMeans(request, *plan, half) && self.DrawSums(request, *plan, half) &&
+  return self.DrawMeans(request, *plan) && self.DrawSums(request, *plan) &&
     self.DrawPicture(request, *plan);
 }
 

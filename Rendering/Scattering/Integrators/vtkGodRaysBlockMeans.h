@@ -22,8 +22,9 @@
  * other. Everything that depends on lights and camera is computed in double precision when it
  * changes, and kept in small textures; textures grow as need be and never shrink.
  *
- * Means and nodes are 16-bit floats where the result is and the tolerance is 1/1000 or more, else
- * 32-bit ones; tables are 32-bit floats. The gain is applied last: nothing stored exceeds the layer.
+ * Means, nodes and tables are 32-bit floats: there are fewer of them than pixels, and some drivers cut
+ * off the digits that 16-bit ones lack, which adds up. The gain is applied last: nothing stored exceeds
+ * the layer.
  */
 
 #ifndef vtkGodRaysBlockMeans_h

@@ -112,9 +112,9 @@ public:
   /**
    * Set/Get the number of samples that Decay and Weight refer to [no unit]. In the INVARIANT
    * formulation it is no cost: the integrator takes the taps that it needs. Valid range:
-   * [1, 1024]. Default is 100.
+   * [1, 10000]. Default is 100.
    */
-  vtkSetClampMacro(NumberOfSamples, int, 1, 1024);
+  vtkSetClampMacro(NumberOfSamples, int, 1, 10000);
   vtkGetMacro(NumberOfSamples, int);
   ///@}
 
