@@ -416,6 +416,8 @@ void vtkGodRaysRenderView::RemoveRepresentationInternal(vtkDataRepresentation* r
 void vtkGodRaysRenderView::AboutToRenderOnLocalProcess(bool interactive)
 {
   this->Superclass::AboutToRenderOnLocalProcess(interactive);
+  // With an image pass, ParaView would smooth edges twice: as the renderer draws, and by a pass.
+  this->SynchronizedRenderers->SetUseFXAA(false);
   this->UpdateRoles();
   this->UpdateLights();
 }
