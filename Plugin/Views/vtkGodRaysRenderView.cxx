@@ -166,9 +166,9 @@ void vtkGodRaysRenderView::SetUseGodRays(bool use)
 //------------------------------------------------------------------------------
 void vtkGodRaysRenderView::SetUseToneMapping(bool use)
 {
-  if (this->GetUseToneMapping() != use)
+  if ((this->Internals->Chain->ToneMapping != nullptr) != use)
   {
-    // The superclass takes the slot if it is empty, and leaves it again.
+    // The superclass takes the slot if it is empty, and leaves it if the slot is its own.
     this->SynchronizedRenderers->SetImageProcessingPass(
       use ? nullptr : this->Internals->Chain->ToneMapping.Get());
     this->Superclass::SetUseToneMapping(use);
