@@ -36,7 +36,7 @@ packages=(
   libvtk9-dev python3-vtk9 python3-numpy libglm-dev libhwy-dev libcli11-dev libgtest-dev
   xvfb xauth libgl1-mesa-dri)
 if $paraview; then
-  packages+=(paraview paraview-dev)
+  packages+=(paraview paraview-dev openmpi-bin)
 fi
 
 missing=()
