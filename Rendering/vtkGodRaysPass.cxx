@@ -3,6 +3,7 @@
 #include "vtkGodRaysPass.h"
 
 #include "vtkGodRaysBlendPass.h"
+#include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysFramebuffer.h"
 #include "vtkGodRaysIntegrator.h"
 #include "vtkGodRaysOcclusionPass.h"
@@ -60,6 +61,7 @@ struct vtkGodRaysPass::Internals
   std::vector<vtkSmartPointer<vtkLight>> Lights;
   vtkSmartPointer<vtkGodRaysModel> Model;
   vtkSmartPointer<vtkGodRaysIntegrator> Integrator;
+  vtkSmartPointer<vtkGodRaysCompositor> Compositor;
 
   vtkWeakPointer<vtkRenderer> Attached;
   vtkSmartPointer<vtkRenderPass> FormerPass;
@@ -69,6 +71,7 @@ struct vtkGodRaysPass::Internals
   vtkNew<vtkGodRaysOcclusionPass> Occlusion;
   vtkNew<vtkGodRaysBlendPass> Blending;
   vtkGodRaysTarget Scene;      // colour and depth of the viewport
+  vtkGodRaysTarget Backdrop;   // background, where the scene is drawn over black
   vtkGodRaysTarget Scattering; // light of all layers
   vtkGodRaysTarget LayerSum;   // of several lights, when it is asked for
   vtkGodRaysTimers Timers;
@@ -78,6 +81,7 @@ struct vtkGodRaysPass::Internals
   bool HasScattering = false;                   // of the last frame
   bool HasLayer = false;
   bool HasLayerSum = false;
+  bool HasBackdrop = false;
   bool KeepLayerSum = false;
   int NumberOfSources = 0;    // of the last frame
   bool DrawsScene = false;    // at this moment
@@ -95,6 +99,7 @@ struct vtkGodRaysPass::Internals
     }
     this->Blending->ReleaseGraphicsResources(window);
     this->Scene.Release(window);
+    this->Backdrop.Release(window);
     this->Scattering.Release(window);
     this->LayerSum.Release(window);
     this->Timers.Release(this->Window);
@@ -247,6 +252,22 @@ vtkGodRaysIntegrator* vtkGodRaysPass::GetIntegrator()
 }
 
 //------------------------------------------------------------------------------
+void vtkGodRaysPass::SetCompositor(vtkGodRaysCompositor* compositor)
+{
+  if (this->Internal->Compositor != compositor)
+  {
+    this->Internal->Compositor = compositor;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysCompositor* vtkGodRaysPass::GetCompositor()
+{
+  return this->Internal->Compositor;
+}
+
+//------------------------------------------------------------------------------
 bool vtkGodRaysPass::ApplyPreset(const char* name)
 {
   auto model = vtkGodRaysRadialModel::SafeDownCast(this->Internal->Model);
@@ -334,7 +355,8 @@ void vtkGodRaysPass::Detach(vtkRenderer* renderer)
 bool vtkGodRaysPass::GetOcclusionImage(vtkImageData* image)
 {
   Internals& self = *this->Internal;
-  if (self.HasLayer && !self.HasLayerSum && self.NumberOfSources > 1 && self.Window)
+  const bool distributed = self.Compositor && self.Compositor->IsDistributed();
+  if (self.HasLayer && !self.HasLayerSum && self.NumberOfSources > 1 && self.Window && !distributed)
   {
     // one layer texture served all lights in turn
     self.KeepLayerSum = true;
@@ -537,6 +559,7 @@ std::vector<vtkGodRaysSource> vtkGodRaysPass::FindSources(
   finder.BackgroundGlowFalloff = this->BackgroundGlowFalloff;
   finder.LinearLight = self.Model->GetLinearLight();
   finder.CapsMarch = self.Model->CapsMarch();
+  finder.Compositor = self.Compositor;
   auto sources = finder.Find(view, self.Lights);
   self.LightPlan = finder.GetPlan();
   return sources;
@@ -570,6 +593,7 @@ bool vtkGodRaysPass::RenderRays(
   occlusion.UntaggedPropsOcclude = this->UntaggedPropsOcclude;
   occlusion.LinearLight = self.Model->GetLinearLight();
   occlusion.Glow = this->BackgroundGlow;
+  occlusion.Compositor = self.Compositor;
 
   self.Timers.Start(vtkGodRaysTimers::OCCLUSION);
   self.Scene.Prepare(window, viewport[2], viewport[3], bound.Formats);
@@ -584,6 +608,16 @@ bool vtkGodRaysPass::RenderRays(
     bound.CopyTo(state, viewport, buffers);
   }
   occlusion.SceneDepth = self.Scene.GetDepth();
+  self.HasBackdrop = false;
+  if (self.Compositor && self.Compositor->IsRoot())
+  {
+    self.Backdrop.Prepare(window, viewport[2], viewport[3], { GL_RGBA8, bound.Formats.Depth });
+    if (!self.Backdrop.Bind())
+    {
+      return false;
+    }
+    self.HasBackdrop = self.Compositor->DrawBackground(s->GetRenderer());
+  }
   if (!self.Occlusion->Begin(occlusion))
   {
     return false;
@@ -601,6 +635,7 @@ bool vtkGodRaysPass::RenderRays(
     Clear(self.LayerSum, state);
   }
 
+  const bool isRoot = !self.Compositor || self.Compositor->IsRoot();
   for (const vtkGodRaysSource& source : sources)
   {
     self.Timers.Start(vtkGodRaysTimers::OCCLUSION);
@@ -609,7 +644,7 @@ bool vtkGodRaysPass::RenderRays(
       return false;
     }
     self.Timers.Stop();
-    if (this->Output != OCCLUSION)
+    if (this->Output != OCCLUSION && isRoot)
     {
       self.Timers.Start(vtkGodRaysTimers::SCATTERING);
       if (!this->Scatter(view, source, layer))
@@ -618,6 +653,11 @@ bool vtkGodRaysPass::RenderRays(
       }
       self.Timers.Stop();
     }
+  }
+  if (!isRoot)
+  {
+    self.StagePlan = "rays: joined by another process\n";
+    return true;
   }
   self.HasLayer = true;
   self.HasLayerSum = sumLayers;
@@ -675,6 +715,7 @@ bool vtkGodRaysPass::DrawOutput(const int viewport[4], vtkGodRaysTarget& layer)
   request.Window = self.Window;
   std::copy_n(viewport, 4, request.Viewport);
   request.Scene = self.Scene.GetColor();
+  request.Backdrop = self.HasBackdrop ? self.Backdrop.GetColor() : nullptr;
   request.Rays = this->Output == OCCLUSION ? layer.GetColor() : self.Scattering.GetColor();
   request.Intensity = this->Output == OCCLUSION ? 1.0 : this->Intensity;
   request.SceneGain = self.Model->GetSceneGain();

@@ -178,12 +178,56 @@ void vtkGodRaysTarget::Download(vtkImageData* image)
   image->SetSpacing(1.0, 1.0, 1.0);
   image->AllocateScalars(VTK_FLOAT, 3);
 
-  vtkOpenGLRenderWindow* window = this->Framebuffer->GetContext();
-  vtkOpenGLState* state = window->GetState();
+  this->Read(GL_RGB, image->GetScalarPointer());
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysTarget::Read(unsigned int format, void* values)
+{
+  vtkOpenGLState* state = this->Framebuffer->GetContext()->GetState();
   state->PushFramebufferBindings();
   this->Framebuffer->Bind();
-  this->Framebuffer->ActivateReadBuffer(0);
+  if (this->Color)
+  {
+    this->Framebuffer->ActivateReadBuffer(0);
+  }
   state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, this->Width, this->Height, GL_RGB, GL_FLOAT, image->GetScalarPointer());
+  glReadPixels(0, 0, this->Width, this->Height, format, GL_FLOAT, values);
   state->PopFramebufferBindings();
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkGodRaysTarget::ReadDepth()
+{
+  std::vector<float> depth(static_cast<std::size_t>(this->Width) * this->Height);
+  this->Read(GL_DEPTH_COMPONENT, depth.data());
+  return depth;
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkGodRaysTarget::ReadColor()
+{
+  std::vector<float> color(4 * static_cast<std::size_t>(this->Width) * this->Height);
+  this->Read(GL_RGBA, color.data());
+  return color;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysTarget::WriteDepth(const std::vector<float>& depth)
+{
+  this->Depth->Activate();
+  this->Framebuffer->GetContext()->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glTexSubImage2D(
+    GL_TEXTURE_2D, 0, 0, 0, this->Width, this->Height, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
+  this->Depth->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysTarget::WriteColor(const std::vector<float>& color)
+{
+  this->Color->Activate();
+  this->Framebuffer->GetContext()->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glTexSubImage2D(
+    GL_TEXTURE_2D, 0, 0, 0, this->Width, this->Height, GL_RGBA, GL_FLOAT, color.data());
+  this->Color->Deactivate();
 }

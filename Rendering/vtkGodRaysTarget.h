@@ -15,6 +15,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h" // For vtkSmartPointer
 
+#include <vector>
+
 class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkWindow;
@@ -62,6 +64,16 @@ public:
   unsigned int GetColorFormat() const { return this->Formats.Color; }
   bool IsReady() const { return this->Color || this->Depth; }
 
+  ///@{
+  /**
+   * Copy depth or colours (RGBA) to and from memory.
+   */
+  std::vector<float> ReadDepth();
+  std::vector<float> ReadColor();
+  void WriteDepth(const std::vector<float>& depth);
+  void WriteColor(const std::vector<float>& color);
+  ///@}
+
   /**
    * Copy the colours into an image of three 32-bit floats a pixel; waits for the drawing.
    */
@@ -69,6 +81,7 @@ public:
 
 private:
   void Attach(vtkOpenGLRenderWindow* window);
+  void Read(unsigned int format, void* values);
 
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
   vtkSmartPointer<vtkTextureObject> Color;

@@ -7,9 +7,11 @@
 #include "vtkGodRaysPass.h"
 #include "vtkGodRaysRadialModel.h"
 #include "vtkGodRaysSurfaceRepresentation.h"
+#include "vtkGodRaysViewCompositor.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVCenterAxesActor.h"
@@ -112,6 +114,7 @@ struct vtkGodRaysRenderView::vtkInternals
 {
   vtkNew<vtkGodRaysPass> Pass;
   vtkNew<ToneMappedPass> Chain;
+  vtkNew<vtkGodRaysViewCompositor> Compositor;
   vtkSmartPointer<vtkGodRaysModel> CustomModel;
   vtkNew<vtkGodRaysRadialModel> PresetModel;
   std::string Preset = "default";
@@ -135,7 +138,7 @@ vtkGodRaysRenderView::vtkGodRaysRenderView()
   this->Internals->PresetModel->ApplyPreset("default");
   this->Internals->Pass->SetModel(this->Internals->PresetModel);
   this->Internals->Chain->Rays = this->Internals->Pass;
-  this->SynchronizedRenderers->SetUseDepthBuffer(true);
+  this->Internals->Pass->SetCompositor(this->Internals->Compositor);
   this->UpdatePasses();
 }
 
@@ -417,7 +420,20 @@ void vtkGodRaysRenderView::AboutToRenderOnLocalProcess(bool interactive)
 {
   this->Superclass::AboutToRenderOnLocalProcess(interactive);
   // With an image pass, ParaView would smooth edges twice: as the renderer draws, and by a pass.
-  this->SynchronizedRenderers->SetUseFXAA(false);
+  // Where pictures are joined, the former is done to the joined one; elsewhere the latter is, so
+  // that the edges of shafts are smoothed alike.
+  const bool joined = this->SynchronizedRenderers->GetEnabled();
+  (joined
+      ? this->SynchronizedRenderers->SetUseFXAA(false)
+      : this->GetRenderer()->SetUseFXAA(this->GetRenderer()->GetUseFXAA() && !this->UseGodRays));
+
+  // Translucent geometry and volumes are joined in order, and then without depth.
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const bool distributed = joined && controller && controller->GetNumberOfProcesses() > 1;
+  const bool hasDepth = !this->GetUseOrderedCompositing();
+  this->SynchronizedRenderers->SetUseDepthBuffer(this->UseGodRays && hasDepth);
+  this->Internals->Compositor->Update(this->GetRenderer(), distributed, hasDepth);
+
   this->UpdateRoles();
   this->UpdateLights();
 }

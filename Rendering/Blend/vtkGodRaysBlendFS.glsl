@@ -15,6 +15,8 @@ uniform float intensity;
 uniform float sceneGain;
 uniform bool linearLight; // whether rays are linear light, or shown values as the scene's colours
 uniform bool screen;      // SCREEN rather than ADD
+uniform bool hasBackdrop; // whether the scene is over black, and this is put under it later
+uniform sampler2D backdrop;
 uniform bool showRays;    // the rays alone, of whatever size
 
 void main()
@@ -30,8 +32,11 @@ void main()
   {
     discard;
   }
-  vec3 shown = texelFetch(scene, pixel, 0).rgb;
+  vec4 shownOver = texelFetch(scene, pixel, 0);
+  vec3 under =
+    hasBackdrop ? (1.0 - shownOver.a) * texelFetch(backdrop, pixel, 0).rgb : vec3(0.0);
+  vec3 shown = shownOver.rgb + under;
   vec3 base = sceneGain * (linearLight ? DecodeDisplay(shown) : shown);
   vec3 sum = screen ? BlendScreen(base, light) : BlendAdd(base, light);
-  gl_FragData[0] = vec4(linearLight ? EncodeDisplay(sum) : sum, 1.0);
+  gl_FragData[0] = vec4((linearLight ? EncodeDisplay(sum) : sum) - under, 1.0);
 }

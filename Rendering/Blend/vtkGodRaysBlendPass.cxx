@@ -38,7 +38,8 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
   }
   vtkOpenGLState* state = request.Window->GetState();
   vtkOpenGLState::ScopedglColorMask mask(state);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+  state->vtkglColorMask(
+    GL_TRUE, GL_TRUE, GL_TRUE, request.ShowRays && request.Backdrop ? GL_TRUE : GL_FALSE);
   if (request.Accumulate)
   {
     state->vtkglEnable(GL_BLEND);
@@ -59,8 +60,10 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
   program->SetUniformi("linearLight", request.LinearLight);
   program->SetUniformi("screen", request.Screen);
   program->SetUniformi("showRays", request.ShowRays);
+  program->SetUniformi("hasBackdrop", request.Backdrop != nullptr);
   this->Internal->Quad.SetTexture("rays", request.Rays);
   this->Internal->Quad.SetTexture("scene", request.Scene ? request.Scene : request.Rays);
+  this->Internal->Quad.SetTexture("backdrop", request.Backdrop ? request.Backdrop : request.Rays);
   this->Internal->Quad.End();
   return true;
 }

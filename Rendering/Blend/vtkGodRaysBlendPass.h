@@ -39,6 +39,7 @@ public:
     int Viewport[4] = { 0, 0, 0, 0 };  ///< origin and size in the bound framebuffer [pixels]
     vtkTextureObject* Scene = nullptr; ///< colours of the viewport; not read when ShowRays
     vtkTextureObject* Rays = nullptr;
+    vtkTextureObject* Backdrop = nullptr; ///< background that is put under the result later
     double Intensity = 1.0;
     double SceneGain = 1.0;
     bool LinearLight = true;
