@@ -20,9 +20,10 @@ TEMPORARY = os.environ["GODRAYS_TEMPORARY"]
 BASELINES = os.environ["GODRAYS_BASELINES"]
 
 simple._DisableFirstRenderCameraReset()
-simple.LoadPlugin(PLUGIN, remote=False, ns=globals())
-if os.environ.get("GODRAYS_REMOTE"):
+if os.environ.get("GODRAYS_SERVER_PORT"):
+    simple.Connect("localhost", int(os.environ["GODRAYS_SERVER_PORT"]))
     simple.LoadPlugin(PLUGIN, remote=True, ns=globals())
+simple.LoadPlugin(PLUGIN, remote=False, ns=globals())
 
 import godrays  # after the plugin, whose libraries it shares
 import godrays.vtkGodRaysViews  # so that views are known as what they are
