@@ -43,9 +43,6 @@ class Menus(Case):
         exact = simple.GodRaysReferenceFilter(Input=picture)
         fast = simple.GodRaysScatteringFilter(Input=picture)
         for each in (exact, fast):
-            domain = each.SMProxy.GetProperty("SelectInputScalars").GetDomain("array_list")
-            names = [domain.GetString(i) for i in range(domain.GetNumberOfStrings())]
-            self.assertEqual(set(names), {"Dark", "Light"})
             each.SelectInputScalars = ["POINTS", "Light"]
             each.LightClip = [-0.3, 0.0, 1.0]
         expected, actual = self.result(exact), self.result(fast)
