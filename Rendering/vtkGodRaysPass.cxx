@@ -3,6 +3,7 @@
 #include "vtkGodRaysPass.h"
 
 #include "vtkGodRaysBlendPass.h"
+#include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysEpipolarIntegrator.h"
 #include "vtkGodRaysFramebuffer.h"
 #include "vtkGodRaysIntegrator.h"
@@ -54,6 +55,7 @@ struct vtkGodRaysPass::Internals
   std::vector<vtkSmartPointer<vtkLight>> Lights;
   vtkSmartPointer<vtkGodRaysModel> Model;
   vtkSmartPointer<vtkGodRaysIntegrator> Integrator;
+  vtkSmartPointer<vtkGodRaysCompositor> Compositor;
 
   vtkWeakPointer<vtkRenderer> Attached;
   vtkSmartPointer<vtkRenderPass> FormerPass;
@@ -62,9 +64,10 @@ struct vtkGodRaysPass::Internals
   vtkNew<vtkGodRaysScene> RendererSteps;
   vtkNew<vtkGodRaysOcclusionPass> Occlusion;
   vtkNew<vtkGodRaysBlendPass> Blending;
-  vtkGodRaysTarget Scene;   // colour and depth of the viewport
-  vtkGodRaysSum Scattering; // light of all layers
-  vtkGodRaysSum Layers;     // their sum; of several lights only when it is asked for
+  vtkGodRaysTarget Scene;    // colour and depth of the viewport
+  vtkGodRaysTarget Backdrop; // background, where the scene is drawn over black
+  vtkGodRaysSum Scattering;  // light of all layers
+  vtkGodRaysSum Layers;      // their sum; of several lights only when it is asked for
   vtkGodRaysTimers Timers;
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the resources
@@ -72,6 +75,7 @@ struct vtkGodRaysPass::Internals
   bool HasScattering = false;                   // of the last frame
   bool HasLayer = false;
   bool HasAllLayers = false;
+  bool HasBackdrop = false;
   bool KeepAllLayers = false;
   int NumberOfSources = 0;    // of the last frame
   bool DrawsScene = false;    // at this moment
@@ -89,6 +93,7 @@ struct vtkGodRaysPass::Internals
     }
     this->Blending->ReleaseGraphicsResources(window);
     this->Scene.Release(window);
+    this->Backdrop.Release(window);
     this->Scattering.Release(window);
     this->Layers.Release(window);
     this->Timers.Release(this->Window);
@@ -241,6 +246,22 @@ vtkGodRaysIntegrator* vtkGodRaysPass::GetIntegrator()
 }
 
 //------------------------------------------------------------------------------
+void vtkGodRaysPass::SetCompositor(vtkGodRaysCompositor* compositor)
+{
+  if (this->Internal->Compositor != compositor)
+  {
+    this->Internal->Compositor = compositor;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysCompositor* vtkGodRaysPass::GetCompositor()
+{
+  return this->Internal->Compositor;
+}
+
+//------------------------------------------------------------------------------
 bool vtkGodRaysPass::ApplyPreset(const char* name)
 {
   auto model = vtkGodRaysRadialModel::SafeDownCast(this->Internal->Model);
@@ -329,7 +350,8 @@ void vtkGodRaysPass::Detach(vtkRenderer* renderer)
 bool vtkGodRaysPass::GetOcclusionImage(vtkImageData* image)
 {
   Internals& self = *this->Internal;
-  if (self.HasLayer && !self.HasAllLayers && self.Window)
+  const bool distributed = self.Compositor && self.Compositor->IsDistributed();
+  if (self.HasLayer && !self.HasAllLayers && self.Window && !distributed)
   {
     // one layer texture served all lights in turn
     self.KeepAllLayers = true;
@@ -529,6 +551,7 @@ std::vector<vtkGodRaysSource> vtkGodRaysPass::FindSources(
   finder.BackgroundGlowFalloff = this->BackgroundGlowFalloff;
   finder.LinearLight = self.Model->GetLinearLight();
   finder.CapsMarch = self.Model->CapsMarch();
+  finder.Compositor = self.Compositor;
   auto sources = finder.Find(view, self.Lights);
   self.LightPlan = finder.GetPlan();
   return sources;
@@ -564,6 +587,7 @@ bool vtkGodRaysPass::RenderRays(
   occlusion.UntaggedPropsOcclude = this->UntaggedPropsOcclude;
   occlusion.LinearLight = self.Model->GetLinearLight();
   occlusion.Glow = this->BackgroundGlow;
+  occlusion.Compositor = self.Compositor;
 
   self.Timers.Start(vtkGodRaysTimers::OCCLUSION);
   self.Scene.Prepare(window, viewport[2], viewport[3], bound.Formats);
@@ -578,6 +602,16 @@ bool vtkGodRaysPass::RenderRays(
     bound.CopyTo(state, viewport, buffers);
   }
   occlusion.SceneDepth = self.Scene.GetDepth();
+  self.HasBackdrop = false;
+  if (self.Compositor && self.Compositor->IsRoot())
+  {
+    self.Backdrop.Prepare(window, viewport[2], viewport[3], { GL_RGBA8, bound.Formats.Depth });
+    if (!self.Backdrop.Bind())
+    {
+      return false;
+    }
+    self.HasBackdrop = self.Compositor->DrawBackground(s->GetRenderer());
+  }
   if (!self.Occlusion->Begin(occlusion))
   {
     return false;
@@ -587,6 +621,7 @@ bool vtkGodRaysPass::RenderRays(
 
   self.Scattering.Begin(window, viewport[2], viewport[3], precision);
   const bool keepLayers = sources.size() == 1 || this->Output == OCCLUSION || self.KeepAllLayers;
+  const bool isRoot = !self.Compositor || self.Compositor->IsRoot();
   for (const vtkGodRaysSource& source : sources)
   {
     self.Timers.Start(vtkGodRaysTimers::OCCLUSION);
@@ -597,7 +632,7 @@ bool vtkGodRaysPass::RenderRays(
       return false;
     }
     self.Timers.Stop();
-    if (this->Output != OCCLUSION)
+    if (this->Output != OCCLUSION && isRoot)
     {
       self.Timers.Start(vtkGodRaysTimers::SCATTERING);
       if (!this->Scatter(view, source))
@@ -606,6 +641,11 @@ bool vtkGodRaysPass::RenderRays(
       }
       self.Timers.Stop();
     }
+  }
+  if (!isRoot)
+  {
+    self.StagePlan = "rays: joined by another process\n";
+    return true;
   }
   self.HasLayer = true;
   self.HasAllLayers = keepLayers;
@@ -664,6 +704,7 @@ bool vtkGodRaysPass::DrawOutput(const int viewport[4])
   request.Window = self.Window;
   std::copy_n(viewport, 4, request.Viewport);
   request.Scene = self.Scene.GetColor();
+  request.Backdrop = self.HasBackdrop ? self.Backdrop.GetColor() : nullptr;
   request.Rays = light.GetTexture();
   request.Tint = light.GetTint();
   request.Intensity = this->Output == OCCLUSION ? 1.0 : this->Intensity;

@@ -46,6 +46,7 @@
 #include <string> // For std::string
 #include <vector> // For std::vector
 
+class vtkGodRaysCompositor;
 class vtkGodRaysIntegrator;
 class vtkGodRaysModel;
 class vtkImageData;
@@ -121,6 +122,15 @@ public:
    */
   void SetIntegrator(vtkGodRaysIntegrator* integrator);
   vtkGodRaysIntegrator* GetIntegrator();
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get what joins a scene whose parts are on several processes; null, the default, if it is on
+   * one. Stages that only the joined picture needs are left out where there is none.
+   */
+  void SetCompositor(vtkGodRaysCompositor* compositor);
+  vtkGodRaysCompositor* GetCompositor();
   ///@}
 
   /**

@@ -4,6 +4,7 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysPass.h"
 #include "vtkLight.h"
@@ -95,8 +96,14 @@ std::vector<vtkGodRaysSource> vtkGodRaysSourceFinder::Find(
     }
     vtkGodRaysSource source;
     source.Name = std::string("prop tagged LIGHT, ") + prop->GetClassName();
-    const double* bounds = prop->GetVisibility() ? prop->GetBounds() : nullptr;
-    if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
+    double bounds[6];
+    vtkMath::UninitializeBounds(bounds);
+    if (const double* own = prop->GetVisibility() ? prop->GetBounds() : nullptr)
+    {
+      std::copy_n(own, 6, bounds);
+    }
+    vtkGodRaysCompositor::JoinBounds(this->Compositor, bounds);
+    if (!vtkMath::AreBoundsInitialized(bounds))
     {
       this->Plan += "light: " + source.Name + ", skipped: it is invisible or has no geometry\n";
       continue;
@@ -184,6 +191,7 @@ double vtkGodRaysSourceFinder::FindRadius() const
   }
   double bounds[6];
   this->Renderer->ComputeVisiblePropBounds(bounds);
+  vtkGodRaysCompositor::JoinBounds(this->Compositor, bounds);
   if (!vtkMath::AreBoundsInitialized(bounds))
   {
     return 1.0;

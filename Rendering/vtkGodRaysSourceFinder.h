@@ -14,19 +14,21 @@
 #include <string>
 #include <vector>
 
+class vtkGodRaysCompositor;
 class vtkRenderer;
 
 class vtkGodRaysSourceFinder
 {
 public:
   vtkRenderer* Renderer;
-  double SourceRadius;          ///< of positional lights [world units]; 0: automatic
-  double SunAngularRadius;      ///< of directional lights [degrees]
-  double BackgroundGlow;        ///< fraction of the light's radiance
-  double BackgroundGlowRadius;  ///< [degrees]
-  double BackgroundGlowFalloff; ///< [degrees]
-  bool LinearLight;             ///< see vtkGodRaysModel
-  bool CapsMarch;               ///< see vtkGodRaysModel
+  double SourceRadius;                        ///< of positional lights [world units]; 0: automatic
+  double SunAngularRadius;                    ///< of directional lights [degrees]
+  double BackgroundGlow;                      ///< fraction of the light's radiance
+  double BackgroundGlowRadius;                ///< [degrees]
+  double BackgroundGlowFalloff;               ///< [degrees]
+  bool LinearLight;                           ///< see vtkGodRaysModel
+  bool CapsMarch;                             ///< see vtkGodRaysModel
+  vtkGodRaysCompositor* Compositor = nullptr; ///< of a scene on several processes
 
   /**
    * The lights, and the props tagged LIGHT, of which any light may fall into the layer.

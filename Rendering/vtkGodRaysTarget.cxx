@@ -190,7 +190,10 @@ void vtkGodRaysTarget::Read(unsigned int format, unsigned int type, void* pixels
   vtkOpenGLState* state = this->Framebuffer->GetContext()->GetState();
   state->PushReadFramebufferBinding();
   this->Framebuffer->Bind(vtkOpenGLFramebufferObject::GetReadMode());
-  this->Framebuffer->ActivateReadBuffer(0);
+  if (this->Color)
+  {
+    this->Framebuffer->ActivateReadBuffer(0);
+  }
   state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
   glPixelStorei(GL_PACK_ROW_LENGTH, rowLength); // which vtkOpenGLState does not know
   glReadPixels(0, 0, this->Width, this->Height, format, type, pixels);
@@ -229,4 +232,36 @@ void vtkGodRaysTarget::Download(vtkImageData* image, const double tint[3])
       }
     }
   }
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkGodRaysTarget::ReadDepth()
+{
+  std::vector<float> depth(static_cast<std::size_t>(this->Width) * this->Height);
+  this->Read(GL_DEPTH_COMPONENT, GL_FLOAT, depth.data(), 0);
+  return depth;
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkGodRaysTarget::ReadColor()
+{
+  std::vector<float> color(4 * static_cast<std::size_t>(this->Width) * this->Height);
+  this->Read(GL_RGBA, GL_FLOAT, color.data(), 0);
+  return color;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysTarget::WriteDepth(const std::vector<float>& depth)
+{
+  this->Depth->Activate();
+  this->Framebuffer->GetContext()->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glTexSubImage2D(
+    GL_TEXTURE_2D, 0, 0, 0, this->Width, this->Height, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
+  this->Depth->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysTarget::WriteColor(const std::vector<float>& color)
+{
+  this->Write(GL_RGBA, GL_FLOAT, color.data());
 }

@@ -15,6 +15,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h" // For vtkSmartPointer
 
+#include <vector>
+
 class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkWindow;
@@ -64,6 +66,16 @@ public:
 
   /// Whether the colour is one value a pixel, in red.
   bool HasOneChannel() const;
+
+  ///@{
+  /**
+   * Copy depth or colours (RGBA) to and from memory.
+   */
+  std::vector<float> ReadDepth();
+  std::vector<float> ReadColor();
+  void WriteDepth(const std::vector<float>& depth);
+  void WriteColor(const std::vector<float>& color);
+  ///@}
 
   /**
    * Copy the colours to memory; waits for the drawing. OpenGL format and type; rowLength is how far

@@ -37,7 +37,7 @@ packages=(
   libbenchmark-dev
   xvfb xauth libgl1-mesa-dri)
 if $paraview; then
-  packages+=(paraview paraview-dev)
+  packages+=(paraview paraview-dev openmpi-bin)
 fi
 
 missing=()

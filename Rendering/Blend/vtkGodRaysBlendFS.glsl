@@ -12,6 +12,7 @@ uniform sampler2D scene;
 uniform sampler2D rays;
 uniform float intensity;
 uniform float sceneGain;
+uniform sampler2D backdrop; // of a scene that is over black, put under it later
 uniform vec3 tint;        // of rays of one channel
 uniform float viewScale;  // fraction of the rays' size that is shown, if they are resized
 
@@ -21,6 +22,7 @@ uniform float viewScale;  // fraction of the rays' size that is shown, if they a
 // showRays: the rays alone
 // resized: they are not as large as the viewport
 // oneChannel: the rays are one value a pixel, in red, times the tint
+// hasBackdrop: whether there is a backdrop
 
 void main()
 {
@@ -36,8 +38,11 @@ void main()
   {
     discard;
   }
-  vec3 shown = texelFetch(scene, pixel, 0).rgb;
+  vec4 shownOver = texelFetch(scene, pixel, 0);
+  vec3 under =
+    hasBackdrop ? (1.0 - shownOver.a) * texelFetch(backdrop, pixel, 0).rgb : vec3(0.0);
+  vec3 shown = shownOver.rgb + under;
   vec3 base = sceneGain * (linearLight ? DecodeDisplay(shown) : shown);
   vec3 sum = screen ? BlendScreen(base, light) : BlendAdd(base, light);
-  gl_FragData[0] = vec4(linearLight ? EncodeDisplay(sum) : sum, 1.0);
+  gl_FragData[0] = vec4((linearLight ? EncodeDisplay(sum) : sum) - under, 1.0);
 }

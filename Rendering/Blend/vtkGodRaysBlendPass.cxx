@@ -36,14 +36,15 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
   vtkShaderProgram* program = this->Internal->Quad.Begin(request.Window,
     { { "linearLight", request.LinearLight }, { "screen", request.Screen && !request.ShowRays },
       { "showRays", request.ShowRays }, { "resized", resized },
-      { "oneChannel", request.Tint != nullptr } });
+      { "hasBackdrop", request.Backdrop != nullptr }, { "oneChannel", request.Tint != nullptr } });
   if (!program)
   {
     return false;
   }
   vtkOpenGLState* state = request.Window->GetState();
   vtkOpenGLState::ScopedglColorMask mask(state);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+  state->vtkglColorMask(
+    GL_TRUE, GL_TRUE, GL_TRUE, request.ShowRays && request.Backdrop ? GL_TRUE : GL_FALSE);
   if (request.Accumulate)
   {
     state->vtkglEnable(GL_BLEND);
@@ -71,6 +72,10 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
   if (!request.ShowRays)
   {
     this->Internal->Quad.SetTexture("scene", request.Scene);
+  }
+  if (request.Backdrop)
+  {
+    this->Internal->Quad.SetTexture("backdrop", request.Backdrop);
   }
   this->Internal->Quad.End();
   return true;

@@ -41,6 +41,7 @@ public:
     vtkTextureObject* Rays = nullptr;
     const double* Tint = nullptr; ///< if the rays have one channel: their colour where it is 1
     double ViewScale = 1.0;       ///< fraction of the rays' size that is shown; 1 unless ShowRays
+    vtkTextureObject* Backdrop = nullptr; ///< background that is put under the result later
     double Intensity = 1.0;
     double SceneGain = 1.0;
     bool LinearLight = true;

@@ -4,6 +4,7 @@
 
 #include "vtkActor2D.h"
 #include "vtkCamera.h"
+#include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysOcclusionFS.h"
 #include "vtkGodRaysPass.h"
 #include "vtkGodRaysQuad.h"
@@ -38,6 +39,7 @@ struct Sorted
   std::vector<vtkProp*> Blocking; // opaque parts; lights block the light of others
   std::vector<vtkProp*> Dimming;  // translucent parts and volumes
   int NotBlocking = 0;
+  int Shining = 0;
 };
 
 bool HasVolume(vtkProp* prop)
@@ -67,6 +69,7 @@ Sorted Sort(vtkRenderer* renderer, bool untaggedPropsOcclude)
       continue;
     }
     sorted.Blocking.push_back(prop);
+    sorted.Shining += role == vtkGodRaysPass::LIGHT ? 1 : 0;
     if (role != vtkGodRaysPass::LIGHT &&
       (prop->HasTranslucentPolygonalGeometry() || HasVolume(prop)))
     {
@@ -114,6 +117,30 @@ private:
   vtkSmartPointer<vtkCamera> Camera;
 };
 
+/// Join translucent parts of all processes: what they let through, in alpha, is multiplied, and
+/// their colours are added.
+void JoinOpacity(vtkGodRaysTarget& target, vtkGodRaysCompositor* compositor)
+{
+  std::vector<float> pixels = target.ReadColor();
+  const std::size_t count = pixels.size() / 4;
+  std::vector<float> through(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    through[i] = 1.0f - std::min(pixels[4 * i + 3], 1.0f);
+  }
+  compositor->Reduce(through.data(), count, vtkGodRaysCompositor::PRODUCT);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    pixels[4 * i + 3] = 0.0f;
+  }
+  compositor->Reduce(pixels.data(), pixels.size(), vtkGodRaysCompositor::SUM);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    pixels[4 * i + 3] = 1.0f - through[i];
+  }
+  target.WriteColor(pixels);
+}
+
 void SetVector(vtkShaderProgram* program, const char* name, const double value[3])
 {
   const float v[3] = { static_cast<float>(value[0]), static_cast<float>(value[1]),
@@ -139,6 +166,7 @@ struct vtkGodRaysOcclusionPass::Internals
   bool Dimmed = false;
   int Width = 0; // of the layer [pixels]
   int Height = 0;
+  bool Distributed = false;
 };
 
 //------------------------------------------------------------------------------
@@ -154,8 +182,16 @@ vtkGodRaysOcclusionPass::~vtkGodRaysOcclusionPass() = default;
 //------------------------------------------------------------------------------
 bool vtkGodRaysOcclusionPass::SceneDepthServes(const Request& request)
 {
-  return request.Margin == 0.0 &&
-    Sort(request.Renderer, request.UntaggedPropsOcclude).NotBlocking == 0;
+  const Sorted sorted = Sort(request.Renderer, request.UntaggedPropsOcclude);
+  vtkGodRaysCompositor* compositor = request.Compositor;
+  if (compositor && compositor->IsDistributed())
+  {
+    // It does on one process alone; translucent parts and what shines need it on all of them.
+    const bool own = sorted.NotBlocking > 0 || sorted.Shining > 0 || !sorted.Dimming.empty();
+    return !vtkGodRaysCompositor::Any(compositor, own || !compositor->HasDepth()) &&
+      request.Margin == 0.0;
+  }
+  return request.Margin == 0.0 && sorted.NotBlocking == 0;
 }
 
 //------------------------------------------------------------------------------
@@ -179,8 +215,10 @@ bool vtkGodRaysOcclusionPass::Begin(const Request& request)
     GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   MarginCamera camera(request.Renderer, *request.View, self.WideCamera);
 
+  vtkGodRaysCompositor* compositor = request.Compositor;
+  self.Distributed = compositor && compositor->IsDistributed();
   self.Depth = request.SceneDepth;
-  this->RenderedOccluders = sorted.NotBlocking > 0 || request.Margin > 0.0;
+  this->RenderedOccluders = !SceneDepthServes(request);
   if (this->RenderedOccluders)
   {
     self.Occluders.Prepare(request.Window, width, height, { GL_RGBA8, request.DepthFormat });
@@ -195,11 +233,17 @@ bool vtkGodRaysOcclusionPass::Begin(const Request& request)
       prop->RenderOpaqueGeometry(request.Renderer);
     }
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    if (self.Distributed)
+    {
+      std::vector<float> depth = self.Occluders.ReadDepth();
+      compositor->Reduce(depth.data(), depth.size(), vtkGodRaysCompositor::LEAST);
+      self.Occluders.WriteDepth(depth);
+    }
     self.Depth = self.Occluders.GetDepth();
   }
 
   this->NumberOfTranslucentProps = static_cast<int>(sorted.Dimming.size());
-  self.Dimmed = !sorted.Dimming.empty();
+  self.Dimmed = vtkGodRaysCompositor::Any(compositor, !sorted.Dimming.empty());
   if (self.Dimmed)
   {
     // 8 bits would round away faint ones
@@ -210,6 +254,10 @@ bool vtkGodRaysOcclusionPass::Begin(const Request& request)
     }
     state->vtkglClear(GL_COLOR_BUFFER_BIT);
     this->RenderTranslucent(sorted.Dimming);
+    if (self.Distributed)
+    {
+      JoinOpacity(self.Dimming, compositor);
+    }
   }
 
   return true;
@@ -251,8 +299,9 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysSource& source)
   Internals& self = *this->Internal;
   const Request& frame = self.Frame;
   vtkOpenGLState* state = frame.Window->GetState();
-  const bool hazy =
-    source.Prop && (source.Prop->HasTranslucentPolygonalGeometry() || HasVolume(source.Prop));
+  const bool hazy = source.Prop &&
+    vtkGodRaysCompositor::Any(
+      frame.Compositor, source.Prop->HasTranslucentPolygonalGeometry() || HasVolume(source.Prop));
   if (source.Prop)
   {
     self.Shining.Prepare(
@@ -271,6 +320,10 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysSource& source)
       GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     MarginCamera camera(frame.Renderer, *frame.View, self.WideCamera);
     source.Prop->RenderOpaqueGeometry(frame.Renderer);
+    if (self.Distributed)
+    {
+      this->JoinShining();
+    }
     if (hazy)
     {
       self.Haze.Prepare(frame.Window, frame.ColorFormat, self.Depth);
@@ -280,6 +333,10 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysSource& source)
       }
       state->vtkglClear(GL_COLOR_BUFFER_BIT);
       this->RenderTranslucent({ source.Prop });
+      if (self.Distributed)
+      {
+        JoinOpacity(self.Haze, frame.Compositor);
+      }
     }
   }
 
@@ -336,6 +393,28 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysSource& source)
   }
   self.Quad.End();
   return true;
+}
+
+//------------------------------------------------------------------------------
+// Of the parts of a prop on all processes, the nearest.
+void vtkGodRaysOcclusionPass::JoinShining()
+{
+  Internals& self = *this->Internal;
+  vtkGodRaysCompositor* compositor = self.Frame.Compositor;
+  const std::vector<float> own = self.Shining.ReadDepth();
+  std::vector<float> depth = own;
+  compositor->Reduce(depth.data(), depth.size(), vtkGodRaysCompositor::LEAST);
+  std::vector<float> color = self.Shining.ReadColor();
+  for (std::size_t i = 0; i < depth.size(); ++i)
+  {
+    if (own[i] > depth[i])
+    {
+      std::fill_n(color.begin() + 4 * i, 4, 0.0f);
+    }
+  }
+  compositor->Reduce(color.data(), color.size(), vtkGodRaysCompositor::GREATEST);
+  self.Shining.WriteDepth(depth);
+  self.Shining.WriteColor(color);
 }
 
 //------------------------------------------------------------------------------

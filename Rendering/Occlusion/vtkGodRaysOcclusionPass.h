@@ -12,6 +12,10 @@
  * Props tagged LIGHT are rendered in their own colours, as lit as in the scene; volumes and
  * translucent ones as they show before black.
  *
+ * With a vtkGodRaysCompositor, a scene on several processes is joined layer by layer: the least
+ * depth of what blocks, the product of what translucent props and volumes let through, and the
+ * nearest of what shines. Translucent parts of what shines are added, whatever their order.
+ *
  * @sa vtkGodRaysPass
  */
 
@@ -25,6 +29,7 @@
 #include <string> // For std::string
 #include <vector> // For std::vector
 
+class vtkGodRaysCompositor;
 class vtkGodRaysTarget;
 class vtkOpenGLRenderWindow;
 class vtkProp;
@@ -57,6 +62,7 @@ public:
     bool UntaggedPropsOcclude = true;
     bool LinearLight = true;
     double Glow = 0.0;
+    vtkGodRaysCompositor* Compositor = nullptr; ///< of a scene on several processes
   };
 
   /**
@@ -107,6 +113,7 @@ private:
   vtkGodRaysOcclusionPass(const vtkGodRaysOcclusionPass&) = delete;
   void operator=(const vtkGodRaysOcclusionPass&) = delete;
 
+  void JoinShining();
   void RenderTranslucent(std::vector<vtkProp*> props);
 
   struct Internals;

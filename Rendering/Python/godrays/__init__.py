@@ -39,8 +39,9 @@ _ROLES = {
 def enable(target, light=None, occluders=(), ignored=(), preset=None, **parameters):
     """Put god rays into a scene and return their vtkGodRaysPass, attached to the renderer.
 
-    target: a vtkRenderer, a vtkRenderWindow (its first renderer counts), or a plotter with a
-        ``renderer``, such as PyVista's and vedo's.
+    target: a vtkRenderer, a vtkRenderWindow (its first renderer counts), a plotter with a
+        ``renderer``, such as PyVista's and vedo's, or a render view of paraview.simple in built-in
+        mode; representations and lights of ParaView can then be given as props and lights.
     light: what shines. A vtkLight; a prop, which shines in the colours in which it is drawn; three
         numbers, the direction from which sunlight comes; or a list of these. None takes the props
         tagged "light", or else the renderer's own lights that stand in the scene.
@@ -136,6 +137,8 @@ def tag(prop, role):
 
 
 def _renderer(target):
+    if hasattr(target, "GetClientSideObject"):
+        target = _paraview_renderer(target)
     if isinstance(target, vtkRenderWindow):
         target = target.GetRenderers().GetFirstRenderer()
         if target is None:
@@ -148,6 +151,39 @@ def _renderer(target):
             f"{type(target).__name__}"
         )
     return target
+
+
+def _paraview_renderer(view):
+    """The renderer of a render view of paraview.simple."""
+    client = view.GetClientSideObject()
+    if not hasattr(client, "GetRenderer"):
+        raise TypeError(f"god rays need a render view of ParaView, not a {view.GetXMLLabel()}")
+    if client.IsA("vtkGodRaysRenderView"):
+        raise ValueError(
+            "a Render View (God Rays) has its rays: set its properties, such as view.Preset and "
+            "view.SunElevation"
+        )
+    from paraview import servermanager
+
+    parts = servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
+    if servermanager.ActiveConnection.IsRemote() or parts > 1:
+        raise ValueError(
+            "ParaView's own render view can have god rays in built-in mode alone, not with a "
+            "server or in parallel; use CreateView('GodRaysRenderView') of the plugin"
+        )
+    return client.GetRenderer()
+
+
+def _unwrap(thing):
+    """The VTK object behind a representation or light of paraview.simple; others as they are."""
+    if not hasattr(thing, "GetClientSideObject"):
+        return thing
+    client = thing.GetClientSideObject()
+    if hasattr(client, "GetActiveRepresentation"):
+        client = client.GetActiveRepresentation()
+    if hasattr(client, "GetActor"):
+        client = client.GetActor()
+    return client
 
 
 def _find(renderer):
@@ -165,10 +201,13 @@ def _shining(renderer):
 
 
 def _is_prop(thing):
+    thing = _unwrap(thing)
     return isinstance(thing, vtkProp) or isinstance(getattr(thing, "actor", None), vtkProp)
 
 
 def _is_list(thing):
+    if hasattr(thing, "GetClientSideObject"):  # a proxy of ParaView iterates over its properties
+        return False
     return hasattr(thing, "__iter__") and not isinstance(thing, str) and not _is_prop(thing)
 
 
@@ -181,11 +220,13 @@ def _list(things):
 def _prop(thing):
     if not _is_prop(thing):
         raise TypeError(f"a vtkProp, such as a vtkActor, is needed, not {type(thing).__name__}")
+    thing = _unwrap(thing)
     return thing if isinstance(thing, vtkProp) else thing.actor
 
 
 def _lights(light):
     """What `light` of enable() means, as a list of vtkLights and props."""
+    light = _unwrap(light)
     if light is None:
         return []
     if _is_list(light):

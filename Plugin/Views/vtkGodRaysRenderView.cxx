@@ -1,0 +1,588 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysRenderView.h"
+
+#include "vtkCompositeRepresentation.h"
+#include "vtkGodRaysIntegrator.h"
+#include "vtkGodRaysPass.h"
+#include "vtkGodRaysRadialModel.h"
+#include "vtkGodRaysSurfaceRepresentation.h"
+#include "vtkGodRaysViewCompositor.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMath.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVCenterAxesActor.h"
+#include "vtkPVDataRepresentation.h"
+#include "vtkPVGridAxes3DActor.h"
+#include "vtkPVLODActor.h"
+#include "vtkPVLight.h"
+#include "vtkPVSynchronizedRenderer.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderState.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkGodRaysRenderView);
+
+namespace
+{
+using ObjectList = std::vector<vtkSmartPointer<vtkObject>>;
+
+bool Add(ObjectList& list, vtkObject* object)
+{
+  if (!object || std::find(list.begin(), list.end(), object) != list.end())
+  {
+    return false;
+  }
+  list.emplace_back(object);
+  return true;
+}
+
+bool Remove(ObjectList& list, vtkObject* object)
+{
+  const auto found = std::find(list.begin(), list.end(), object);
+  if (found == list.end())
+  {
+    return false;
+  }
+  list.erase(found);
+  return true;
+}
+
+/// Props that show axes rather than data.
+bool IsAnnotation(vtkProp* prop)
+{
+  for (const char* type : { "vtkPVCenterAxesActor", "vtkGridAxes3DActor", "vtkCubeAxesActor",
+         "vtkPolarAxesActor", "vtkAxesActor", "vtkAxisActor" })
+  {
+    if (prop->IsA(type))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The one slot that ParaView has for image passes, shared by the rays and ParaView's tone mapping,
+/// which comes after them.
+class ToneMappedPass : public vtkImageProcessingPass
+{
+public:
+  static ToneMappedPass* New();
+  vtkTypeMacro(ToneMappedPass, vtkImageProcessingPass);
+
+  void Render(const vtkRenderState* s) override
+  {
+    this->Rays->SetDelegatePass(this->DelegatePass);
+    this->ToneMapping->SetDelegatePass(this->Rays);
+    this->ToneMapping->Render(s);
+    this->NumberOfRenderedProps = this->ToneMapping->GetNumberOfRenderedProps();
+  }
+
+  void ReleaseGraphicsResources(vtkWindow* window) override
+  {
+    this->Superclass::ReleaseGraphicsResources(window);
+    for (vtkImageProcessingPass* pass : { this->Rays.Get(), this->ToneMapping.Get() })
+    {
+      if (pass)
+      {
+        pass->ReleaseGraphicsResources(window);
+      }
+    }
+  }
+
+  vtkSmartPointer<vtkImageProcessingPass> Rays;
+  vtkSmartPointer<vtkImageProcessingPass> ToneMapping;
+};
+vtkStandardNewMacro(ToneMappedPass);
+}
+
+//------------------------------------------------------------------------------
+struct vtkGodRaysRenderView::vtkInternals
+{
+  vtkNew<vtkGodRaysPass> Pass;
+  vtkNew<ToneMappedPass> Chain;
+  vtkNew<vtkGodRaysViewCompositor> Compositor;
+  vtkSmartPointer<vtkGodRaysModel> CustomModel;
+  vtkNew<vtkGodRaysRadialModel> PresetModel;
+  std::string Preset = "default";
+  vtkNew<vtkLight> Sun;
+  std::string Plan;
+
+  ObjectList Occluders;
+  ObjectList LightSources;
+  ObjectList Ignored;
+
+  std::set<vtkProp*> KnownProps; // only compared
+  std::map<vtkDataRepresentation*, std::vector<vtkWeakPointer<vtkProp>>> Props;
+  std::vector<vtkWeakPointer<vtkProp>> Tagged;
+};
+
+//------------------------------------------------------------------------------
+vtkGodRaysRenderView::vtkGodRaysRenderView()
+  : Internals(new vtkInternals)
+{
+  this->Internals->CustomModel = this->Internals->Pass->GetModel();
+  this->Internals->PresetModel->ApplyPreset("default");
+  this->Internals->Pass->SetModel(this->Internals->PresetModel);
+  this->Internals->Chain->Rays = this->Internals->Pass;
+  this->Internals->Pass->SetCompositor(this->Internals->Compositor);
+  this->UpdatePasses();
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysRenderView::~vtkGodRaysRenderView()
+{
+  this->Internals->Chain->ReleaseGraphicsResources(this->GetRenderWindow());
+  this->SynchronizedRenderers->SetImageProcessingPass(nullptr);
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysPass* vtkGodRaysRenderView::GetGodRaysPass()
+{
+  return this->Internals->Pass;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::SetUseGodRays(bool use)
+{
+  if (this->UseGodRays != use)
+  {
+    this->UseGodRays = use;
+    this->UpdatePasses();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::SetUseToneMapping(bool use)
+{
+  if ((this->Internals->Chain->ToneMapping != nullptr) != use)
+  {
+    // The superclass takes the slot if it is empty, and leaves it if the slot is its own.
+    this->SynchronizedRenderers->SetImageProcessingPass(
+      use ? nullptr : this->Internals->Chain->ToneMapping.Get());
+    this->Superclass::SetUseToneMapping(use);
+    this->Internals->Chain->ToneMapping =
+      use ? this->SynchronizedRenderers->GetImageProcessingPass() : nullptr;
+    this->UpdatePasses();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::UpdatePasses()
+{
+  vtkInternals& self = *this->Internals;
+  vtkImageProcessingPass* pass = self.Chain->ToneMapping;
+  if (this->UseGodRays)
+  {
+    pass = pass ? static_cast<vtkImageProcessingPass*>(self.Chain) : self.Pass;
+  }
+  this->SynchronizedRenderers->SetImageProcessingPass(pass);
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysRenderView::SetMode(const char* name, int& mode, int value, int last)
+{
+  if (value < 0 || value > last)
+  {
+    vtkErrorMacro(<< name << " must be in 0.." << last << ", not " << value << "; it stays " << mode
+                  << ".");
+    return false;
+  }
+  mode = value;
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::SetLightSource(int mode)
+{
+  this->SetMode("LightSource", this->LightSource, mode, TAGGED_ONLY);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::SetSunFrame(int frame)
+{
+  this->SetMode("SunFrame", this->SunFrame, frame, Z_UP);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::SetSunAzimuth(double degrees)
+{
+  if (!vtkMath::IsFinite(degrees))
+  {
+    vtkErrorMacro("SunAzimuth must be a finite number, not " << degrees << "; it stays "
+                                                             << this->SunAzimuth << ".");
+    return;
+  }
+  this->SunAzimuth = degrees;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::SetSunElevation(double degrees)
+{
+  if (!vtkMath::IsFinite(degrees))
+  {
+    vtkErrorMacro("SunElevation must be a finite number in [-90, 90], not "
+      << degrees << "; it stays " << this->SunElevation << ".");
+    return;
+  }
+  this->SunElevation = vtkMath::ClampValue(degrees, -90.0, 90.0);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::SetSunColor(double red, double green, double blue)
+{
+  double color[3] = { red, green, blue };
+  for (double& each : color)
+  {
+    if (!vtkMath::IsFinite(each))
+    {
+      vtkErrorMacro("SunColor must be three numbers in [0, 1], not ("
+        << red << ", " << green << ", " << blue << "); it stays as it is.");
+      return;
+    }
+    each = vtkMath::ClampValue(each, 0.0, 1.0);
+  }
+  this->Internals->Sun->SetDiffuseColor(color);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::SetPreset(const char* name)
+{
+  vtkInternals& self = *this->Internals;
+  const std::string preset = name ? name : "";
+  if (preset == self.Preset)
+  {
+    return;
+  }
+  const bool custom = preset == "custom";
+  if (!custom && !self.PresetModel->ApplyPreset(name))
+  {
+    return;
+  }
+  self.Preset = preset;
+  self.Pass->SetModel(custom ? self.CustomModel.Get() : self.PresetModel.Get());
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::SetModel(vtkGodRaysModel* model)
+{
+  vtkInternals& self = *this->Internals;
+  self.CustomModel = model;
+  if (self.Preset == "custom")
+  {
+    self.Pass->SetModel(model);
+  }
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::AddOccluder(vtkObject* representation)
+{
+  if (Add(this->Internals->Occluders, representation))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::RemoveOccluder(vtkObject* representation)
+{
+  if (Remove(this->Internals->Occluders, representation))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::AddLightSource(vtkObject* representationOrLight)
+{
+  if (Add(this->Internals->LightSources, representationOrLight))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::RemoveLightSource(vtkObject* representationOrLight)
+{
+  if (Remove(this->Internals->LightSources, representationOrLight))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::AddIgnored(vtkObject* representation)
+{
+  if (Add(this->Internals->Ignored, representation))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::RemoveIgnored(vtkObject* representation)
+{
+  if (Remove(this->Internals->Ignored, representation))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+#define vtkGodRaysForwardMacro(name, type)                                                         \
+  void vtkGodRaysRenderView::Set##name(type value)                                                 \
+  {                                                                                                \
+    this->Internals->Pass->Set##name(value);                                                       \
+  }
+vtkGodRaysForwardMacro(Integrator, vtkGodRaysIntegrator*);
+vtkGodRaysForwardMacro(Intensity, double);
+vtkGodRaysForwardMacro(ErrorTolerance, double);
+vtkGodRaysForwardMacro(InteractiveErrorTolerance, double);
+vtkGodRaysForwardMacro(ResolutionScale, double);
+vtkGodRaysForwardMacro(UntaggedPropsOcclude, bool);
+vtkGodRaysForwardMacro(SourceRadius, double);
+vtkGodRaysForwardMacro(SunAngularRadius, double);
+vtkGodRaysForwardMacro(BackgroundGlow, double);
+vtkGodRaysForwardMacro(BackgroundGlowRadius, double);
+vtkGodRaysForwardMacro(BackgroundGlowFalloff, double);
+vtkGodRaysForwardMacro(LayerMargin, double);
+vtkGodRaysForwardMacro(Blend, int);
+vtkGodRaysForwardMacro(Output, int);
+vtkGodRaysForwardMacro(Precision, int);
+vtkGodRaysForwardMacro(MeasureTimes, bool);
+
+//------------------------------------------------------------------------------
+const char* vtkGodRaysRenderView::GetPlan()
+{
+  this->Internals->Plan = this->Internals->Pass->GetPlan();
+  return this->Internals->Plan.c_str();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::AddRepresentationInternal(vtkDataRepresentation* representation)
+{
+  this->Superclass::AddRepresentationInternal(representation);
+
+  // It has just been added to the view: the props that are new are its own.
+  vtkInternals& self = *this->Internals;
+  std::set<vtkProp*> present;
+  vtkCollectionSimpleIterator iterator;
+  vtkPropCollection* props = this->GetRenderer()->GetViewProps();
+  props->InitTraversal(iterator);
+  while (vtkProp* prop = props->GetNextProp(iterator))
+  {
+    present.insert(prop);
+    if (!self.KnownProps.count(prop) && !IsAnnotation(prop))
+    {
+      self.Props[representation].emplace_back(prop);
+    }
+  }
+  self.KnownProps.swap(present);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::RemoveRepresentationInternal(vtkDataRepresentation* representation)
+{
+  vtkInternals& self = *this->Internals;
+  const auto found = self.Props.find(representation);
+  if (found != self.Props.end())
+  {
+    for (vtkProp* prop : found->second)
+    {
+      self.KnownProps.erase(prop);
+    }
+    self.Props.erase(found);
+  }
+  this->Superclass::RemoveRepresentationInternal(representation);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::AboutToRenderOnLocalProcess(bool interactive)
+{
+  this->Superclass::AboutToRenderOnLocalProcess(interactive);
+  // With an image pass, ParaView would smooth edges twice: as the renderer draws, and by a pass.
+  // Where pictures are joined, the former is done to the joined one; elsewhere the latter is, so
+  // that the edges of shafts are smoothed alike.
+  const bool joined = this->SynchronizedRenderers->GetEnabled();
+  (joined
+      ? this->SynchronizedRenderers->SetUseFXAA(false)
+      : this->GetRenderer()->SetUseFXAA(this->GetRenderer()->GetUseFXAA() && !this->UseGodRays));
+
+  // Translucent geometry and volumes are joined in order, and then without depth.
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const bool distributed = joined && controller && controller->GetNumberOfProcesses() > 1;
+  const bool hasDepth = !this->GetUseOrderedCompositing();
+  this->SynchronizedRenderers->SetUseDepthBuffer(this->UseGodRays && hasDepth);
+  this->Internals->Compositor->Update(this->GetRenderer(), distributed, hasDepth);
+
+  this->UpdateRoles();
+  this->UpdateLights();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::UpdateRoles()
+{
+  vtkInternals& self = *this->Internals;
+  std::map<vtkProp*, int> roles;
+  vtkCollectionSimpleIterator iterator;
+  vtkPropCollection* props = this->GetRenderer()->GetViewProps();
+  props->InitTraversal(iterator);
+  while (vtkProp* prop = props->GetNextProp(iterator))
+  {
+    if (IsAnnotation(prop))
+    {
+      roles[prop] = vtkGodRaysPass::IGNORED;
+    }
+  }
+
+  const auto tag = [&](const ObjectList& list, int role)
+  {
+    for (vtkObject* object : list)
+    {
+      auto representation = vtkDataRepresentation::SafeDownCast(object);
+      if (auto composite = vtkCompositeRepresentation::SafeDownCast(object))
+      {
+        representation = composite->GetActiveRepresentation();
+      }
+      const auto found = self.Props.find(representation);
+      if (found != self.Props.end())
+      {
+        for (vtkProp* prop : found->second)
+        {
+          if (prop)
+          {
+            roles[prop] = role;
+          }
+        }
+      }
+    }
+  };
+  tag(self.Occluders, vtkGodRaysPass::OCCLUDER);
+  tag(self.Ignored, vtkGodRaysPass::IGNORED);
+  tag(self.LightSources, vtkGodRaysPass::LIGHT);
+
+  // Props that have lost their role get that of their representation back.
+  for (vtkProp* prop : self.Tagged)
+  {
+    if (prop)
+    {
+      roles.emplace(prop, vtkGodRaysPass::AUTOMATIC);
+    }
+  }
+  for (int i = 0; i < this->GetNumberOfRepresentations(); ++i)
+  {
+    auto surface = vtkGodRaysSurfaceRepresentation::SafeDownCast(this->GetRepresentation(i));
+    vtkProp* actor = surface ? surface->GetActor() : nullptr;
+    const auto found = roles.find(actor);
+    if (actor && found != roles.end() && found->second == vtkGodRaysPass::AUTOMATIC)
+    {
+      found->second = surface->GetRole();
+    }
+  }
+
+  self.Tagged.clear();
+  for (const auto& each : roles)
+  {
+    vtkGodRaysPass::SetRole(each.first, each.second);
+    self.Tagged.emplace_back(each.first);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::UpdateLights()
+{
+  vtkInternals& self = *this->Internals;
+  std::vector<vtkLight*> lights;
+  if (this->LightSource == SUN)
+  {
+    const double azimuth = vtkMath::RadiansFromDegrees(this->SunAzimuth);
+    const double elevation = vtkMath::RadiansFromDegrees(this->SunElevation);
+    const double east = std::cos(elevation) * std::sin(azimuth);
+    const double north = std::cos(elevation) * std::cos(azimuth);
+    const double up = std::sin(elevation);
+    self.Sun->SetLightType(
+      this->SunFrame == CAMERA ? VTK_LIGHT_TYPE_CAMERA_LIGHT : VTK_LIGHT_TYPE_SCENE_LIGHT);
+    self.Sun->SetFocalPoint(0.0, 0.0, 0.0);
+    switch (this->SunFrame)
+    {
+      case X_UP:
+        self.Sun->SetPosition(up, east, north);
+        break;
+      case Z_UP:
+        self.Sun->SetPosition(east, north, up);
+        break;
+      default:
+        self.Sun->SetPosition(east, up, -north);
+        break;
+    }
+    lights.push_back(self.Sun);
+  }
+  else if (this->LightSource == VIEW_LIGHTS)
+  {
+    vtkCollectionSimpleIterator iterator;
+    vtkLightCollection* all = this->GetRenderer()->GetLights();
+    all->InitTraversal(iterator);
+    while (vtkLight* light = all->GetNextLight(iterator))
+    {
+      if (light->IsA("vtkPVLight")) // not those of the light kit
+      {
+        lights.push_back(light);
+      }
+    }
+  }
+  for (vtkObject* object : self.LightSources)
+  {
+    if (auto light = vtkLight::SafeDownCast(object))
+    {
+      lights.push_back(light);
+    }
+  }
+
+  std::vector<vtkLight*> former;
+  for (int i = 0; i < self.Pass->GetNumberOfLights(); ++i)
+  {
+    former.push_back(self.Pass->GetLight(i));
+  }
+  if (former != lights)
+  {
+    self.Pass->RemoveAllLights();
+    for (vtkLight* light : lights)
+    {
+      self.Pass->AddLight(light);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "UseGodRays: " << (this->UseGodRays ? "on" : "off") << "\n";
+  os << indent << "LightSource: " << this->LightSource << "\n";
+  os << indent << "SunFrame: " << this->SunFrame << "\n";
+  os << indent << "SunAzimuth: " << this->SunAzimuth << "\n";
+  os << indent << "SunElevation: " << this->SunElevation << "\n";
+  os << indent << "Preset: " << this->Internals->Preset << "\n";
+  os << indent << "Pass:\n";
+  this->Internals->Pass->PrintSelf(os, indent.GetNextIndent());
+}

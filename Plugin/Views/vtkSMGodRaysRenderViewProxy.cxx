@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSMGodRaysRenderViewProxy.h"
+
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkSMGodRaysRenderViewProxy);
+
+//------------------------------------------------------------------------------
+vtkSMGodRaysRenderViewProxy::vtkSMGodRaysRenderViewProxy() = default;
+
+//------------------------------------------------------------------------------
+vtkSMGodRaysRenderViewProxy::~vtkSMGodRaysRenderViewProxy() = default;
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkSMGodRaysRenderViewProxy::CaptureWindowInternal(
+  int magnificationX, int magnificationY)
+{
+  if (magnificationX <= 1 && magnificationY <= 1)
+  {
+    return this->Superclass::CaptureWindowInternal(magnificationX, magnificationY);
+  }
+  int size[2] = { 0, 0 };
+  vtkSMPropertyHelper viewSize(this, "ViewSize");
+  viewSize.Get(size, 2);
+  const int picture[2] = { size[0] * magnificationX, size[1] * magnificationY };
+  auto window = vtkOpenGLRenderWindow::SafeDownCast(this->GetRenderWindow());
+  if (window)
+  {
+    window->MakeCurrent();
+  }
+  const int largest = window ? vtkTextureObject::GetMaximumTextureSize(window) : 0;
+  if (largest > 0 && std::max(picture[0], picture[1]) > largest)
+  {
+    vtkWarningMacro("The picture of " << picture[0] << " x " << picture[1]
+                                      << " pixels is made of tiles, at whose edges rays end: "
+                                      << "the graphics card draws at most " << largest
+                                      << " pixels in one piece. Ask for a smaller one.");
+    return this->Superclass::CaptureWindowInternal(magnificationX, magnificationY);
+  }
+
+  vtkSMPropertyHelper pixelsPerInch(this, "PPI", true);
+  const int density = pixelsPerInch.GetAsInt();
+  viewSize.Set(picture, 2);
+  pixelsPerInch.Set(density * std::min(magnificationX, magnificationY));
+  this->UpdateVTKObjects();
+  vtkImageData* capture = this->Superclass::CaptureWindowInternal(1, 1);
+  viewSize.Set(size, 2);
+  pixelsPerInch.Set(density);
+  this->UpdateVTKObjects();
+  return capture;
+}
+
+//------------------------------------------------------------------------------
+void vtkSMGodRaysRenderViewProxy::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

@@ -1,0 +1,72 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The filters in ParaView's pipeline."""
+
+from plugin_testing import *
+
+
+def make_picture():
+    """A disc of light behind bars, 64 x 48, that moves to the right with time."""
+    source = simple.ProgrammableSource(OutputDataSetType="vtkImageData")
+    source.ScriptRequestInformation = """
+from paraview import util
+util.SetOutputWholeExtent(self, [0, 63, 0, 47, 0, 0])
+info = self.GetOutputInformation(0)
+info.Set(self.GetExecutive().TIME_STEPS(), [0.0, 1.0], 2)
+info.Set(self.GetExecutive().TIME_RANGE(), [0.0, 1.0], 2)
+"""
+    source.Script = """
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk
+image = self.GetImageDataOutput()
+image.SetExtent(0, 63, 0, 47, 0, 0)
+info = self.GetOutputInformation(0)
+time = info.Get(self.GetExecutive().UPDATE_TIME_STEP()) or 0.0
+y, x = numpy.mgrid[0:48, 0:64]
+light = (numpy.hypot(x - 20 - 16 * time, y - 24) < 8) & (x % 6 > 1)
+for name, values in (("Dark", 0 * x), ("Light", light)):
+    array = numpy_to_vtk(values.ravel().astype(numpy.float32), deep=True)
+    array.SetName(name)
+    image.GetPointData().AddArray(array)
+"""
+    return source
+
+
+class Menus(Case):
+    def result(self, proxy):
+        proxy.UpdatePipeline()
+        data = simple.servermanager.Fetch(proxy)
+        return vtk_to_numpy(data.GetPointData().GetArray("Light")).reshape(48, 64).astype(float)
+
+    def test_filters(self):
+        picture = make_picture()
+        exact = simple.GodRaysReferenceFilter(Input=picture)
+        fast = simple.GodRaysScatteringFilter(Input=picture)
+        for each in (exact, fast):
+            each.SelectInputScalars = ["POINTS", "Light"]
+            each.LightClip = [-0.3, 0.0, 1.0]
+        expected, actual = self.result(exact), self.result(fast)
+        self.assertGreater(expected.max(), 0.1)
+        rms = numpy.sqrt(((actual - expected) ** 2).mean())
+        self.assertLess(rms, fast.ErrorTolerance * expected.max())
+        fast.Density = 0.5
+        self.assertGreater(abs(self.result(fast) - expected).max(), 0.05)
+        exact.SelectInputScalars = ["POINTS", "Dark"]
+        exact.UpdatePipeline()
+        data = simple.servermanager.Fetch(exact).GetPointData()
+        self.assertEqual(data.GetArray("Dark").GetRange(), (0.0, 0.0))
+
+    def test_time(self):
+        picture = make_picture()
+        rays = simple.GodRaysScatteringFilter(Input=picture)
+        rays.SelectInputScalars = ["POINTS", "Light"]
+        centres = []
+        for time in (0.0, 1.0):
+            rays.UpdatePipeline(time)
+            data = simple.servermanager.Fetch(rays).GetPointData().GetArray("Light")
+            values = vtk_to_numpy(data).reshape(48, 64)
+            centres.append((values.sum(0) * numpy.arange(64)).sum() / values.sum())
+        self.assertGreater(centres[1] - centres[0], 8.0)
+
+
+main()

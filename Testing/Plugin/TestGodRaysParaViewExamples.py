@@ -1,0 +1,85 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The scripts of Examples/ParaView: each draws its baseline; without rays it does not.
+
+Plain Python, which starts GODRAYS_PVBATCH.
+"""
+
+import os
+import pathlib
+import subprocess
+import unittest
+
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+LEVELS = 2
+EXAMPLES = pathlib.Path(__file__).parents[2] / "Examples" / "ParaView"
+TEMPORARY = pathlib.Path(os.environ["GODRAYS_TEMPORARY"])
+BASELINES = pathlib.Path(os.environ["GODRAYS_BASELINES"])
+
+STATE = """
+from paraview.simple import *
+view = CreateView("RenderView")
+view.ViewSize = [480, 360]
+view.OrientationAxesVisibility = 0
+Show(Contour(Input=Wavelet(), ContourBy=["POINTS", "RTData"], Isosurfaces=[150.0]), view)
+view.CameraPosition = [0, 0, 50]
+view.CameraFocalPoint = [0, 0, 0]
+Render(view)
+SaveState({!r})
+"""
+
+
+def run(script, *arguments, **environment):
+    done = subprocess.run(
+        [os.environ["GODRAYS_PVBATCH"], str(script), *map(str, arguments)],
+        env={**os.environ, **environment},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        timeout=240,
+        check=False,
+    )
+    if done.returncode:
+        raise AssertionError(done.stdout)
+
+
+def read(file):
+    reader = vtkPNGReader()
+    reader.SetFileName(str(file))
+    reader.Update()
+    image = reader.GetOutput()
+    return image.GetDimensions(), vtk_to_numpy(image.GetPointData().GetScalars()).astype(int)
+
+
+class Examples(unittest.TestCase):
+    def check(self, name, baseline, *arguments):
+        plugin = os.environ["GODRAYS_PLUGIN"]
+        size, expected = read(BASELINES / f"{baseline}.png")
+        for disabled in ("0", "1"):
+            picture = TEMPORARY / f"{name}-{disabled}.png"
+            run(EXAMPLES / f"{name}.py", plugin, *arguments, picture, GODRAYS_DISABLE=disabled)
+            actual_size, actual = read(picture)
+            self.assertEqual(actual_size, size)
+            difference = abs(actual - expected).max()
+            if disabled == "0":
+                self.assertLessEqual(difference, LEVELS)
+            else:
+                self.assertGreater(difference, 10 * LEVELS)
+
+    def test_built_in(self):
+        self.check("built_in", "Plugin-View")
+
+    def test_parallel(self):
+        self.check("parallel", "Example-ParaView-parallel")
+
+    def test_from_state(self):
+        state = TEMPORARY / "example.pvsm"
+        script = TEMPORARY / "example_state.py"
+        script.write_text(STATE.format(str(state)), encoding="utf-8")
+        run(script)
+        self.check("from_state", "Example-ParaView-from_state", state)
+
+
+unittest.main(verbosity=2)

@@ -1,0 +1,246 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""State, trace, animation, screenshots, and several views."""
+
+import glob
+import os
+
+from paraview import smstate, smtrace
+from plugin_testing import *
+
+
+def make_scene(lists=True):
+    """A view in which little is as it was at first; the view's own lists only if wanted."""
+    view = make_view(
+        SunAzimuth=5.0,
+        SunElevation=6.0,
+        SunColor=[1.0, 0.8, 0.5],
+        Preset="custom",
+        BackgroundGlow=0.5,
+        Intensity=0.8,
+    )
+    view.Model.Density = 0.9
+    view.Model.Decay = 0.97
+    view.Integrator = "Taps"
+    view.Integrator.NumberOfTaps = 64
+    middle, left, *_ = add_pillars(view)
+    if lists:
+        view.Ignored = [middle]
+    left.Representation = "Surface (God Rays)"
+    left.Role = "Ignored"
+    return view
+
+
+def path(name):
+    return os.path.join(TEMPORARY, name)
+
+
+class State(Case):
+    def check_reloaded(self, expected):
+        view = simple.GetActiveViewOrCreate(VIEW)
+        self.assertEqual(view.GetXMLName(), VIEW)
+        self.assertEqual(view.Model.Density, 0.9)
+        self.assertEqual(view.Integrator.NumberOfTaps, 64)
+        self.assertEqual(view.Preset, "custom")
+        self.assert_alike(pixels(view), expected)
+        view.Intensity = 0.7
+        self.assert_different(pixels(view), expected, 5)
+        return view
+
+    def test_state_file(self):
+        expected = pixels(make_scene())
+        simple.SaveState(path("state.pvsm"))
+        simple.ResetSession()
+        simple.LoadState(path("state.pvsm"))
+        view = self.check_reloaded(expected)
+        view.Intensity = 0.8
+        self.assertEqual(len(view.Ignored), 1)
+        view.Ignored = []
+        self.assert_different(pixels(view), expected)
+
+    def test_state_in_python(self):
+        expected = pixels(make_scene(lists=False))
+        text = smstate.get_state()
+        simple.ResetSession()
+        exec(compile(text, "state.py", "exec"), {"__name__": "__main__"})
+        self.check_reloaded(expected)
+
+    def test_lists_are_left_out_of_scripts(self):
+        make_scene()
+        text = smstate.get_state()
+        self.assertNotIn("Ignored = [", text)
+        simple.ResetSession()
+        exec(compile(text, "state.py", "exec"), {"__name__": "__main__"})
+
+    def test_trace(self):
+        changes = {
+            "ViewSize": [160, 120],
+            "SunElevation": 6.0,
+            "SunColor": [1.0, 0.8, 0.5],
+            "Preset": "crisp-shafts",
+            "Intensity": 0.8,
+            "UseColorPaletteForBackground": 0,
+            "Background": BACKGROUND,
+            "OrientationAxesVisibility": 0,
+        }
+        smtrace.start_trace()
+        view = simple.CreateView(VIEW)
+        view.CameraPosition = [0, 0, 8]
+        shown = simple.Show(simple.Box(YLength=2.8), view)
+        # as the panel does when Apply is pressed: what changes between beginning and end is traced
+        begin = smtrace._create_trace_item_internal
+        for proxy, values in (
+            (view, changes),
+            (shown, {"Representation": "Surface (God Rays)", "Role": "Occluder"}),
+        ):
+            item = begin("PropertiesModified", [proxy.SMProxy])
+            for name, value in values.items():
+                setattr(proxy, name, value)
+            item.finalize()
+            del item
+        expected = pixels(view)
+        text = smtrace.stop_trace()
+        self.assertIn("SunElevation = 6.0", text)
+        self.assertIn("Role = 'Occluder'", text)
+        simple.ResetSession()
+        exec(compile(text, "trace.py", "exec"), {"__name__": "__main__"})
+        view = simple.GetActiveView()
+        self.assert_alike(pixels(view), expected)
+        view.Intensity = 0.1
+        self.assert_different(pixels(view), expected)
+
+    def test_animation(self):
+        view = make_view()
+        add_pillars(view)
+        scene = simple.GetAnimationScene()
+        scene.PlayMode = "Sequence"
+        scene.NumberOfFrames = 3
+        scene.StartTime, scene.EndTime = 0.0, 1.0
+        track = simple.GetAnimationTrack("SunElevation", proxy=view)
+        track.KeyFrames = [
+            simple.CompositeKeyFrame(KeyTime=0.0, KeyValues=[2.0], Interpolation="Ramp"),
+            simple.CompositeKeyFrame(KeyTime=1.0, KeyValues=[14.0]),
+        ]
+        shown = []
+        for time, elevation in ((0.0, 2.0), (0.5, 8.0), (1.0, 14.0)):
+            scene.AnimationTime = time
+            self.assertAlmostEqual(view.SunElevation, elevation)
+            shown.append(pixels(view))
+        self.assert_different(shown[0], shown[1])
+        self.assert_different(shown[1], shown[2])
+        for file in glob.glob(path("animation*.png")):
+            os.remove(file)
+        simple.SaveAnimation(path("animation.png"), view, ImageResolution=[320, 240])
+        files = sorted(glob.glob(path("animation*.png")))
+        self.assertEqual(len(files), 3)
+        reader = vtkPNGReader()
+        reader.SetFileName(files[1])
+        reader.Update()
+        frame = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+        view.SunElevation = 8.0
+        view.ViewSize = [320, 240]
+        self.assert_alike(frame.reshape(240, 320, 3).astype(int), pixels(view))
+
+    def test_every_number_can_be_animated(self):
+        view = make_view()
+        for name in ("Intensity", "SunAzimuth", "SunElevation", "SunColor", "SunAngularRadius",
+            "SourceRadius", "BackgroundGlow", "BackgroundGlowRadius", "BackgroundGlowFalloff",
+            "ErrorTolerance", "ResolutionScale", "LayerMargin"):  # fmt: skip
+            self.assertTrue(view.SMProxy.GetProperty(name).GetAnimateable(), name)
+        for name in ("Density", "Decay", "Weight", "Exposure"):
+            self.assertTrue(view.Model.SMProxy.GetProperty(name).GetAnimateable(), name)
+
+
+class Pictures(Case):
+    def test_a_screenshot_larger_than_the_view(self):
+        large = make_view(size=(480, 360))
+        add_colonnade(large)
+        expected = pixels(large)
+        view = make_view()
+        add_colonnade(view)
+        size = list(view.ViewSize)
+        self.assert_alike(pixels(view, 3), expected)
+        self.assertEqual(list(view.ViewSize), size)
+        simple.SaveScreenshot(path("large.png"), view, ImageResolution=[480, 360])
+        self.assert_alike(self.read(path("large.png")), expected)
+        # a control: the same light in tiles
+        tiled = make_view("RenderView")
+        add_colonnade(tiled)
+        godrays.enable(
+            tiled.GetClientSideObject().GetRenderer(),
+            light=[0.0, numpy.sin(numpy.radians(10.0)), -numpy.cos(numpy.radians(10.0))],
+        )
+        self.assert_different(pixels(tiled, 3), expected)
+
+    def read(self, file):
+        reader = vtkPNGReader()
+        reader.SetFileName(file)
+        reader.Update()
+        width, height, _ = reader.GetOutput().GetDimensions()
+        values = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(int)
+        return values.reshape(height, width, -1)[:, :, :3]
+
+    def test_a_transparent_background(self):
+        view = make_view()
+        add_pillars(view)
+        opaque = pixels(view)
+        simple.SaveScreenshot(path("transparent.png"), view, TransparentBackground=1)
+        reader = vtkPNGReader()
+        reader.SetFileName(path("transparent.png"))
+        reader.Update()
+        values = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(int)
+        values = values.reshape(120, 160, -1)
+        self.assertEqual(values.shape[2], 4)
+        self.assertEqual(values[60, 80, 3], 255)  # a pillar
+        self.assertEqual(values[5, 80, 3], 0)  # its shadow
+        self.assert_alike(values[60:61, 80:81, :3], opaque[60:61, 80:81], 3)
+        self.assert_alike(pixels(view), opaque)
+
+    def test_two_views(self):
+        layout = simple.CreateLayout("two")
+        first = make_view()
+        second = make_view("RenderView")
+        simple.AssignViewToLayout(first, layout, 0)
+        layout.SplitHorizontal(0, 0.5)
+        simple.AssignViewToLayout(second, layout, 2)
+        layout.SetSize(320, 120)
+        for view in (first, second):
+            add_pillars(view)
+            view.OrientationAxesVisibility = 0
+            simple.Render(view)
+        alone, plain = pixels(first), pixels(second)
+        width = min(alone.shape[1], plain.shape[1])  # ParaView gives one of them a pixel less
+        self.assert_different(alone[:, :width], plain[:, :width], 40)
+        simple.SaveScreenshot(path("two-views.png"), layout, SeparatorWidth=0)
+        both = self.read(path("two-views.png"))
+        self.assert_alike(both[:, : alone.shape[1]], alone)
+        self.assert_alike(both[:, -plain.shape[1] :], plain)
+
+        # two with rays, each with its own
+        third = make_view(SunElevation=3.0, Preset="low-sun")
+        add_pillars(third)
+        low = pixels(third)
+        other = make_view()
+        add_pillars(other)
+        self.assert_different(low, pixels(other), 20)
+        self.assert_alike(pixels(first), alone)
+        self.assert_alike(pixels(third), low)
+
+    def test_stereo(self):
+        view = make_view()
+        add_pillars(view)
+        mono = pixels(view)
+        view.StereoRender = 1
+        simple.SaveScreenshot(path("left.png"), view, StereoMode="Left Eye Only")
+        simple.SaveScreenshot(path("right.png"), view, StereoMode="Right Eye Only")
+        left, right = self.read(path("left.png")), self.read(path("right.png"))
+        self.assert_different(left, right)
+        plain = make_view("RenderView")
+        add_pillars(plain)
+        simple.SaveScreenshot(path("plain.png"), plain, StereoMode="Left Eye Only")
+        self.assert_different(left, self.read(path("plain.png")), 40)
+        view.StereoRender = 0
+        self.assert_alike(pixels(view), mono)
+
+
+main()

@@ -1,0 +1,128 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draw scenes that are split over processes, and write their pictures and times.
+
+Usage: pvbatch parallel_scenes.py <folder> [<scene>...], under mpirun with as many processes as
+wanted; or with Python, as a client of the server at GODRAYS_SERVER_PORT, which renders if
+GODRAYS_REMOTE_RENDERING is 1, and does not if it is 0.
+
+Each <scene>.png has rays, each <scene>-plain.png none; times.json has the seconds of a frame, if
+GODRAYS_FRAMES says how many of them to draw.
+"""
+
+import json
+import os
+import sys
+import time
+
+from plugin_testing import *
+
+FOLDER = sys.argv[1]
+SIZE = (200, 150)
+FRAMES = int(os.environ.get("GODRAYS_FRAMES", "0"))
+CENTERS = [(-1.7, 0.7, 0.0), (-0.9, -0.6, 0.3), (0.1, 0.8, -0.4), (0.9, -0.4, 0.2), (1.7, 0.6, 0.0)]
+
+
+def add_spheres(view, opacity=1.0):
+    """Spheres, of which every process has a part."""
+    shown = []
+    for center in CENTERS:
+        source = simple.Sphere(
+            Center=center, Radius=0.45, ThetaResolution=48, PhiResolution=48
+        )
+        each = simple.Show(source, view)
+        each.ColorArrayName = ["POINTS", ""]
+        each.DiffuseColor = [0.4, 0.45, 0.5]
+        each.Opacity = opacity
+        shown.append(each)
+    return shown
+
+
+def opaque(view):
+    add_spheres(view)
+
+
+def gradient(view):
+    add_spheres(view)
+    view.BackgroundColorMode = "Gradient"
+    view.Background = [0.05, 0.05, 0.1]
+    view.Background2 = [0.3, 0.35, 0.5]
+
+
+def tagged(view):
+    shown = add_spheres(view)
+    view.Ignored = shown[1:3]
+
+
+def role(view):
+    shown = add_spheres(view)
+    shown[2].Representation = "Surface (God Rays)"
+    shown[2].Role = "Ignored"
+
+
+def lamp(view):
+    add_spheres(view)
+    view.LightSource = "What is tagged as a light"
+    shown = simple.Show(simple.Sphere(Center=[0.0, 0.1, -1.5], Radius=0.5), view)
+    shown.ColorArrayName = ["POINTS", ""]
+    shown.AmbientColor = shown.DiffuseColor = [1.0, 0.85, 0.5]
+    shown.Ambient, shown.Diffuse = 1.0, 0.0
+    view.Lights = [shown]
+
+
+def bright(view):
+    """A light whose radiance is 4 times what a display shows: its shafts are not cut off."""
+    add_spheres(view)
+    view.LightSource = "What is tagged as a light"
+    lamp = simple.AddLight(view=view)
+    lamp.Coords = "Scene"
+    lamp.Type = "Positional"
+    lamp.Position = [0.0, 0.1, -1.5]
+    lamp.FocalPoint = [0.0, 0.1, 0.0]
+    lamp.Intensity = 4.0
+    view.Lights = [lamp]
+    view.Intensity = 0.25
+
+
+def translucent(view):
+    add_spheres(view, opacity=0.4)
+
+
+def volume(view):
+    data = simple.Wavelet(WholeExtent=[-10, 10, -10, 10, -10, 10])
+    shown = simple.Show(data, view)
+    shown.SetRepresentationType("Volume")
+    simple.ColorBy(shown, ("POINTS", "RTData"))
+    shown.RescaleTransferFunctionToDataRange()
+    view.CameraPosition = [0, 0, 60]
+
+
+def one_process(view):
+    """All of the scene is on one process."""
+    add_pillars(view)
+
+
+SCENES = {
+    scene.__name__: scene
+    for scene in (opaque, gradient, tagged, role, lamp, bright, translucent, volume, one_process)
+}
+
+times = {}
+for name in sys.argv[2:] or SCENES:
+    view = make_view(size=SIZE, SunElevation=6.0, SunAzimuth=3.0)
+    if "GODRAYS_REMOTE_RENDERING" in os.environ:
+        view.RemoteRenderThreshold = 0.0 if os.environ["GODRAYS_REMOTE_RENDERING"] == "1" else 1e9
+    SCENES[name](view)
+    simple.Render(view)
+    path = os.path.join(FOLDER, name)
+    simple.SaveScreenshot(path + ".png", view)
+    begin = time.perf_counter()
+    for _ in range(FRAMES):
+        simple.Render(view)
+    if FRAMES:
+        times[name] = (time.perf_counter() - begin) / FRAMES
+    view.UseGodRays = 0
+    simple.SaveScreenshot(path + "-plain.png", view)
+    simple.Delete(view)
+with open(os.path.join(FOLDER, "times.json"), "w", encoding="utf-8") as file:
+    json.dump(times, file, indent=1)
