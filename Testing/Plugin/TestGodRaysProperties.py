@@ -8,7 +8,7 @@ from plugin_testing import *
 
 # What a class has, and ParaView has in another form: objects, and what is not a parameter.
 ELSEWHERE = {
-    "vtkGodRaysPass": {"Model", "Integrator", "Role", "DelegatePass"},
+    "vtkGodRaysPass": {"Model", "Integrator", "Role", "DelegatePass", "Compositor"},
     "vtkGodRaysReferenceFilter": set(),
     "vtkGodRaysScatteringFilter": set(),
 }
