@@ -30,7 +30,7 @@ function(godrays_add_example name)
     add_test(NAME example.${name}.cxx
       COMMAND test_${name} "${CMAKE_CURRENT_BINARY_DIR}/${name}_cxx.png" "${baseline}")
     set(added example.${name}.cxx)
-    if(EXISTS "${script}" AND GODRAYS_WRAP_PYTHON)
+    if(EXISTS "${script}" AND godrays_test_python)
       add_test(NAME example.${name}.py
         COMMAND "${Python3_EXECUTABLE}" "${tests}/Examples/test_example.py" "${script}"
           "${CMAKE_CURRENT_BINARY_DIR}/${name}_py.png" "${baseline}")
