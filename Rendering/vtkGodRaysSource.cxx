@@ -150,6 +150,61 @@ double vtkGodRaysSource::GetPerspectiveDistance(const vtkGodRaysView& view) cons
 }
 
 //------------------------------------------------------------------------------
+// The disc is within a square about it: its corners, projected.
+void vtkGodRaysSource::GetDiscBounds(
+  const vtkGodRaysView& view, const int size[2], int bounds[4]) const
+{
+  for (int i = 0; i < 2; ++i)
+  {
+    bounds[2 * i] = 0;
+    bounds[2 * i + 1] = size[i];
+  }
+  const double largest = 1.0; // [radians]
+  if (!this->Planar && (view.Parallel || this->Radius > largest))
+  {
+    return;
+  }
+  const double half = this->Planar ? this->Radius : std::tan(this->Radius);
+  double right[3] = { 1.0, 0.0, 0.0 };
+  double up[3] = { 0.0, 1.0, 0.0 };
+  if (!this->Planar)
+  {
+    vtkMath::Perpendiculars(this->Direction, right, up, 0.0);
+  }
+  double low[2] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
+  double high[2] = { -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const double* center = this->Planar ? this->Position : this->Direction;
+    double point[4] = { 0.0, 0.0, 0.0, this->Planar ? 1.0 : 0.0 };
+    for (int i = 0; i < 3; ++i)
+    {
+      point[i] =
+        center[i] + half * ((corner & 1 ? right[i] : -right[i]) + (corner & 2 ? up[i] : -up[i]));
+    }
+    double clip[4];
+    vtkMatrix4x4::MultiplyPoint(view.ViewToClip, point, clip);
+    if (!(clip[3] > 1e-6 * std::hypot(clip[0], clip[1])))
+    {
+      return; // beside or behind the camera
+    }
+    for (int i = 0; i < 2; ++i)
+    {
+      low[i] = std::min(low[i], clip[i] / clip[3]);
+      high[i] = std::max(high[i], clip[i] / clip[3]);
+    }
+  }
+  const double margin = 3.0; // for the soft edge [pixels]
+  for (int i = 0; i < 2; ++i)
+  {
+    const double first = std::floor(0.5 * (low[i] + 1.0) * size[i] - margin);
+    const double last = std::ceil(0.5 * (high[i] + 1.0) * size[i] + margin);
+    bounds[2 * i] = static_cast<int>(std::min(std::max(first, 0.0), 1.0 * size[i]));
+    bounds[2 * i + 1] = static_cast<int>(std::min(std::max(last, 0.0), 1.0 * size[i]));
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkGodRaysSource::Reaches(const vtkGodRaysView& view, bool glows) const
 {
   const double reach = std::max(this->Radius, glows ? this->GlowRadius + this->GlowFalloff : 0.0);

@@ -85,6 +85,12 @@ struct vtkGodRaysSource
   double GetPerspectiveDistance(const vtkGodRaysView& view) const;
 
   /**
+   * The part of a layer of this size that the disc and its soft edge are within: first and past the
+   * last column, first and past the last row; nothing is between them if it is not seen.
+   */
+  void GetDiscBounds(const vtkGodRaysView& view, const int size[2], int bounds[4]) const;
+
+  /**
    * Whether any of the light may fall into the layer: never false when some does.
    */
   bool Reaches(const vtkGodRaysView& view, bool glows) const;

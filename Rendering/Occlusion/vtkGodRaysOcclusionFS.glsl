@@ -12,7 +12,8 @@ uniform sampler2D occluderDepth;
 
 //VTK::GodRays::Terms
 // dimmed: whether translucent props or volumes dim the light
-// prop: whether a prop shines, rather than a disc
+// prop: whether a prop shines
+// disc: whether a disc does
 // hazy: whether it has translucent parts or is a volume
 // multisampled: whether occluderDepth is of a sample, not the centre, of each pixel
 // planar: separations are lengths in the picture's plane, not angles
@@ -119,7 +120,7 @@ void main()
       light += fade * (linearLight ? DecodeDisplay(veil.rgb) : veil.rgb);
     }
   }
-  else if (depth >= min(lightDepth, farthest))
+  else if (disc && depth >= min(lightDepth, farthest))
   {
     light = max(light, lightColor * DiscCoverage(separation, lightRadius, pixelSize));
   }

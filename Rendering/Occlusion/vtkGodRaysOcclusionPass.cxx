@@ -345,16 +345,52 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysSource& source)
   self.Composed = oneColor ? &self.OneColorLayer : &self.Layer;
   self.Composed->Prepare(frame.Window, self.Width, self.Height,
     { oneColor ? frame.OneColorFormat : frame.ColorFormat, 0 });
-  vtkShaderProgram* program = self.Quad.Begin(frame.Window,
-    { { "dimmed", self.Dimmed }, { "prop", source.Prop != nullptr }, { "hazy", hazy },
-      { "planar", source.Planar },
-      { "multisampled", frame.Multisampled && !this->RenderedOccluders },
-      { "linearLight", frame.LinearLight } });
-  if (!program || !self.Composed->Bind())
+  if (!self.Composed->Bind())
   {
     return false;
   }
   state->vtkglDisable(GL_BLEND);
+  if (source.Prop)
+  {
+    return this->Draw(source, false, hazy);
+  }
+  // The disc takes more than the glow: only where it may be, if that is not most of the layer.
+  const int size[2] = { self.Width, self.Height };
+  int bounds[4];
+  source.GetDiscBounds(*frame.View, size, bounds);
+  const int width = std::max(0, bounds[1] - bounds[0]);
+  const int height = std::max(0, bounds[3] - bounds[2]);
+  if (2.0 * width * height > 1.0 * self.Width * self.Height)
+  {
+    return this->Draw(source, true, hazy);
+  }
+  if (!this->Draw(source, false, hazy))
+  {
+    return false;
+  }
+  if (width > 0 && height > 0)
+  {
+    state->vtkglScissor(bounds[0], bounds[2], width, height);
+    return this->Draw(source, true, hazy);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Draw what shines into the bound framebuffer, with or without the disc.
+bool vtkGodRaysOcclusionPass::Draw(const vtkGodRaysSource& source, bool disc, bool hazy)
+{
+  Internals& self = *this->Internal;
+  const Request& frame = self.Frame;
+  vtkShaderProgram* program = self.Quad.Begin(frame.Window,
+    { { "dimmed", self.Dimmed }, { "prop", source.Prop != nullptr }, { "disc", disc },
+      { "hazy", hazy }, { "planar", source.Planar },
+      { "multisampled", frame.Multisampled && !this->RenderedOccluders },
+      { "linearLight", frame.LinearLight } });
+  if (!program)
+  {
+    return false;
+  }
   double origin[3];
   double right[3];
   double up[3];
@@ -368,7 +404,7 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysSource& source)
   SetVector(program, "lightPosition", source.Position);
   SetVector(program, "lightDirection", source.Direction);
   const double white[3] = { 1.0, 1.0, 1.0 };
-  SetVector(program, "lightColor", oneColor ? white : source.Color);
+  SetVector(program, "lightColor", self.Composed == &self.OneColorLayer ? white : source.Color);
   program->SetUniformf("lightDepth", static_cast<float>(source.Depth));
   program->SetUniformf("lightRadius", static_cast<float>(source.Radius));
   program->SetUniformf("leastPixel", static_cast<float>(source.LeastPixel));

@@ -115,6 +115,7 @@ private:
 
   void JoinShining();
   void RenderTranslucent(std::vector<vtkProp*> props);
+  bool Draw(const vtkGodRaysSource& source, bool disc, bool hazy);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;
