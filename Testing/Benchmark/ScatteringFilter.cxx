@@ -10,6 +10,8 @@
 // same vector instructions and the exponential weight stepped, as a shader would. Errors are
 // against vtkGodRaysReferenceFilter in some rows of the picture, as fractions of the peak.
 
+#include "PlainTaps.h"
+
 #include "vtkGodRaysReferenceFilter.h"
 #include "vtkGodRaysScatteringFilter.h"
 
@@ -19,7 +21,6 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -208,81 +209,6 @@ vtkSmartPointer<vtkImageData> MakeImage(const Settings& s, const Mask& mask, con
 }
 
 //------------------------------------------------------------------------------
-template <typename Function>
-double Measure(int repeats, const Function& function)
-{
-  double best = 1e30;
-  for (int i = 0; i < repeats; ++i)
-  {
-    const auto start = std::chrono::steady_clock::now();
-    function();
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-    best = std::min(best, time.count());
-  }
-  return best;
-}
-
-//------------------------------------------------------------------------------
-// 100 taps of one component, as a shader takes them: the yardstick. Written so that the compiler
-// makes vectors of it (target_clones: for what the processor has).
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
-__attribute__((target_clones("default", "avx2", "arch=x86-64-v4"), optimize("O3")))
-#endif
-void SumPlainTaps(const float* padded, int stride, int width, int height, float lightX,
-  float lightY, float density, float decay, int y, float* result)
-{
-  const int taps = 100;
-  constexpr int Lanes = 64;
-  for (int first = 0; first < width; first += Lanes)
-  {
-    float sum[Lanes] = {};
-    float weight = 1.0f;
-    for (int i = 0; i < taps; ++i)
-    {
-      const float t = density * (i + 0.5f) / taps;
-      for (int lane = 0; lane < Lanes; ++lane)
-      {
-        float px = first + lane + t * (lightX - first - lane);
-        float py = y + t * (lightY - y);
-        px = std::min(std::max(px, -1.0f), static_cast<float>(width)) + 1.0f;
-        py = std::min(std::max(py, -1.0f), static_cast<float>(height)) + 1.0f;
-        const int column = static_cast<int>(px);
-        const int row = static_cast<int>(py);
-        const float fx = px - column;
-        const float fy = py - row;
-        const int index = row * stride + column;
-        const float a = padded[index];
-        const float b = padded[index + 1];
-        const float c = padded[index + stride];
-        const float d = padded[index + stride + 1];
-        const float lower = a + fx * (b - a);
-        const float upper = c + fx * (d - c);
-        sum[lane] += weight * (lower + fy * (upper - lower));
-      }
-      weight *= decay;
-    }
-    std::copy_n(sum, std::min(Lanes, width - first), result + first);
-  }
-}
-
-//------------------------------------------------------------------------------
-double MeasurePlainTaps(const Settings& s)
-{
-  const int stride = s.Width + 80;
-  std::vector<float> padded(static_cast<std::size_t>(stride) * (s.Height + 4), 0.5f);
-  std::vector<float> result(static_cast<std::size_t>(s.Width) * s.Height);
-  return Measure(2,
-    [&]()
-    {
-      for (int y = 0; y < s.Height; ++y)
-      {
-        SumPlainTaps(padded.data(), stride, s.Width, s.Height, 0.51f * s.Width, 0.48f * s.Height,
-          0.97f, 0.99f, y, result.data() + static_cast<std::size_t>(y) * s.Width);
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
 double MeasureCopy(const Settings& s)
 {
   const std::size_t size = static_cast<std::size_t>(s.Width) * s.Height * s.Components;
@@ -385,7 +311,7 @@ Settings ReadSettings(int count, char* arguments[])
 int main(int count, char* arguments[])
 {
   const Settings s = ReadSettings(count, arguments);
-  const double taps = MeasurePlainTaps(s);
+  const double taps = MeasurePlainTaps(s.Width, s.Height);
   const double copy = MeasureCopy(s);
   std::printf("%d x %d, %d component(s), tolerance %.2e; 100 plain taps of one component %.0f ms, "
               "copy %.2f ms\n\n",

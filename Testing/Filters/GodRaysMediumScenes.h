@@ -11,8 +11,15 @@
 #ifndef GodRaysMediumScenes_h
 #define GodRaysMediumScenes_h
 
+#include "vtkGodRaysCoverageFilter.h"
+#include "vtkGodRaysSingleScatteringReference.h"
+
 #include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -170,6 +177,46 @@ struct NamedLight
 const NamedLight Lights[] = { { "front", { 0.15, 0.22, -1.0 } },
   { "near edge", { 0.94, 0.22, -1.0 } }, { "off by 0.28 width", { 1.6, 0.7, -1.0 } },
   { "off by 0.5 width", { 2.05, 0.7, -1.0 } }, { "behind", { 0.5, 0.6, 1.0 } } };
+
+// The camera and the medium of the measurements.
+inline void Prepare(vtkGodRaysMediumFilter* filter, const NamedLight& light, double scattering)
+{
+  filter->SetViewAngle(60.0);
+  filter->SetFarLimit(20.0);
+  filter->SetScatteringCoefficient(scattering, scattering, scattering);
+  filter->SetAsymmetry(0.6);
+  filter->SetLight(light.Direction[0], light.Direction[1], light.Direction[2], 0.0);
+}
+
+// What the filter makes of the depths of a ground truth, against it [fraction of its peak].
+struct Error
+{
+  double Rms = 0.0;
+  double Largest = 0.0;
+};
+inline Error Compare(vtkImageData* truth, vtkGodRaysCoverageFilter* filter)
+{
+  filter->SetInputData(truth);
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Depth");
+  filter->Update();
+  vtkDataArray* expected = truth->GetPointData()->GetArray("Radiance");
+  vtkDataArray* actual = filter->GetOutput()->GetPointData()->GetScalars();
+  const vtkIdType pixels = expected->GetNumberOfTuples();
+  double peak = 0.0;
+  double squares = 0.0;
+  Error error;
+  for (vtkIdType i = 0; i < pixels; ++i)
+  {
+    const double difference =
+      (actual ? actual->GetComponent(i, 0) : 1e30) - expected->GetComponent(i, 0);
+    squares += difference * difference;
+    error.Largest = std::max(error.Largest, std::abs(difference));
+    peak = std::max(peak, expected->GetComponent(i, 0));
+  }
+  error.Rms = std::sqrt(squares / pixels) / peak;
+  error.Largest /= peak;
+  return error;
+}
 }
 
 #endif
