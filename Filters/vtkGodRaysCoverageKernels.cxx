@@ -66,25 +66,26 @@ HWY_INLINE int GetLanes()
 
 //------------------------------------------------------------------------------
 // 1 - e^-x for x >= 0, to 2e-7 of itself.
-HWY_INLINE Float Absorbed(Float x)
+template <typename Tag>
+HWY_INLINE hn::Vec<Tag> Absorbed(Tag d, hn::Vec<Tag> x)
 {
-  const FloatTag d;
-  const IntTag di;
-  const Float y = hn::Min(x, hn::Set(d, 80.0f));
-  const Float k = hn::Round(y * hn::Set(d, 1.44269504f));
-  const Float f = (y - k * hn::Set(d, 0.693145752f)) - k * hn::Set(d, 1.42860677e-6f);
+  const hn::RebindToSigned<Tag> di;
+  const auto y = hn::Min(x, hn::Set(d, 80.0f));
+  const auto k = hn::Round(hn::Mul(y, hn::Set(d, 1.44269504f)));
+  auto f = hn::NegMulAdd(k, hn::Set(d, 0.693145752f), y);
+  f = hn::NegMulAdd(k, hn::Set(d, 1.42860677e-6f), f);
   // 1 - e^-f
-  Float p = hn::Set(d, 1.0f / 5040.0f);
-  p = hn::Set(d, 1.0f / 720.0f) - f * p;
-  p = hn::Set(d, 1.0f / 120.0f) - f * p;
-  p = hn::Set(d, 1.0f / 24.0f) - f * p;
-  p = hn::Set(d, 1.0f / 6.0f) - f * p;
-  p = hn::Set(d, 0.5f) - f * p;
-  p = hn::Set(d, 1.0f) - f * p;
-  p = f * p;
-  const auto exponent = hn::ShiftLeft<23>(hn::Set(di, 127) - hn::ConvertTo(di, k));
-  const Float power = hn::BitCast(d, exponent); // 2^-k
-  return (hn::Set(d, 1.0f) - power) + power * p;
+  auto p = hn::Set(d, 1.0f / 5040.0f);
+  p = hn::NegMulAdd(f, p, hn::Set(d, 1.0f / 720.0f));
+  p = hn::NegMulAdd(f, p, hn::Set(d, 1.0f / 120.0f));
+  p = hn::NegMulAdd(f, p, hn::Set(d, 1.0f / 24.0f));
+  p = hn::NegMulAdd(f, p, hn::Set(d, 1.0f / 6.0f));
+  p = hn::NegMulAdd(f, p, hn::Set(d, 0.5f));
+  p = hn::NegMulAdd(f, p, hn::Set(d, 1.0f));
+  p = hn::Mul(f, p);
+  const auto exponent = hn::ShiftLeft<23>(hn::Sub(hn::Set(di, 127), hn::ConvertTo(di, k)));
+  const auto power = hn::BitCast(d, exponent); // 2^-k
+  return hn::MulAdd(power, p, hn::Sub(hn::Set(d, 1.0f), power));
 }
 
 //------------------------------------------------------------------------------
@@ -150,23 +151,43 @@ public:
   // The part of the light along a ray that is hidden up to h = last; rate h is optical depth.
   HWY_INLINE float Sum(int index, float rate, float start, float last) const
   {
-    const FloatTag d;
-    const int lanes = GetLanes();
     const Line& line = this->Intervals[index];
-    const Float r = hn::Set(d, rate);
-    const Float begin = hn::Set(d, start);
-    const Float end = hn::Set(d, last);
-    Float sum = hn::Zero(d);
-    for (int i = 0; i < this->Counts[index]; i += lanes)
+    const int count = this->Counts[index];
+#if HWY_TARGET == HWY_SCALAR
+    const FloatTag d;
+    float sum = 0.0f;
+    for (int i = 0; i < count; ++i)
     {
-      const Float low = hn::Max(hn::Min(hn::Load(d, line.Low + i), end), begin) - begin;
-      const Float high = hn::Max(hn::Min(hn::Load(d, line.High + i), end), begin) - begin;
-      sum = sum + (Absorbed(r * high) - Absorbed(r * low));
+      const float low = std::max(std::min(line.Low[i], last), start) - start;
+      const float high = std::max(std::min(line.High[i], last), start) - start;
+      sum += hn::GetLane(Absorbed(d, hn::Set(d, rate * high))) -
+        hn::GetLane(Absorbed(d, hn::Set(d, rate * low)));
     }
-    return hn::GetLane(hn::SumOfLanes(d, sum));
+    return sum;
+#else
+    // Low ends in the lower half of a register, high ones in the upper.
+    const HWY_CAPPED(float, 16) d;
+    const hn::Half<decltype(d)> half;
+    const int lanes = static_cast<int>(hn::Lanes(half));
+    const auto begin = hn::Set(d, start);
+    const auto end = hn::Set(d, last);
+    const auto r = hn::Set(d, rate);
+    auto sum = hn::Zero(half);
+    for (int i = 0; i < count; i += lanes)
+    {
+      const auto ends = hn::Combine(d, hn::Load(half, line.High + i), hn::Load(half, line.Low + i));
+      const auto inside = hn::Sub(hn::Max(hn::Min(ends, end), begin), begin);
+      const auto absorbed = Absorbed(d, hn::Mul(r, inside));
+      sum = hn::Add(sum, hn::Sub(hn::UpperHalf(half, absorbed), hn::LowerHalf(half, absorbed)));
+    }
+    return hn::GetLane(hn::SumOfLanes(half, sum));
+#endif
   }
 
-  int GetCount(int index) const { return this->Counts[index]; }
+  int GetCount(int index) const
+  {
+    return this->Counts[index];
+  }
 
   long long Overflows = 0;
 
@@ -516,7 +537,7 @@ void RunCoverageRow(const CoverageSettings& settings, const CoverageImage& image
     {
       const Float rate = hn::Set(d, static_cast<float>(settings.Extinction[c])) * length;
       const Float hidden = hn::Max(load(image.Hidden[c]), zero);
-      const Float lit = hn::Max(Absorbed(rate * depth) - hidden, zero);
+      const Float lit = hn::Max(Absorbed(d, rate * depth) - hidden, zero);
       hn::Store(scattered * lit, d, results[c]);
     }
     for (int c = 0; c < components; ++c)

@@ -69,7 +69,7 @@ struct CoverageWedge
   bool Covered; // the light is seen, behind a surface
 };
 
-constexpr int CoverageBandLines = 64;
+constexpr int CoverageBandLines = 128;
 constexpr double CoverageSpacing = 2.0; // [pixels]
 
 /// The wedge of one direction; no Rows if there is none.

@@ -6,8 +6,8 @@
 // Usage: ModelError [--quick] [width height]
 //
 // Errors are against vtkGodRaysSingleScatteringReference, as fractions of its peak, without any fit, at
-// 480 x 270 pixels unless told otherwise. Time is of one thread and, as machines differ and are shared, a
-// ratio to 100 plain bilinear taps a pixel with the same vector instructions in the same run.
+// 480 x 270 pixels unless told otherwise. Time is the processor's, of one thread, and, as machines differ
+// and are shared, a ratio to 100 plain bilinear taps a pixel in the same run.
 
 #include "GodRaysMediumScenes.h"
 #include "PlainTaps.h"
@@ -127,13 +127,13 @@ void PrintErrors(int width, int height, int sphereParts)
 }
 
 //------------------------------------------------------------------------------
-double MeasureFilter(vtkGodRaysCoverageFilter* filter, int threads, int repeats)
+double MeasureFilter(vtkGodRaysCoverageFilter* filter, int repeats)
 {
   double time = 0.0;
-  vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, "STDThread", false },
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1, "STDThread", false },
     [&]()
     {
-      time = Measure(repeats,
+      time = MeasureProcessor(repeats,
         [&]()
         {
           filter->Modified();
@@ -146,7 +146,7 @@ double MeasureFilter(vtkGodRaysCoverageFilter* filter, int threads, int repeats)
 //------------------------------------------------------------------------------
 void PrintTimes(int width, int height, int sphereParts, int repeats)
 {
-  const double taps = MeasurePlainTaps(width, height);
+  const double taps = MeasurePlainTaps(width, height, true);
   std::printf(
     "\n%d x %d; 100 plain taps %.0f ms\n\n| scene | light | 1 thread ms | of 100 taps | two "
     "layers | 2 threads ms | overflows |\n|---|---|---|---|---|---|---|\n",
@@ -157,7 +157,7 @@ void PrintTimes(int width, int height, int sphereParts, int repeats)
     for (const int l : { 0, 2, 4 })
     {
       const auto truth = MakeTruth(scenes[i], Lights[l], Scattering, width, height, 2);
-      double times[2][2] = {};
+      double times[2] = {};
       long long overflows = 0;
       for (const bool layers : { true, false })
       {
@@ -165,12 +165,10 @@ void PrintTimes(int width, int height, int sphereParts, int repeats)
         Prepare(filter, Lights[l], 0.1);
         Compare(Extract(truth, 1, layers), filter);
         overflows = filter->GetNumberOfOverflows();
-        times[layers][0] = MeasureFilter(filter, 1, repeats);
-        times[layers][1] = MeasureFilter(filter, 2, repeats);
+        times[layers] = MeasureFilter(filter, repeats);
       }
-      std::printf("| %s | %s | %.1f | %.3f | %.3f | %.1f | %lld |\n", scenes[i].Name.c_str(),
-        Lights[l].Name, 1e3 * times[0][0], times[0][0] / taps, times[1][0] / taps,
-        1e3 * times[0][1], overflows);
+      std::printf("| %s | %s | %.1f | %.3f | %.3f | %lld |\n", scenes[i].Name.c_str(),
+        Lights[l].Name, 1e3 * times[0], times[0] / taps, times[1] / taps, overflows);
       std::fflush(stdout);
     }
   }
