@@ -147,9 +147,8 @@ double MeasureFilter(vtkGodRaysCoverageFilter* filter, int repeats)
 void PrintTimes(int width, int height, int sphereParts, int repeats)
 {
   const double taps = MeasurePlainTaps(width, height, true);
-  std::printf(
-    "\n%d x %d; 100 plain taps %.0f ms\n\n| scene | light | 1 thread ms | of 100 taps | two "
-    "layers | 2 threads ms | overflows |\n|---|---|---|---|---|---|---|\n",
+  std::printf("\n%d x %d, one thread; 100 plain taps %.0f ms\n\n| scene | light | ms | of 100 taps "
+              "| two layers, of 100 taps | overflows |\n|---|---|---|---|---|---|\n",
     width, height, 1e3 * taps);
   const auto scenes = MakeScenes(sphereParts);
   for (std::size_t i = 1; i < scenes.size(); ++i)
