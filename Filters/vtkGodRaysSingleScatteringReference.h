@@ -14,7 +14,7 @@
  *
  * Input: vtkPolyData, the occluders, in world coordinates: polygons, which are convex, and triangle
  * strips; both sides block. Without input nothing blocks. Cost: each ray looks at the triangles in its
- * plane, found by a tree of boxes: some 10 us for a thousand triangles.
+ * plane, found by a tree of boxes: of the order of 10 us in scenes of 100 000 triangles.
  *
  * Output: vtkImageData of Size pixels with two arrays of doubles: "Radiance", the scalars, of red,
  * green and blue, and "Depth", the view depth of the first surface, infinity where there is none. With
