@@ -280,6 +280,264 @@ FUNCTION Real FacingFade(IN(Real) facing)
   return t * t * (3.0 - 2.0 * t);
 }
 
+// --- The medium ----------------------------------------------------------------------------------
+
+// Light that a medium scatters once on its way to the eye. Lengths and the reciprocals of
+// coefficients have one unit, e.g. metres. Everything is finite for coefficients from 0 to 1e3,
+// lengths to 1e9 and |asymmetry| to 0.99, and without loss of figures where they are small.
+
+// How a medium scatters light into directions [1/sr]; the integral over all is 1.
+// cosAngle is the cosine of the scattering angle, between the directions in which the light travels
+// before and after: 1 is straight on, as for an eye that looks at the light, for which it is the
+// cosine of the angle between the view ray and the direction to the light.
+struct PhaseFunction
+{
+  int Kind;       // 0 isotropic, 1 Rayleigh, 2 Henyey-Greenstein, 3 Cornette-Shanks, 4 Schlick
+  Real Asymmetry; // g, of kinds 2 to 4: the mean cosine (of 3 nearly); in (-1, 1) [no unit]
+};
+
+// Formula: 1/(4 pi). [1/sr]
+FUNCTION Real PhaseIsotropic()
+{
+  return 0.07957747154594767;
+}
+
+// Formula: 3/(16 pi) (1 + c^2). [1/sr] [Chandrasekhar1960]
+FUNCTION Real PhaseRayleigh(IN(Real) cosAngle)
+{
+  return 0.05968310365946075 * (1.0 + cosAngle * cosAngle);
+}
+
+// The square of 1 - 2 g c + g^2, without cancellation near the peak.
+// Formula: (1 - |g|)^2 + 2 |g| (1 - sign(g) c). [no unit]
+FUNCTION Real PhaseDistance(IN(Real) cosAngle, IN(Real) g)
+{
+  Real sharpness = 1.0 - abs(g);
+  Real away = max(1.0 - (g < 0.0 ? -cosAngle : cosAngle), 0.0);
+  return sharpness * sharpness + 2.0 * abs(g) * away;
+}
+
+// Formula: 1/(4 pi) (1 - g^2)/(1 - 2 g c + g^2)^(3/2). [1/sr] [HenyeyGreenstein1941]
+FUNCTION Real PhaseHenyeyGreenstein(IN(Real) cosAngle, IN(Real) g)
+{
+  Real distance = PhaseDistance(cosAngle, g);
+  return 0.07957747154594767 * (1.0 - g * g) / (distance * sqrt(distance));
+}
+
+// Rayleigh's for g = 0. Its mean cosine is 3 g (4 + g^2)/(5 (2 + g^2)).
+// Formula: 3/(8 pi) (1 - g^2)/(2 + g^2) (1 + c^2)/(1 - 2 g c + g^2)^(3/2). [1/sr]
+// [CornetteShanks1992]
+FUNCTION Real PhaseCornetteShanks(IN(Real) cosAngle, IN(Real) g)
+{
+  return 1.5 * (1.0 + cosAngle * cosAngle) / (2.0 + g * g) * PhaseHenyeyGreenstein(cosAngle, g);
+}
+
+// The parameter of Schlick's phase function for a given g. The fit exceeds 1 from g = 0.94 on, which
+// no phase function may.
+// Formula: 1.55 g - 0.55 g^3, within [-0.995, 0.995]. [no unit] [PharrHumphreys2004]
+FUNCTION Real SchlickParameter(IN(Real) g)
+{
+  return clamp(g * (1.55 - 0.55 * g * g), -0.995, 0.995);
+}
+
+// Near Henyey-Greenstein's of the same g, without a root.
+// Formula: 1/(4 pi) (1 - k^2)/(1 - k c)^2, k = SchlickParameter(g). [1/sr] [Blasi1993]
+FUNCTION Real PhaseSchlick(IN(Real) cosAngle, IN(Real) g)
+{
+  Real k = SchlickParameter(g);
+  Real away = max(1.0 - (k < 0.0 ? -cosAngle : cosAngle), 0.0);
+  Real distance = (1.0 - abs(k)) + abs(k) * away;
+  return 0.07957747154594767 * (1.0 - k * k) / (distance * distance);
+}
+
+// Formula: that of its kind. [1/sr]
+FUNCTION Real Phase(IN(PhaseFunction) phase, IN(Real) cosAngle)
+{
+  if (phase.Kind == 1)
+  {
+    return PhaseRayleigh(cosAngle);
+  }
+  if (phase.Kind == 2)
+  {
+    return PhaseHenyeyGreenstein(cosAngle, phase.Asymmetry);
+  }
+  if (phase.Kind == 3)
+  {
+    return PhaseCornetteShanks(cosAngle, phase.Asymmetry);
+  }
+  if (phase.Kind == 4)
+  {
+    return PhaseSchlick(cosAngle, phase.Asymmetry);
+  }
+  return PhaseIsotropic();
+}
+
+// What is left of light after a way through a homogeneous medium: the law of Beer and Lambert.
+// Formula: e^(-extinction distance). [no unit]
+FUNCTION Real Transmittance(IN(Real) extinction, IN(Real) distance)
+{
+  return exp(-extinction * distance);
+}
+
+// e^-tau MeanExponential(k) where tau and tau + k, the optical depths of two ends, are at least 0:
+// the mean of e^-t between them, without overflow where k < 0.
+// Formula: (e^-tau - e^-(tau + k))/k. [no unit]
+FUNCTION Real MeanTransmittance(IN(Real) tau, IN(Real) k)
+{
+  return k < 0.0 ? exp(-(tau + k)) * MeanExponential(-k) : exp(-tau) * MeanExponential(k);
+}
+
+// Airlight of a directional light in a homogeneous medium, from the part of a view ray between the
+// distances begin and end of the eye, where the light's own way through the medium to the point at
+// distance s is lightWay + lightSlope s long, at least 0: 0 and 0 for a light that is not dimmed, 0
+// and c for a medium with a plane surface. The radiance is irradiance * phase * scattering
+// coefficient * this; parts add up.
+// Formula: integral_begin^end e^(-extinction (s + lightWay + lightSlope s)) ds. [length]
+// [HoffmanPreetham2002]
+FUNCTION Real DirectionalAirlight(IN(Real) extinction, IN(Real) begin, IN(Real) end,
+  IN(Real) lightWay, IN(Real) lightSlope)
+{
+  Real tau = extinction * (begin + lightWay + lightSlope * begin);
+  return (end - begin) * MeanTransmittance(tau, extinction * (1.0 + lightSlope) * (end - begin));
+}
+
+// The distance of the light from the view ray as the functions below count it: 0 would make the
+// airlight of a light on the ray infinite.
+// Formula: max(height, 1e-9 |the ray's ends as seen from the foot|). [length]
+FUNCTION Real PointLightHeight(
+  IN(Real) foot, IN(Real) height, IN(Real) begin, IN(Real) end)
+{
+  return max(height, 1e-9 * max(abs(begin - foot), abs(end - foot)) + 1e-18);
+}
+
+// Airlight of a point light in a medium that does not dim it, from the part of a view ray between
+// the distances begin and end of the eye. foot is the distance along the ray of the point nearest to
+// the light, height the light's distance from it. The radiance is intensity * phase (a constant) *
+// scattering coefficient * this; parts add up.
+// Formula: integral_begin^end ds/(h^2 + (s - foot)^2)
+//   = atan2(h (end - begin), h^2 + (begin - foot) (end - foot))/h. [1/length] [Pegoraro2009]
+FUNCTION Real PointAirlight(IN(Real) foot, IN(Real) height, IN(Real) begin, IN(Real) end)
+{
+  Real h = PointLightHeight(foot, height, begin, end);
+  Real opposite = h * (end - begin);
+  Real adjacent = h * h + (begin - foot) * (end - foot);
+  if (opposite < 1e-2 * adjacent)
+  {
+    Real q = opposite / adjacent;
+    Real q2 = q * q;
+    Real mean = 1.0 - q2 * (1.0 / 3.0 - q2 * (0.2 - q2 * (1.0 / 7.0 - q2 / 9.0)));
+    return (end - begin) / adjacent * mean;
+  }
+  return atan(opposite, adjacent) / h;
+}
+
+// y = s - foot + r(s), r^2 = h^2 + (s - foot)^2, without cancellation before the foot. [length]
+FUNCTION Real PointLightWay(IN(Real) beyondFoot, IN(Real) h)
+{
+  Real r = sqrt(h * h + beyondFoot * beyondFoot);
+  return beyondFoot > 0.0 ? r + beyondFoot : h * (h / (r - beyondFoot));
+}
+
+// Two points of the panel of PointAirlight, symmetric about its middle.
+FUNCTION Real PointAirlightPair(IN(PhaseFunction) phase, IN(Real) extinction, IN(Real) h,
+  IN(Real) start, IN(Real) size, IN(Real) place)
+{
+  Real sum = 0.0;
+  for (int i = 0; i < 2; ++i)
+  {
+    Real along = size * (i == 0 ? 0.5 - 0.5 * place : 0.5 + 0.5 * place);
+    Real y = start + along;
+    Real square = h * h + y * y;
+    sum += Phase(phase, (h - y) * (h + y) / square) * exp(-extinction * along) / square;
+  }
+  return sum;
+}
+
+// The same in a homogeneous medium that dims the light on its way to each point and from there to
+// the eye, with any phase function. The radiance is intensity * scattering coefficient * this.
+// With y = s - foot + r, the integrand is smooth on the scale of y itself: Gauss-Legendre of 8
+// points in panels that grow by 3/4, each at most 3 mean free paths long, at most 96 of them, up to
+// 40 mean free paths. Relative error below 1e-9 (in double precision).
+// Formula: integral_begin^end phase e^(-extinction (s + r))/r^2 ds, r^2 = h^2 + (s - foot)^2,
+// = e^(-extinction (begin + r(begin))) integral 2 phase((h^2 - y^2)/(h^2 + y^2))
+//   e^(-extinction (y - y(begin)))/(h^2 + y^2) dy. [1/(length sr)]
+// For an isotropic phase function that is the airlight model of [Sun2005], with y = h tan xi.
+FUNCTION Real PointAirlight(IN(PhaseFunction) phase, IN(Real) extinction, IN(Real) foot,
+  IN(Real) height, IN(Real) begin, IN(Real) end)
+{
+  Real h = PointLightHeight(foot, height, begin, end);
+  Real y = PointLightWay(begin - foot, h);
+  Real rNear = sqrt(h * h + (begin - foot) * (begin - foot));
+  Real rFar = sqrt(h * h + (end - foot) * (end - foot));
+  Real left = (end - begin) * (y + PointLightWay(end - foot, h)) / (rNear + rFar);
+  // The integrand's poles are at y = +-i h and at +-i times this.
+  Real g = phase.Kind >= 2 ? abs(phase.Asymmetry) : 0.0;
+  Real k = phase.Kind == 4 ? SchlickParameter(g) : g;
+  Real scale = phase.Kind == 4 ? h * sqrt((1.0 - k) / (1.0 + k)) : h * (1.0 - k) / (1.0 + k);
+  if (phase.Kind >= 2 && phase.Asymmetry < 0.0)
+  {
+    scale = h; // the poles of a peak to the back are beyond
+  }
+  Real tau = 0.0;
+  Real sum = 0.0;
+  for (int panel = 0; panel < 96; ++panel)
+  {
+    Real size = 0.75 * sqrt(scale * scale + y * y);
+    size = min(left, extinction * size > 3.0 ? 3.0 / extinction : size);
+    sum += exp(-tau) * size *
+      (0.3626837833783620 * PointAirlightPair(phase, extinction, h, y, size, 0.1834346424956498) +
+        0.3137066458778873 * PointAirlightPair(phase, extinction, h, y, size, 0.5255324099163290) +
+        0.2223810344533745 * PointAirlightPair(phase, extinction, h, y, size, 0.7966664774136267) +
+        0.1012285362903763 * PointAirlightPair(phase, extinction, h, y, size, 0.9602898564975363));
+    tau += extinction * size;
+    y += size;
+    left -= size;
+    if (left <= 0.0 || tau > 40.0)
+    {
+      break;
+    }
+  }
+  return exp(-extinction * (begin + rNear)) * sum;
+}
+
+// A medium that thins out exponentially with height above the plane of reference, where its
+// coefficients are given. slope is the rise of a way for each unit of its length, -1 to 1.
+
+// Density at a height, of that at height 0; the height is kept within 80 scale heights of that.
+// Formula: e^(-height/scaleHeight). [no unit]
+FUNCTION Real ExponentialDensity(IN(Real) height, IN(Real) scaleHeight)
+{
+  return exp(-clamp(height / scaleHeight, -80.0, 80.0));
+}
+
+// Optical depth of a straight way from a height, up or down.
+// Formula: extinction distance e^(-height/H) phi(slope distance/H), phi = MeanExponential. [no unit]
+FUNCTION Real ExponentialDepth(IN(Real) extinction, IN(Real) height, IN(Real) slope,
+  IN(Real) scaleHeight, IN(Real) distance)
+{
+  Real rise = slope * distance;
+  Real low = ExponentialDensity(rise < 0.0 ? height + rise : height, scaleHeight);
+  return extinction * distance * low * MeanExponential(abs(rise) / scaleHeight);
+}
+
+// Airlight of a directional light in it, from the part of a view ray between the distances begin and
+// end of the eye, which is at height; lightSlope is the rise towards the light, above 0. The light is
+// dimmed on its way from above. The ground is plane: from 85 degrees of the zenith on a sphere
+// differs. The radiance is irradiance * phase * scattering coefficient at height 0 * this; parts add
+// up.
+// Formula: D e^-tau(begin) e^(-b X0/lightSlope) phi(b (1 - slope/lightSlope) D/H),
+// D = integral_begin^end X ds = X0 (end - begin) phi(slope (end - begin)/H), X = e^(-height/H), b =
+// extinction H, X0 at begin. [length] [PreethamShirleySmits1999] for constant slopes
+FUNCTION Real ExponentialAirlight(IN(Real) extinction, IN(Real) height, IN(Real) slope,
+  IN(Real) lightSlope, IN(Real) scaleHeight, IN(Real) begin, IN(Real) end)
+{
+  Real start = height + slope * begin;
+  Real column = ExponentialDepth(1.0, start, slope, scaleHeight, end - begin);
+  Real tau = ExponentialDepth(extinction, height, slope, scaleHeight, begin) +
+    extinction * scaleHeight * ExponentialDensity(start, scaleHeight) / lightSlope;
+  return column * MeanTransmittance(tau, extinction * column * (1.0 - slope / lightSlope));
+}
+
 // --- Safety --------------------------------------------------------------------------------------
 
 // A value that can be stored and summed: NaN and negative numbers become 0, others at most maximum.

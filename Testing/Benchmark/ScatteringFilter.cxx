@@ -14,6 +14,8 @@
 // same vector instructions and the exponential weight stepped, as a shader would. Errors are
 // against vtkGodRaysReferenceFilter in some rows of the picture, as fractions of the peak.
 
+#include "PlainTaps.h"
+
 #include "vtkGodRaysRadialSweep.h"
 #include "vtkGodRaysReferenceFilter.h"
 #include "vtkGodRaysScatteringFilter.h"
@@ -24,7 +26,6 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -219,96 +220,6 @@ vtkSmartPointer<vtkImageData> MakeImage(const Settings& s, const Mask& mask, con
 }
 
 //------------------------------------------------------------------------------
-template <typename Function>
-double Measure(int repeats, const Function& function)
-{
-  double best = 1e30;
-  for (int i = 0; i < repeats; ++i)
-  {
-    const auto start = std::chrono::steady_clock::now();
-    function();
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-    best = std::min(best, time.count());
-  }
-  return best;
-}
-
-//------------------------------------------------------------------------------
-// The processor's time, which others on the machine disturb less: of one thread.
-template <typename Function>
-double MeasureWork(int repeats, const Function& function)
-{
-  double best = 1e30;
-  for (int i = 0; i < repeats; ++i)
-  {
-    const std::clock_t start = std::clock();
-    function();
-    best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-  }
-  return best;
-}
-
-//------------------------------------------------------------------------------
-// 100 taps of one component, as a shader takes them: the yardstick. Written so that the compiler
-// makes vectors of it (target_clones: for what the processor has).
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
-__attribute__((target_clones("default", "avx2", "arch=x86-64-v4"), optimize("O3")))
-#endif
-void SumPlainTaps(const float* padded, int stride, int width, int height, float lightX,
-  float lightY, float density, float decay, int y, float* result)
-{
-  const int taps = 100;
-  constexpr int Lanes = 64;
-  for (int first = 0; first < width; first += Lanes)
-  {
-    float sum[Lanes] = {};
-    float weight = 1.0f;
-    for (int i = 0; i < taps; ++i)
-    {
-      const float t = density * (i + 0.5f) / taps;
-      for (int lane = 0; lane < Lanes; ++lane)
-      {
-        float px = first + lane + t * (lightX - first - lane);
-        float py = y + t * (lightY - y);
-        px = std::min(std::max(px, -1.0f), static_cast<float>(width)) + 1.0f;
-        py = std::min(std::max(py, -1.0f), static_cast<float>(height)) + 1.0f;
-        const int column = static_cast<int>(px);
-        const int row = static_cast<int>(py);
-        const float fx = px - column;
-        const float fy = py - row;
-        const int index = row * stride + column;
-        const float a = padded[index];
-        const float b = padded[index + 1];
-        const float c = padded[index + stride];
-        const float d = padded[index + stride + 1];
-        const float lower = a + fx * (b - a);
-        const float upper = c + fx * (d - c);
-        sum[lane] += weight * (lower + fy * (upper - lower));
-      }
-      weight *= decay;
-    }
-    std::copy_n(sum, std::min(Lanes, width - first), result + first);
-  }
-}
-
-//------------------------------------------------------------------------------
-double MeasurePlainTaps(const Settings& s)
-{
-  const int stride = s.Width + 80;
-  std::vector<float> padded(static_cast<std::size_t>(stride) * (s.Height + 4), 0.5f);
-  std::vector<float> result(static_cast<std::size_t>(s.Width) * s.Height);
-  return MeasureWork(2,
-    [&]()
-    {
-      for (int y = 0; y < s.Height; ++y)
-      {
-        SumPlainTaps(padded.data(), stride, s.Width, s.Height, 0.51f * s.Width, 0.48f * s.Height,
-          0.97f, 0.99f, y, result.data() + static_cast<std::size_t>(y) * s.Width);
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
 double MeasureCopy(const Settings& s)
 {
   const std::size_t size = static_cast<std::size_t>(s.Width) * s.Height * s.Components;
@@ -375,7 +286,7 @@ double MeasureFilter(const Settings& s, vtkGodRaysScatteringFilter* filter, int 
         filter->Update();
       };
       // Two threads need both cores for themselves: the best of more.
-      time = threads == 1 ? MeasureWork(s.Repeats, execute) : Measure(3 * s.Repeats, execute);
+      time = threads == 1 ? MeasureProcessor(s.Repeats, execute) : Measure(3 * s.Repeats, execute);
     });
   return time;
 }
@@ -451,8 +362,8 @@ Cost MeasureSweep(int width, int height, int components, int samples)
         parameters.LightClip[0] = 2.0 * light.U - 1.0;
         parameters.LightClip[1] = 2.0 * light.V - 1.0;
         sweep.Execute(parameters);
-        steady.push_back(MeasureWork(7, [&]() { sweep.Execute(parameters); }));
-        moving.push_back(MeasureWork(7,
+        steady.push_back(MeasureProcessor(7, [&]() { sweep.Execute(parameters); }));
+        moving.push_back(MeasureProcessor(7,
           [&]()
           {
             parameters.LightClip[0] += 1e-4;
@@ -468,7 +379,7 @@ Cost MeasureSweep(int width, int height, int components, int samples)
 //------------------------------------------------------------------------------
 void PrintCost(const Settings& s)
 {
-  const double taps = 1e3 * MeasurePlainTaps(s);
+  const double taps = 1e3 * MeasurePlainTaps(s.Width, s.Height, true);
   const Cost one = MeasureSweep(s.Width, s.Height, 1, 100);
   std::printf("%d x %d: %.2f ms, 100 plain taps %.0f ms, %.0f times as much; with a moving light "
               "%.2f ms\n",
@@ -510,7 +421,7 @@ int main(int count, char* arguments[])
     PrintCost(s);
     return EXIT_SUCCESS;
   }
-  double taps = MeasurePlainTaps(s);
+  double taps = MeasurePlainTaps(s.Width, s.Height, true);
   const double copy = MeasureCopy(s);
   std::printf("%d x %d, %d component(s), tolerance %.2e; 100 plain taps of one component %.0f ms, "
               "copy %.2f ms\n\n",
@@ -525,7 +436,7 @@ int main(int count, char* arguments[])
   std::string plan;
   for (const auto& mask : MakeMasks(s))
   {
-    taps = MeasurePlainTaps(s); // again: others may share the machine
+    taps = MeasurePlainTaps(s.Width, s.Height, true); // again: others may share the machine
     for (const Light& light : Lights)
     {
       auto image = MakeImage(s, mask.second, light);

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysSingleScatteringReference
+ * @brief   light that a medium scatters once between surfaces, to a tolerance: the ground truth
+ *
+ * Evaluates the integral of vtkGodRaysMediumFilter with the visibility of the light from every point of
+ * every view ray. A view ray and the light span a plane, which cuts triangles into line segments; what
+ * of the ray each segment hides from the light is one interval, whose ends are known in closed form. So
+ * the lit parts of the ray are exact but for rounding: no steps, no shadow rays, no bias, and nothing
+ * can be missed between samples. The integral over each lit part is evaluated by adaptive Gauss-Kronrod
+ * quadrature of 15 points in double precision, to Tolerance. A ray straight at or away from the light,
+ * within 1e-9 radians, is lit beyond its last, or before its first, surface.
+ *
+ * Input: vtkPolyData, the occluders, in world coordinates: polygons, which are convex, and triangle
+ * strips; both sides block. Without input nothing blocks. Cost: each ray looks at the triangles in its
+ * plane, found by a tree of boxes: of the order of 10 us in scenes of 100 000 triangles.
+ *
+ * Output: vtkImageData of Size pixels with two arrays of doubles: "Radiance", the scalars, of red,
+ * green and blue, and "Depth", the view depth of the first surface, infinity where there is none. With
+ * NumberOfLayers n, "Depth" has 2 n components instead: the depths at which the ray enters and leaves
+ * solid matter, n times, for closed surfaces with normals outwards by the order of their points.
+ *
+ * Bytes do not depend on the number of threads. AbortExecute is looked at whenever progress is told,
+ * 20 times, on the calling thread; the output is empty then, as after an error.
+ *
+ * @sa vtkGodRaysCoverageFilter
+ */
+
+#ifndef vtkGodRaysSingleScatteringReference_h
+#define vtkGodRaysSingleScatteringReference_h
+
+#include "vtkGodRaysFiltersModule.h" // For export macro
+#include "vtkGodRaysMediumFilter.h"
+
+class VTKGODRAYSFILTERS_EXPORT vtkGodRaysSingleScatteringReference : public vtkGodRaysMediumFilter
+{
+public:
+  static vtkGodRaysSingleScatteringReference* New();
+  vtkTypeMacro(vtkGodRaysSingleScatteringReference, vtkGodRaysMediumFilter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get the picture's width and height [pixels]. Valid range: [1, 32768]. Default is 256 and 256.
+   */
+  vtkSetVector2Macro(Size, int);
+  vtkGetVector2Macro(Size, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the accepted error of each lit part's quadrature [fraction of the pixel without
+   * occluders]. Valid range: [1e-12, 1e-2]. Default is 1e-9.
+   */
+  void SetTolerance(double tolerance);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how many solid layers "Depth" holds; 0: the first surface alone. Valid range: [0, 4].
+   * Default is 0.
+   */
+  vtkSetClampMacro(NumberOfLayers, int, 0, 4);
+  vtkGetMacro(NumberOfLayers, int);
+  ///@}
+
+protected:
+  vtkGodRaysSingleScatteringReference() = default;
+  ~vtkGodRaysSingleScatteringReference() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+private:
+  vtkGodRaysSingleScatteringReference(const vtkGodRaysSingleScatteringReference&) = delete;
+  void operator=(const vtkGodRaysSingleScatteringReference&) = delete;
+
+  int Size[2] = { 256, 256 };
+  double Tolerance = 1e-9;
+  int NumberOfLayers = 0;
+};
+
+#endif

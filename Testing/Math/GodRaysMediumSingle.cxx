@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The shared formulas with Real = float; -fsingle-precision-constant (GCC) makes their numbers those of
+// GLSL.
+
+#include "GodRaysMediumSingle.h"
+
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace vtkGodRaysSingle
+{
+using Real = float;
+using Vec2 = glm::vec2;
+using Vec3 = glm::vec3;
+
+using glm::abs;
+using glm::atan;
+using glm::clamp;
+using glm::cross;
+using glm::dot;
+using glm::exp;
+using glm::fract;
+using glm::length;
+using glm::log;
+using glm::max;
+using glm::min;
+using glm::pow;
+using glm::sqrt;
+
+#define LAYER_TEMPLATE template <typename Layer>
+#define FUNCTION inline
+#define IN(T) const T&
+#include "vtkGodRaysFunctions.glsl"
+#undef IN
+#undef FUNCTION
+#undef LAYER_TEMPLATE
+}
+
+float GodRaysMediumSingle::DirectionalAirlight(float extinction, float end)
+{
+  return vtkGodRaysSingle::DirectionalAirlight(extinction, 0.0f, end, 0.0f, 0.0f);
+}
+
+float GodRaysMediumSingle::PointAirlight(float foot, float height, float end)
+{
+  return vtkGodRaysSingle::PointAirlight(foot, height, 0.0f, end);
+}
+
+float GodRaysMediumSingle::PointAirlight(
+  int kind, float g, float extinction, float foot, float height, float end)
+{
+  const vtkGodRaysSingle::PhaseFunction phase = { kind, g };
+  return vtkGodRaysSingle::PointAirlight(phase, extinction, foot, height, 0.0f, end);
+}
+
+float GodRaysMediumSingle::ExponentialAirlight(
+  float extinction, float height, float slope, float lightSlope, float scaleHeight, float end)
+{
+  return vtkGodRaysSingle::ExponentialAirlight(
+    extinction, height, slope, lightSlope, scaleHeight, 0.0f, end);
+}
