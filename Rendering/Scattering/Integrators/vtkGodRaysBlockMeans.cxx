@@ -21,7 +21,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <sstream>
 #include <vector>
 
@@ -30,7 +29,7 @@ namespace
 // Below these, taps are as fast, and exact.
 constexpr double ShortestMarch = 8.0; // [pixels]
 constexpr int SmallestLayer = 32;     // [pixels]
-constexpr double MostTaps = 1e9;      // of a picture, that are affordable
+constexpr double MostTaps = 2e8;      // of a picture, that are affordable
 constexpr double SteepestKernel = 30.0;
 constexpr double SteepestGrowth = -5.0;
 
@@ -71,21 +70,38 @@ const Effort Efforts[] = {
 };
 
 //------------------------------------------------------------------------------
-// The least effort that keeps the tolerance, or else, kept being false, the greatest.
-const Effort* ChooseEffort(const vtkGodRaysMarch& march, double tolerance, bool& kept)
+// No wedge has more lines than this.
+double CountLines(const vtkGodRaysMarch& march, const Effort& effort)
 {
+  const auto sizes = std::minmax(march.LayerSize[0], march.LayerSize[1]);
+  return (2.0 * sizes.second + sizes.first) / effort.Spacing + 256.0;
+}
+
+//------------------------------------------------------------------------------
+// The least effort that keeps the tolerance, or else, kept being false, the greatest whose lines fit
+// into a texture.
+const Effort* ChooseEffort(
+  const vtkGodRaysMarch& march, const vtkGodRaysIntegrator::Request& request, bool& kept)
+{
+  const int largest = vtkTextureObject::GetMaximumTextureSize(request.Window);
+  const Effort* chosen = Efforts;
   // A kernel that grows gives the far end of the march more weight, where errors are as large.
   const double growth = std::exp(0.5 * std::min(std::max(-march.K, 0.0), 5.0));
   const double scale = growth * march.GetParallelism() / std::sqrt(march.GetSummedPixels());
   for (const Effort& effort : Efforts)
   {
-    kept = effort.Error * scale <= tolerance;
+    if (CountLines(march, effort) > largest)
+    {
+      break;
+    }
+    chosen = &effort;
+    kept = effort.Error * scale <= request.ErrorTolerance;
     if (kept)
     {
-      return &effort;
+      break;
     }
   }
-  return std::end(Efforts) - 1;
+  return chosen;
 }
 
 //------------------------------------------------------------------------------
@@ -579,7 +595,7 @@ Plan* vtkGodRaysBlockMeans::Internals::Prepare(const vtkGodRaysIntegrator::Reque
 {
   const vtkGodRaysMarch march(request);
   bool kept = false;
-  const Effort* effort = ChooseEffort(march, request.ErrorTolerance, kept);
+  const Effort* effort = ChooseEffort(march, request, kept);
   const bool oneChannel = request.Layer->HasOneChannel();
   const auto found = std::find_if(this->Plans.begin(), this->Plans.end(),
     [&](const auto& plan) { return plan->Is(march, effort, oneChannel); });
@@ -726,7 +742,7 @@ bool vtkGodRaysBlockMeans::Keeps(const vtkGodRaysIntegrator::Request& request)
   const vtkGodRaysMarch march(request);
   const int size = std::min(march.LayerSize[0], march.LayerSize[1]);
   bool kept = false;
-  const Effort* effort = ChooseEffort(march, request.ErrorTolerance, kept);
+  const Effort* effort = ChooseEffort(march, request, kept);
   if ((!kept && vtkGodRaysClippedTaps::CountTaps(request) <= MostTaps) || size < SmallestLayer ||
     march.GetLongest() < ShortestMarch || march.K > SteepestKernel || march.K < SteepestGrowth)
   {
@@ -739,10 +755,7 @@ bool vtkGodRaysBlockMeans::Keeps(const vtkGodRaysIntegrator::Request& request)
   {
     return false;
   }
-  // No wedge has more lines than this.
-  const double lines =
-    (2.0 * std::max(march.LayerSize[0], march.LayerSize[1]) + size) / effort->Spacing;
-  return lines + 256.0 <= vtkTextureObject::GetMaximumTextureSize(request.Window);
+  return CountLines(march, *effort) <= vtkTextureObject::GetMaximumTextureSize(request.Window);
 }
 
 //------------------------------------------------------------------------------
