@@ -151,8 +151,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the error that the rays may have, as a fraction of the brightest possible result
-   * [no unit]; the integrator chooses its work by it. Valid range: [1e-6, 0.1].
+   * Set/Get the error that the rays may have, root mean square over the picture, as a fraction of
+   * the brightest possible result [no unit]; the integrator chooses its work by it. Valid range: [1e-6, 0.1].
    * Default is 1/255, a level of an 8-bit picture.
    */
   void SetErrorTolerance(double tolerance);
@@ -172,8 +172,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the size of the picture on which rays are evaluated, as a fraction of the viewport's
-   * [no unit]. Below 1 the result is interpolated where it is smooth and evaluated anew, at full
+   * Set/Get the size of the picture on which taps are summed, as a fraction of the viewport's
+   * [no unit]; vtkGodRaysEpipolarIntegrator reads it for parity formulations alone. Below 1 the result is interpolated where it is smooth and evaluated anew, at full
    * size, where neighbours differ by more than ErrorTolerance. Parity formulations of more than
    * one pass are always evaluated at full size. Valid range: [0.125, 1]. Default is 1.
    */
