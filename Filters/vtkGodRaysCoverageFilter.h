@@ -45,6 +45,8 @@
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
+class vtkGodRaysCoverageSweep;
+
 class VTKGODRAYSFILTERS_EXPORT vtkGodRaysCoverageFilter : public vtkGodRaysMediumFilter
 {
 public:
@@ -88,8 +90,7 @@ private:
   vtkGodRaysCoverageFilter(const vtkGodRaysCoverageFilter&) = delete;
   void operator=(const vtkGodRaysCoverageFilter&) = delete;
 
-  class vtkInternals;
-  std::unique_ptr<vtkInternals> Internals;
+  std::unique_ptr<vtkGodRaysCoverageSweep> Sweep;
 
   double Thickness = 0.01;
 };

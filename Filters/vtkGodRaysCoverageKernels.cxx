@@ -24,6 +24,23 @@ namespace vtkGodRays
 {
 constexpr int MaximumIntervals = 16;
 
+// What a line knows: disjoint hidden intervals, in any order, then empty ones at infinity.
+struct CoverageLine
+{
+  HWY_ALIGN float Low[MaximumIntervals];
+  HWY_ALIGN float High[MaximumIntervals];
+};
+
+class CoverageLines
+{
+public:
+  hwy::AlignedFreeUniquePtr<CoverageLine[]> Intervals =
+    hwy::AllocateAligned<CoverageLine>(CoverageBandLines);
+  int Counts[CoverageBandLines];
+  float Before[CoverageBandLines]; // depths of the last samples
+  float Slopes[CoverageBandLines];
+};
+
 // The pixels of a row that belong to a wedge, first and last.
 inline void FindCoveragePixels(
   const CoverageWedge& wedge, const CoverageImage& image, int row, int& first, int& last)
@@ -89,22 +106,16 @@ HWY_INLINE hn::Vec<Tag> Absorbed(Tag d, hn::Vec<Tag> x)
 }
 
 //------------------------------------------------------------------------------
-// What a line knows: disjoint hidden intervals, in any order, then empty ones at infinity.
-struct Line
-{
-  HWY_ALIGN float Low[MaximumIntervals];
-  HWY_ALIGN float High[MaximumIntervals];
-};
-
-//------------------------------------------------------------------------------
+// The lines of a band.
 class Lines
 {
 public:
-  Lines(int count, float farthest)
-    : Intervals(hwy::AllocateAligned<Line>(count))
-    , Counts(count, 0)
+  Lines(CoverageLines& lines, int count, float farthest)
+    : Intervals(lines.Intervals.get())
+    , Counts(lines.Counts)
     , Farthest(farthest)
   {
+    std::fill_n(this->Counts, count, 0);
     for (int i = 0; i < count; ++i)
     {
       std::fill_n(this->Intervals[i].Low, MaximumIntervals, Nowhere);
@@ -118,7 +129,7 @@ public:
     {
       return;
     }
-    Line& line = this->Intervals[index];
+    CoverageLine& line = this->Intervals[index];
     const int count = this->Counts[index];
     unsigned int touched = 0;
     const FloatTag d;
@@ -151,7 +162,7 @@ public:
   // The part of the light along a ray that is hidden up to h = last; rate h is optical depth.
   HWY_INLINE float Sum(int index, float rate, float start, float last) const
   {
-    const Line& line = this->Intervals[index];
+    const CoverageLine& line = this->Intervals[index];
     const int count = this->Counts[index];
 #if HWY_TARGET == HWY_SCALAR
     const FloatTag d;
@@ -195,7 +206,7 @@ private:
   // Into the first one touched; the others are replaced by the last ones.
   void Join(int index, unsigned int touched, float a, float b)
   {
-    Line& line = this->Intervals[index];
+    CoverageLine& line = this->Intervals[index];
     int count = this->Counts[index];
     int first = 0;
     while ((touched >> first & 1u) == 0)
@@ -224,7 +235,7 @@ private:
     this->Counts[index] = count;
   }
 
-  void JoinNearest(Line& line, float a, float b)
+  void JoinNearest(CoverageLine& line, float a, float b)
   {
     ++this->Overflows;
     int nearest = 0;
@@ -244,9 +255,9 @@ private:
 
   static constexpr float Nowhere = 3e38f;
 
-  hwy::AlignedFreeUniquePtr<Line[]> Intervals;
-  std::vector<int> Counts;
-  float Farthest;
+  CoverageLine* const Intervals;
+  int* const Counts;
+  const float Farthest;
 };
 
 //------------------------------------------------------------------------------
@@ -263,7 +274,7 @@ class Band
 {
 public:
   Band(const CoverageSettings& settings, const CoverageImage& image, const CoverageWedge& wedge,
-    int band)
+    int band, CoverageLines& lines)
     : Settings(settings)
     , Image(image)
     , Wedge(wedge)
@@ -271,10 +282,13 @@ public:
     , End(std::min(wedge.Lines, (band + 1) * CoverageBandLines))
     , IsLast(band == wedge.Bands - 1)
     , Recession(settings.Parallel ? settings.Light[2] * settings.PixelSize / wedge.AlongLight : 0.0)
-    , Hidden(End - Begin, this->FindFarthest())
-    , Before(End - Begin, CoverageSky)
-    , Slopes(End - Begin, 0.0f)
+    , Covered(FindIfCovered(image, wedge))
+    , Hidden(lines, End - Begin, this->FindFarthest())
+    , Before(lines.Before)
+    , Slopes(lines.Slopes)
   {
+    std::fill_n(this->Before, this->End - this->Begin, CoverageSky);
+    std::fill_n(this->Slopes, this->End - this->Begin, 0.0f);
   }
 
   long long Sweep()
@@ -297,6 +311,14 @@ private:
     const double scale = this->GetFlow(row) / this->GetFlow(this->Wedge.Widest);
     return { static_cast<float>(this->Settings.Parallel ? 1.0 : std::max(0.0, scale)),
       static_cast<float>(this->Recession * n) };
+  }
+
+  // Whether the light is seen, but for a surface before it.
+  static bool FindIfCovered(const CoverageImage& image, const CoverageWedge& wedge)
+  {
+    bool isCentred;
+    const std::ptrdiff_t pixel = FindCoverageLight(wedge, image, isCentred);
+    return wedge.W > 0.0 && pixel >= 0 && image.Depths[0][pixel] < CoverageSky;
   }
 
   float FindFarthest() const
@@ -344,7 +366,7 @@ private:
             const float far = back < CoverageSky && back > front
               ? back
               : front * static_cast<float>(1.0 + this->Settings.Thickness);
-            const float low = n == 0 && this->Wedge.Covered ? 0.0f : half(front);
+            const float low = n == 0 && this->Covered ? 0.0f : half(front);
             this->Hidden.Insert(
               l - this->Begin, std::min(low, beyond(front)), std::max(half(far), beyond(far)));
           }
@@ -354,7 +376,7 @@ private:
     }
     const float* depths = this->Image.Depths[0] + offset;
     const Rate before = this->GetRate(n - 1.0);
-    const Rate enter = n == 0 && this->Wedge.Covered ? Rate{ 0.0f, 0.0f } : half;
+    const Rate enter = n == 0 && this->Covered ? Rate{ 0.0f, 0.0f } : half;
     const float thickness = static_cast<float>(this->Settings.Thickness);
     const float jump = static_cast<float>(this->Settings.Jump);
     const float bend = static_cast<float>(this->Settings.Bend);
@@ -427,11 +449,11 @@ private:
     }
     const Rate rate = this->GetRate(n);
     const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(row) * this->Image.Width;
-    const float* depths = this->Image.Depths[0] + offset;
+    const float* ends = this->Image.Ends + offset;
     const float farLimit = static_cast<float>(this->Settings.FarLimit);
     const float pixel = static_cast<float>(this->Settings.PixelSize);
-    const double middle = 0.5 * (this->Image.Width - 1.0);
-    const float y = static_cast<float>((row - 0.5 * (this->Image.Height - 1.0)) * pixel);
+    const double middle = this->Image.Center[0];
+    const float y = static_cast<float>((row - this->Image.Center[1]) * pixel);
     const float y2 = 1.0f + y * y;
     const float inverse = 1.0f / std::max(rate.Scale, 1e-30f);
     const float position = static_cast<float>(begin * gain + bias - this->Begin) + 0.5f;
@@ -451,11 +473,11 @@ private:
       }
       const float column = static_cast<float>((x - middle) * pixel);
       const float length = this->Settings.Parallel ? 1.0f : std::sqrt(column * column + y2);
-      const float end2 = rate(std::min(depths[x], farLimit));
+      const float last = rate(std::min(ends[x], farLimit));
       for (int c = 0; c < this->Settings.Channels; ++c)
       {
         this->Image.Hidden[c][offset + x] = this->Hidden.Sum(line,
-          static_cast<float>(this->Settings.Extinction[c]) * length * inverse, rate.Shift, end2);
+          static_cast<float>(this->Settings.Extinction[c]) * length * inverse, rate.Shift, last);
       }
     }
   }
@@ -467,31 +489,54 @@ private:
   const int End;
   const bool IsLast;
   const double Recession; // by which a light ray comes nearer from row to row
+  const bool Covered;
   Lines Hidden;
-  std::vector<float> Before; // depths of the last samples
-  std::vector<float> Slopes;
+  float* const Before;
+  float* const Slopes;
 };
 
 //------------------------------------------------------------------------------
 long long RunCoverageBand(const CoverageSettings& settings, const CoverageImage& image,
-  const CoverageWedge& wedge, int band)
+  const CoverageWedge& wedge, int band, CoverageLines& lines)
 {
-  return Band(settings, image, wedge, band).Sweep();
+  return Band(settings, image, wedge, band, lines).Sweep();
+}
+
+//------------------------------------------------------------------------------
+void RunCoverageInterval(const CoverageSettings& settings, const CoverageImage& image,
+  std::ptrdiff_t pixel, float begin, float end)
+{
+  const FloatTag d;
+  const double column = (pixel % image.Width - image.Center[0]) * settings.PixelSize;
+  const double row = (pixel / image.Width - image.Center[1]) * settings.PixelSize;
+  const double length = settings.Parallel ? 1.0 : std::sqrt(column * column + row * row + 1.0);
+  const float last = std::min(image.Ends[pixel], static_cast<float>(settings.FarLimit));
+  for (int c = 0; c < settings.Channels; ++c)
+  {
+    const float rate = static_cast<float>(settings.Extinction[c] * length);
+    const auto absorbed = [&](float z)
+    { return hn::GetLane(Absorbed(d, hn::Set(d, rate * std::min(z, last)))); };
+    // All of the ray is all, whatever rounding makes of its length.
+    image.Hidden[c][pixel] =
+      begin <= 0.0f && end >= last ? 2.0f : std::max(absorbed(end) - absorbed(begin), 0.0f);
+  }
 }
 
 //------------------------------------------------------------------------------
 void RunCoverageRow(const CoverageSettings& settings, const CoverageImage& image,
-  const CoveragePhase& phase, int y, int components, const double factors[3], float* row)
+  const CoverageShade& shade, int y, float* row)
 {
   const FloatTag d;
   const IntTag di;
   const int lanes = GetLanes();
   const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(y) * image.Width;
-  const float pixel = static_cast<float>(settings.PixelSize);
-  const float height = static_cast<float>((y - 0.5 * (image.Height - 1.0)) * settings.PixelSize);
-  const float middle = static_cast<float>(0.5 * (image.Width - 1.0));
-  const float sign = phase.Back ? -1.0f : 1.0f;
-  const int intervals = static_cast<int>(phase.Table.size()) - 1;
+  const Float pixel = hn::Set(d, static_cast<float>(settings.PixelSize));
+  const float height = static_cast<float>((y - image.Center[1]) * settings.PixelSize);
+  const Float middle = hn::Set(d, static_cast<float>(image.Center[0]));
+  const Float farLimit = hn::Set(d, static_cast<float>(settings.FarLimit));
+  const Float lightX = hn::Set(d, static_cast<float>(settings.Light[0]));
+  const Float lightY = hn::Set(d, static_cast<float>(settings.Light[1]));
+  const Float lightZ = hn::Set(d, static_cast<float>(settings.Light[2]));
   const Float zero = hn::Zero(d);
   for (int x = 0; x < image.Width; x += lanes)
   {
@@ -507,8 +552,7 @@ void RunCoverageRow(const CoverageSettings& settings, const CoverageImage& image
       std::copy_n(values + offset + x, count, buffer);
       return hn::Load(d, buffer);
     };
-    const Float column =
-      (hn::Iota(d, static_cast<float>(x)) - hn::Set(d, middle)) * hn::Set(d, pixel);
+    const Float column = (hn::Iota(d, static_cast<float>(x)) - middle) * pixel;
     Float length = hn::Set(d, 1.0f);
     Float vx = zero;
     Float vy = zero;
@@ -520,33 +564,52 @@ void RunCoverageRow(const CoverageSettings& settings, const CoverageImage& image
       vx = column * vz;
       vy = hn::Set(d, height) * vz;
     }
-    // Half the chord between the directions of view and light is sin(a/2).
-    const Float dx = vx - hn::Set(d, sign * static_cast<float>(settings.Light[0]));
-    const Float dy = vy - hn::Set(d, sign * static_cast<float>(settings.Light[1]));
-    const Float dz = vz - hn::Set(d, sign * static_cast<float>(settings.Light[2]));
-    const Float chord = hn::Sqrt(dx * dx + dy * dy + dz * dz) * hn::Set(d, 0.5f * intervals);
-    const auto place = hn::Min(hn::ConvertTo(di, chord), hn::Set(di, intervals - 1));
-    const Float t = chord - hn::ConvertTo(d, place);
-    const Float left = hn::GatherIndex(d, phase.Table.data(), place);
-    const Float right = hn::GatherIndex(d, phase.Table.data() + 1, place);
-    const Float scattered = left + t * (right - left);
-    const Float depth =
-      hn::Min(load(image.Depths[0]), hn::Set(d, static_cast<float>(settings.FarLimit)));
-    HWY_ALIGN float results[3][8];
+    // Half the chord between the directions of view and light is sin(a/2); between view and the
+    // opposite of the light it is cos(a/2).
+    const auto back = hn::Lt(vx * lightX + vy * lightY + vz * lightZ, zero);
+    const Float sign = hn::IfThenElse(back, hn::Set(d, -1.0f), hn::Set(d, 1.0f));
+    const Float dx = vx - sign * lightX;
+    const Float dy = vy - sign * lightY;
+    const Float dz = vz - sign * lightZ;
+    const Float chord = hn::Sqrt(dx * dx + dy * dy + dz * dz);
+    Float scattered[2] = { zero, zero };
+    for (int p = 0; p < shade.Phases; ++p)
+    {
+      const int intervals = static_cast<int>(shade.Table[p].size()) - 1;
+      const float half = 0.5f * intervals;
+      const Float way = chord * hn::Set(d, 0.707106781f * half);
+      const Float place = hn::IfThenElse(back, hn::Set(d, 2.0f * half) - way, way);
+      const auto index = hn::Min(hn::ConvertTo(di, place), hn::Set(di, intervals - 1));
+      const Float t = place - hn::ConvertTo(d, index);
+      const Float left = hn::GatherIndex(d, shade.Table[p].data(), index);
+      const Float right = hn::GatherIndex(d, shade.Table[p].data() + 1, index);
+      scattered[p] = left + t * (right - left);
+    }
+    const Float depth = hn::Min(load(image.Ends), farLimit);
+    Float lit[3];
     for (int c = 0; c < settings.Channels; ++c)
     {
       const Float rate = hn::Set(d, static_cast<float>(settings.Extinction[c])) * length;
       const Float hidden = hn::Max(load(image.Hidden[c]), zero);
-      const Float lit = hn::Max(Absorbed(d, rate * depth) - hidden, zero);
-      hn::Store(scattered * lit, d, results[c]);
+      lit[c] = hn::Max(Absorbed(d, rate * depth) - hidden, zero);
     }
-    for (int c = 0; c < components; ++c)
+    for (int c = 0; c < shade.Components; ++c)
     {
-      const float factor = static_cast<float>(factors[c]);
-      const float* from = results[settings.Channels == 1 ? 0 : c];
+      Float sum = hn::Set(d, shade.Factors[0][c]) * scattered[0];
+      if (shade.Phases == 2)
+      {
+        sum = sum + hn::Set(d, shade.Factors[1][c]) * scattered[1];
+      }
+      sum = sum * lit[settings.Channels == 1 ? 0 : c];
+      if (shade.Components == 1 && count == lanes)
+      {
+        hn::StoreU(sum, d, row + x);
+        continue;
+      }
+      hn::Store(sum, d, buffer);
       for (int i = 0; i < count; ++i)
       {
-        row[(x + i) * components + c] = factor * from[i];
+        row[(x + i) * shade.Components + c] = buffer[i];
       }
     }
   }
@@ -559,6 +622,7 @@ HWY_AFTER_NAMESPACE();
 namespace vtkGodRays
 {
 HWY_EXPORT(RunCoverageBand);
+HWY_EXPORT(RunCoverageInterval);
 HWY_EXPORT(RunCoverageRow);
 
 //------------------------------------------------------------------------------
@@ -569,8 +633,8 @@ CoverageWedge MakeCoverageWedge(
   const double along = settings.Light[transposed ? 0 : 1] / settings.PixelSize;
   CoverageWedge wedge = {};
   wedge.W = settings.Parallel ? 0.0 : settings.Light[2];
-  wedge.A = across + wedge.W * 0.5 * (image.Width - 1.0);
-  wedge.B = along + wedge.W * 0.5 * (image.Height - 1.0);
+  wedge.A = across + wedge.W * image.Center[0];
+  wedge.B = along + wedge.W * image.Center[1];
   wedge.AlongLight = std::abs(along * settings.PixelSize);
   wedge.Direction = direction;
 
@@ -624,30 +688,53 @@ CoverageWedge MakeCoverageWedge(
   wedge.FirstLine = left;
   wedge.Lines = static_cast<int>(std::ceil((right - left) / CoverageSpacing)) + 1;
   wedge.Bands = (wedge.Lines + CoverageBandLines - 1) / CoverageBandLines;
-
-  if (wedge.W > 0.0)
-  {
-    const double x = std::floor(wedge.A / wedge.W + 0.5);
-    const double y = std::floor(wedge.B / wedge.W + 0.5);
-    wedge.Covered = x >= 0.0 && y >= 0.0 && x < image.Width && y < image.Height &&
-      image.Depths[0][static_cast<std::ptrdiff_t>(y) * image.Width + static_cast<int>(x)] <
-        CoverageSky;
-  }
   return wedge;
 }
 
 //------------------------------------------------------------------------------
-long long SweepCoverageBand(const CoverageSettings& settings, const CoverageImage& image,
-  const CoverageWedge& wedge, int band)
+std::ptrdiff_t FindCoverageLight(
+  const CoverageWedge& wedge, const CoverageImage& image, bool& isCentred)
 {
-  return HWY_DYNAMIC_DISPATCH(RunCoverageBand)(settings, image, wedge, band);
+  const double x = std::floor(wedge.A / wedge.W + 0.5);
+  const double y = std::floor(wedge.B / wedge.W + 0.5);
+  isCentred = wedge.W * x == wedge.A && wedge.W * y == wedge.B;
+  // false for NaN
+  return x >= 0.0 && y >= 0.0 && x < image.Width && y < image.Height
+    ? static_cast<std::ptrdiff_t>(y) * image.Width + static_cast<std::ptrdiff_t>(x)
+    : -1;
+}
+
+//------------------------------------------------------------------------------
+void DeleteCoverageLines::operator()(CoverageLines* lines) const
+{
+  delete lines;
+}
+
+//------------------------------------------------------------------------------
+CoverageLinesPointer MakeCoverageLines()
+{
+  return CoverageLinesPointer(new CoverageLines);
+}
+
+//------------------------------------------------------------------------------
+long long SweepCoverageBand(const CoverageSettings& settings, const CoverageImage& image,
+  const CoverageWedge& wedge, int band, CoverageLines& lines)
+{
+  return HWY_DYNAMIC_DISPATCH(RunCoverageBand)(settings, image, wedge, band, lines);
+}
+
+//------------------------------------------------------------------------------
+void HideCoverageInterval(const CoverageSettings& settings, const CoverageImage& image,
+  std::ptrdiff_t pixel, float begin, float end)
+{
+  HWY_DYNAMIC_DISPATCH(RunCoverageInterval)(settings, image, pixel, begin, end);
 }
 
 //------------------------------------------------------------------------------
 void WriteCoverageRow(const CoverageSettings& settings, const CoverageImage& image,
-  const CoveragePhase& phase, int y, int components, const double factors[3], float* row)
+  const CoverageShade& shade, int y, float* row)
 {
-  HWY_DYNAMIC_DISPATCH(RunCoverageRow)(settings, image, phase, y, components, factors, row);
+  HWY_DYNAMIC_DISPATCH(RunCoverageRow)(settings, image, shade, y, row);
 }
 }
 #endif

@@ -24,6 +24,8 @@
 #ifndef vtkGodRaysCoverageKernels_h
 #define vtkGodRaysCoverageKernels_h
 
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace vtkGodRays
@@ -50,7 +52,9 @@ struct CoverageImage
 {
   int Width;
   int Height;
+  double Center[2];       // the view axis, whole numbers being the centres of pixels
   const float* Depths[4]; // front, back, front, back
+  const float* Ends;      // of view rays
   float* Hidden[3];       // result: the part of the light along the ray that is hidden, [0, 1]
 };
 
@@ -66,31 +70,53 @@ struct CoverageWedge
   double FirstLine; // where it crosses the widest row
   int Lines;
   int Bands;
-  bool Covered; // the light is seen, behind a surface
 };
 
 constexpr int CoverageBandLines = 128;
 constexpr double CoverageSpacing = 2.0; // [pixels]
 
-/// The wedge of one direction; no Rows if there is none.
+/// The wedge of one direction; no Rows if there is none. Depends on the image's size and centre alone.
 CoverageWedge MakeCoverageWedge(
   const CoverageSettings& settings, const CoverageImage& image, bool transposed, int direction);
 
+/// Index of the pixel in which the light is seen, -1 if that is none; isCentred tells whether it is in
+/// the pixel's very centre.
+std::ptrdiff_t FindCoverageLight(
+  const CoverageWedge& wedge, const CoverageImage& image, bool& isCentred);
+
+/// What a band remembers of its lines while it is swept, for the next sweep to use again.
+class CoverageLines;
+struct DeleteCoverageLines
+{
+  void operator()(CoverageLines* lines) const;
+};
+using CoverageLinesPointer = std::unique_ptr<CoverageLines, DeleteCoverageLines>;
+CoverageLinesPointer MakeCoverageLines();
+
 /// Sweep a band and write the pixels that lie in it. Returns how many intervals found no room.
 long long SweepCoverageBand(const CoverageSettings& settings, const CoverageImage& image,
-  const CoverageWedge& wedge, int band);
+  const CoverageWedge& wedge, int band, CoverageLines& lines);
 
-/// The phase function over sin(a/2), a being the scattering angle, or over cos(a/2) if it peaks to
-/// the back: linear between entries of a table.
-struct CoveragePhase
+/// Write to a pixel what is hidden between two view depths.
+void HideCoverageInterval(const CoverageSettings& settings, const CoverageImage& image,
+  std::ptrdiff_t pixel, float begin, float end);
+
+/// A phase function, linear between the entries of a table: the first half is over sin(a/2), a being
+/// the scattering angle, from 0 to sin(45 degrees), the second over cos(a/2) back to 0.
+using CoveragePhase = std::vector<float>;
+
+/// How pixels shine: the sum over phases of phase x factor x light, for each component.
+struct CoverageShade
 {
-  bool Back;
-  std::vector<float> Table; // one more than there are intervals
+  int Components; // 1 or 3
+  int Phases;     // 1 or 2
+  CoveragePhase Table[2];
+  float Factors[2][3];
 };
 
-/// A row of the result: components interleaved, factors by which each channel's light is scaled.
+/// A row of the result, components interleaved.
 void WriteCoverageRow(const CoverageSettings& settings, const CoverageImage& image,
-  const CoveragePhase& phase, int y, int components, const double factors[3], float* row);
+  const CoverageShade& shade, int y, float* row);
 }
 
 #endif

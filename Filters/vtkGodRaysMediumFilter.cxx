@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysMediumFilter.h"
 
+#include "vtkGodRaysMedium.h"
 #include "vtkGodRaysSetGet.h"
 #include "vtkMath.h"
 #include "vtkVersionMacros.h"
 
+#include <algorithm>
 #include <cmath>
 
 vtkGodRaysSetFiniteMacro(vtkGodRaysMediumFilter, ViewAngle, 1e-3, 170.0);
@@ -72,6 +74,19 @@ vtkGodRaysMediumFilter::View vtkGodRaysMediumFilter::GetView(int height) const
     (view.Parallel ? this->ParallelScale
                    : std::tan(0.5 * vtkMath::RadiansFromDegrees(this->ViewAngle)));
   return view;
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysMedium vtkGodRaysMediumFilter::GetMedium(const View&) const
+{
+  vtkGodRaysMedium medium;
+  vtkGodRaysMedium::Component& component = medium.Components[0];
+  std::copy_n(this->ScatteringCoefficient, 3, component.Scattering);
+  std::copy_n(this->AbsorptionCoefficient, 3, component.Absorption);
+  component.PhaseFunction = this->PhaseFunction;
+  component.Asymmetry = this->Asymmetry;
+  medium.FarLimit = this->FarLimit;
+  return medium;
 }
 
 //------------------------------------------------------------------------------

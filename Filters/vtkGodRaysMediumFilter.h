@@ -30,6 +30,8 @@
 
 #include <string> // For std::string
 
+struct vtkGodRaysMedium;
+
 class VTKGODRAYSFILTERS_EXPORT vtkGodRaysMediumFilter : public vtkImageAlgorithm
 {
 public:
@@ -161,6 +163,11 @@ protected:
     bool Parallel;
   };
   View GetView(int height) const;
+
+  /**
+   * The medium, as a camera sees it.
+   */
+  vtkGodRaysMedium GetMedium(const View& view) const;
 
   /**
    * Which parameter cannot be used, and what to do; empty if all can.

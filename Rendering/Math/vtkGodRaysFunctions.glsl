@@ -372,6 +372,14 @@ FUNCTION Real Phase(IN(PhaseFunction) phase, IN(Real) cosAngle)
   return PhaseIsotropic();
 }
 
+// A mix of two, e.g. of a peak ahead and one to the back; weight is the second's part, in [0, 1].
+// Formula: (1 - weight) first + weight second. [1/sr]
+FUNCTION Real PhaseMix(IN(PhaseFunction) first, IN(PhaseFunction) second, IN(Real) weight,
+  IN(Real) cosAngle)
+{
+  return (1.0 - weight) * Phase(first, cosAngle) + weight * Phase(second, cosAngle);
+}
+
 // What is left of light after a way through a homogeneous medium: the law of Beer and Lambert.
 // Formula: e^(-extinction distance). [no unit]
 FUNCTION Real Transmittance(IN(Real) extinction, IN(Real) distance)
