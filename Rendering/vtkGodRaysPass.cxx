@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysPass.h"
 
+#include "vtkCamera.h"
 #include "vtkGodRaysBlendPass.h"
 #include "vtkGodRaysCompositor.h"
-#include "vtkGodRaysEpipolarIntegrator.h"
 #include "vtkGodRaysFramebuffer.h"
 #include "vtkGodRaysIntegrator.h"
+#include "vtkGodRaysMedium.h"
+#include "vtkGodRaysMediumModel.h"
 #include "vtkGodRaysOcclusionPass.h"
 #include "vtkGodRaysRadialModel.h"
 #include "vtkGodRaysScene.h"
@@ -15,6 +17,7 @@
 #include "vtkGodRaysSum.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysTimers.h"
+#include "vtkGodRaysViewDepths.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
@@ -54,7 +57,9 @@ struct vtkGodRaysPass::Internals
 {
   std::vector<vtkSmartPointer<vtkLight>> Lights;
   vtkSmartPointer<vtkGodRaysModel> Model;
+  vtkGodRaysMediumModel* MediumModel = nullptr; // the model, if it is one
   vtkSmartPointer<vtkGodRaysIntegrator> Integrator;
+  bool IntegratorIsModels = false; // nobody set it
   vtkSmartPointer<vtkGodRaysCompositor> Compositor;
 
   vtkWeakPointer<vtkRenderer> Attached;
@@ -64,10 +69,13 @@ struct vtkGodRaysPass::Internals
   vtkNew<vtkGodRaysScene> RendererSteps;
   vtkNew<vtkGodRaysOcclusionPass> Occlusion;
   vtkNew<vtkGodRaysBlendPass> Blending;
-  vtkGodRaysTarget Scene;    // colour and depth of the viewport
-  vtkGodRaysTarget Backdrop; // background, where the scene is drawn over black
-  vtkGodRaysSum Scattering;  // light of all layers
-  vtkGodRaysSum Layers;      // their sum; of several lights only when it is asked for
+  vtkGodRaysTarget Scene;      // colour and depth of the viewport
+  vtkGodRaysTarget Backdrop;   // background, where the scene is drawn over black
+  vtkGodRaysSum Scattering;    // light of all layers
+  vtkGodRaysSum Layers;        // their sum; of several lights only when it is asked for
+  vtkGodRaysViewDepths Depths; // for models of a medium
+  vtkGodRaysMedium Medium;
+  vtkTextureObject* SeenDepth = nullptr; // where view rays end
   vtkGodRaysTimers Timers;
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the resources
@@ -96,6 +104,7 @@ struct vtkGodRaysPass::Internals
     this->Backdrop.Release(window);
     this->Scattering.Release(window);
     this->Layers.Release(window);
+    this->Depths.Release(window);
     this->Timers.Release(this->Window);
     this->HasScattering = false;
     this->HasLayer = false;
@@ -206,10 +215,16 @@ void vtkGodRaysPass::SetModel(vtkGodRaysModel* model)
   {
     return;
   }
-  this->Internal->Model = model;
+  Internals& self = *this->Internal;
+  self.Model = model;
   if (!model)
   {
-    this->Internal->Model = vtkSmartPointer<vtkGodRaysRadialModel>::New();
+    self.Model = vtkSmartPointer<vtkGodRaysRadialModel>::New();
+  }
+  self.MediumModel = vtkGodRaysMediumModel::SafeDownCast(self.Model);
+  if (self.IntegratorIsModels && !self.Integrator->Supports(self.Model))
+  {
+    this->SetIntegrator(nullptr);
   }
   this->Modified();
 }
@@ -223,18 +238,21 @@ vtkGodRaysModel* vtkGodRaysPass::GetModel()
 //------------------------------------------------------------------------------
 void vtkGodRaysPass::SetIntegrator(vtkGodRaysIntegrator* integrator)
 {
-  if (integrator && integrator == this->Internal->Integrator)
+  Internals& self = *this->Internal;
+  if (integrator && integrator == self.Integrator)
   {
+    self.IntegratorIsModels = false;
     return;
   }
-  if (this->Internal->Integrator && this->Internal->Window)
+  if (self.Integrator && self.Window)
   {
-    this->Internal->Integrator->ReleaseGraphicsResources(this->Internal->Window);
+    self.Integrator->ReleaseGraphicsResources(self.Window);
   }
-  this->Internal->Integrator = integrator;
+  self.IntegratorIsModels = !integrator;
+  self.Integrator = integrator;
   if (!integrator)
   {
-    this->Internal->Integrator = vtkSmartPointer<vtkGodRaysEpipolarIntegrator>::New();
+    self.Integrator = vtk::TakeSmartPointer(self.Model->MakeIntegrator());
   }
   this->Modified();
 }
@@ -285,6 +303,9 @@ vtkGodRaysSetFiniteMacro(vtkGodRaysPass, BackgroundGlow, 0.0, 1.0);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, BackgroundGlowRadius, 0.0, 180.0);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, BackgroundGlowFalloff, 0.0, 180.0);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, LayerMargin, 0.0, 1.0);
+vtkGodRaysSetModeMacro(vtkGodRaysPass, Blend, SCREEN);
+vtkGodRaysSetModeMacro(vtkGodRaysPass, Output, SCATTERING);
+vtkGodRaysSetModeMacro(vtkGodRaysPass, Precision, SINGLE);
 
 //------------------------------------------------------------------------------
 void vtkGodRaysPass::Attach(vtkRenderer* renderer)
@@ -433,7 +454,7 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
     vtkGodRaysScene::UpdateStereo(renderer);
     view.Set(renderer, viewport + 2, this->LayerMargin);
     sources = this->FindSources(renderer, view);
-    reason = sources.empty() ? "no light reaches the picture" : nullptr;
+    reason = sources.empty() && !this->DimsScene() ? "no light reaches the picture" : nullptr;
   }
   self.NumberOfSources = static_cast<int>(sources.size());
   if (reason)
@@ -516,6 +537,14 @@ const char* vtkGodRaysPass::FindReasonForNoRays(
 }
 
 //------------------------------------------------------------------------------
+// Whether the picture changes where no light is scattered.
+bool vtkGodRaysPass::DimsScene() const
+{
+  const Internals& self = *this->Internal;
+  return self.MediumModel && self.MediumModel->GetAttenuateScene() && this->Output == COMPOSITE;
+}
+
+//------------------------------------------------------------------------------
 void vtkGodRaysPass::RenderScene(const vtkRenderState* s)
 {
   vtkRenderPass* scene = this->DelegatePass;
@@ -551,6 +580,7 @@ std::vector<vtkGodRaysSource> vtkGodRaysPass::FindSources(
   finder.BackgroundGlowFalloff = this->BackgroundGlowFalloff;
   finder.LinearLight = self.Model->GetLinearLight();
   finder.CapsMarch = self.Model->CapsMarch();
+  finder.LightsMedium = self.MediumModel != nullptr;
   finder.Compositor = self.Compositor;
   auto sources = finder.Find(view, self.Lights);
   self.LightPlan = finder.GetPlan();
@@ -562,8 +592,7 @@ bool vtkGodRaysPass::RenderRays(
   const vtkRenderState* s, const vtkGodRaysView& view, const std::vector<vtkGodRaysSource>& sources)
 {
   Internals& self = *this->Internal;
-  vtkOpenGLRenderWindow* window = self.Window;
-  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState* state = self.Window->GetState();
   vtkGodRaysStateKeeper keeper(state);
 
   int viewport[4];
@@ -574,64 +603,22 @@ bool vtkGodRaysPass::RenderRays(
     return false;
   }
   const unsigned int precision = this->Precision == SINGLE ? GL_RGBA32F : GL_RGBA16F;
-
-  vtkGodRaysOcclusionPass::Request occlusion;
-  occlusion.Window = window;
-  occlusion.Renderer = s->GetRenderer();
-  occlusion.View = &view;
-  occlusion.DepthFormat = bound.Formats.Depth;
-  occlusion.Multisampled = bound.Multisampled;
-  occlusion.ColorFormat = precision;
-  occlusion.OneColorFormat = self.Integrator->GetOneColorFormat(window, self.Model, precision);
-  occlusion.Margin = this->LayerMargin;
-  occlusion.UntaggedPropsOcclude = this->UntaggedPropsOcclude;
-  occlusion.LinearLight = self.Model->GetLinearLight();
-  occlusion.Glow = this->BackgroundGlow;
-  occlusion.Compositor = self.Compositor;
-
   self.Timers.Start(vtkGodRaysTimers::OCCLUSION);
-  self.Scene.Prepare(window, viewport[2], viewport[3], bound.Formats);
-  if (!self.Scene.Bind())
-  {
-    return false;
-  }
-  const unsigned int buffers = (this->Output == COMPOSITE ? GL_COLOR_BUFFER_BIT : 0) |
-    (vtkGodRaysOcclusionPass::SceneDepthServes(occlusion) ? GL_DEPTH_BUFFER_BIT : 0);
-  if (buffers)
-  {
-    bound.CopyTo(state, viewport, buffers);
-  }
-  occlusion.SceneDepth = self.Scene.GetDepth();
-  self.HasBackdrop = false;
-  if (self.Compositor && self.Compositor->IsRoot())
-  {
-    self.Backdrop.Prepare(window, viewport[2], viewport[3], { GL_RGBA8, bound.Formats.Depth });
-    if (!self.Backdrop.Bind())
-    {
-      return false;
-    }
-    self.HasBackdrop = self.Compositor->DrawBackground(s->GetRenderer());
-  }
-  if (!self.Occlusion->Begin(occlusion))
+  if (!this->FindOccluders(s, view, bound, viewport, precision))
   {
     return false;
   }
   self.Timers.Stop();
   this->NumberOfGeometryPasses = self.Occlusion->GetRenderedOccluders() ? 2 : 1;
 
-  self.Scattering.Begin(window, viewport[2], viewport[3], precision);
-  const bool keepLayers = sources.size() == 1 || this->Output == OCCLUSION || self.KeepAllLayers;
+  self.Scattering.Begin(self.Window, viewport[2], viewport[3], precision);
   const bool isRoot = !self.Compositor || self.Compositor->IsRoot();
   for (const vtkGodRaysSource& source : sources)
   {
-    self.Timers.Start(vtkGodRaysTimers::OCCLUSION);
-    if (!self.Occlusion->Compose(source) ||
-      (keepLayers &&
-        !this->KeepLayer(source, &source == &sources.front(), sources.size() == 1, precision)))
+    if (!self.MediumModel && !this->ComposeLayer(source, sources, precision))
     {
       return false;
     }
-    self.Timers.Stop();
     if (this->Output != OCCLUSION && isRoot)
     {
       self.Timers.Start(vtkGodRaysTimers::SCATTERING);
@@ -647,30 +634,115 @@ bool vtkGodRaysPass::RenderRays(
     self.StagePlan = "rays: joined by another process\n";
     return true;
   }
-  self.HasLayer = true;
-  self.HasAllLayers = keepLayers;
-  self.HasScattering = this->Output != OCCLUSION;
+  self.HasScattering = !self.Scattering.IsEmpty();
 
   self.Timers.Start(vtkGodRaysTimers::BLEND);
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, bound.Binding);
-  const bool blended = this->DrawOutput(viewport);
+  bool blended = true;
+  if (self.MediumModel && this->Output == OCCLUSION)
+  {
+    this->ShowNoLight(s, state); // a medium has no layer
+  }
+  else
+  {
+    blended = this->DrawOutput(viewport, view);
+  }
   self.Timers.Stop();
   this->DescribeStages(this->LayerMargin);
   return blended;
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysPass::KeepLayer(
-  const vtkGodRaysSource& source, bool isFirst, bool isOnlyOne, unsigned int precision)
+// Keep what the framebuffer holds, and find what blocks light.
+bool vtkGodRaysPass::FindOccluders(const vtkRenderState* s, const vtkGodRaysView& view,
+  const vtkGodRaysFramebuffer& bound, const int viewport[4], unsigned int precision)
 {
   Internals& self = *this->Internal;
-  vtkGodRaysTarget& layer = *self.Occlusion->GetLayer();
-  if (isFirst)
+  vtkGodRaysOcclusionPass::Request occlusion;
+  occlusion.Window = self.Window;
+  occlusion.Renderer = s->GetRenderer();
+  occlusion.View = &view;
+  occlusion.DepthFormat = bound.Formats.Depth;
+  occlusion.Multisampled = bound.Multisampled;
+  occlusion.ColorFormat = precision;
+  occlusion.OneColorFormat = self.Integrator->GetOneColorFormat(self.Window, self.Model, precision);
+  occlusion.Margin = this->LayerMargin;
+  occlusion.UntaggedPropsOcclude = this->UntaggedPropsOcclude;
+  occlusion.LampsOcclude = !self.MediumModel;
+  occlusion.Dims = !self.MediumModel;
+  occlusion.LinearLight = self.Model->GetLinearLight();
+  occlusion.Glow = this->BackgroundGlow;
+  occlusion.Compositor = self.Compositor;
+
+  self.Scene.Prepare(self.Window, viewport[2], viewport[3], bound.Formats);
+  if (!self.Scene.Bind())
   {
-    self.Layers.Begin(self.Window, layer.GetWidth(), layer.GetHeight(), precision);
+    return false;
   }
-  return isOnlyOne ? self.Layers.Lend(layer, source.Color, 1.0)
-                   : self.Layers.Add(layer, source.Color, 1.0);
+  const bool depthServes = vtkGodRaysOcclusionPass::SceneDepthServes(occlusion);
+  const unsigned int buffers = (this->Output == COMPOSITE ? GL_COLOR_BUFFER_BIT : 0) |
+    (depthServes || self.MediumModel ? GL_DEPTH_BUFFER_BIT : 0);
+  if (buffers)
+  {
+    bound.CopyTo(self.Window->GetState(), viewport, buffers);
+  }
+  occlusion.SceneDepth = self.Scene.GetDepth();
+  self.HasBackdrop = false;
+  if (self.Compositor && self.Compositor->IsRoot())
+  {
+    self.Backdrop.Prepare(self.Window, viewport[2], viewport[3], { GL_RGBA8, bound.Formats.Depth });
+    if (!self.Backdrop.Bind())
+    {
+      return false;
+    }
+    self.HasBackdrop = self.Compositor->DrawBackground(s->GetRenderer());
+  }
+  if (!self.Occlusion->Begin(occlusion))
+  {
+    return false;
+  }
+  if (self.MediumModel)
+  {
+    // On several processes the depth of the joined picture may be nowhere.
+    const bool hasSeen =
+      !self.Compositor || !self.Compositor->IsDistributed() || self.Compositor->HasDepth();
+    self.SeenDepth = hasSeen ? self.Scene.GetDepth() : self.Occlusion->GetDepth();
+    self.Depths.Begin(self.Window, view, self.Occlusion->GetDepth(),
+      self.SeenDepth == self.Occlusion->GetDepth() ? nullptr : self.SeenDepth);
+    self.Medium = self.MediumModel->GetMedium(
+      view.WorldToView, view.Eye, s->GetRenderer()->GetActiveCamera()->GetClippingRange()[1]);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// The layer of one light, kept if it is asked for.
+bool vtkGodRaysPass::ComposeLayer(const vtkGodRaysSource& source,
+  const std::vector<vtkGodRaysSource>& sources, unsigned int precision)
+{
+  Internals& self = *this->Internal;
+  self.Timers.Start(vtkGodRaysTimers::OCCLUSION);
+  if (!self.Occlusion->Compose(source))
+  {
+    return false;
+  }
+  self.HasLayer = true;
+  self.HasAllLayers = sources.size() == 1 || this->Output == OCCLUSION || self.KeepAllLayers;
+  if (self.HasAllLayers)
+  {
+    vtkGodRaysTarget& layer = *self.Occlusion->GetLayer();
+    if (&source == &sources.front())
+    {
+      self.Layers.Begin(self.Window, layer.GetWidth(), layer.GetHeight(), precision);
+    }
+    if (!(sources.size() == 1 ? self.Layers.Lend(layer, source.Color, 1.0)
+                              : self.Layers.Add(layer, source.Color, 1.0)))
+    {
+      return false;
+    }
+  }
+  self.Timers.Stop();
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -680,10 +752,20 @@ bool vtkGodRaysPass::Scatter(const vtkGodRaysView& view, const vtkGodRaysSource&
   vtkGodRaysIntegrator::Request request;
   request.Window = self.Window;
   request.Model = self.Model;
-  request.Layer = self.Occlusion->GetLayer();
-  std::copy_n(source.Color, 3, request.Color);
-  std::copy_n(source.Clip, 3, request.LightClip);
-  request.MarchScale = source.MarchScale;
+  if (self.MediumModel)
+  {
+    request.Medium = &self.Medium;
+    request.View = &view;
+    request.Source = &source;
+    request.Depths = &self.Depths;
+  }
+  else
+  {
+    request.Layer = self.Occlusion->GetLayer();
+    std::copy_n(source.Color, 3, request.Color);
+    std::copy_n(source.Clip, 3, request.LightClip);
+    request.MarchScale = source.MarchScale;
+  }
   request.ViewScale = view.ViewScale;
   request.Peak = source.Prop ? 1.0 : *std::max_element(source.Color, source.Color + 3);
   request.ResolutionScale = this->ResolutionScale;
@@ -696,7 +778,7 @@ bool vtkGodRaysPass::Scatter(const vtkGodRaysView& view, const vtkGodRaysSource&
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysPass::DrawOutput(const int viewport[4])
+bool vtkGodRaysPass::DrawOutput(const int viewport[4], const vtkGodRaysView& view)
 {
   Internals& self = *this->Internal;
   const vtkGodRaysSum& light = this->Output == OCCLUSION ? self.Layers : self.Scattering;
@@ -713,6 +795,12 @@ bool vtkGodRaysPass::DrawOutput(const int viewport[4])
   const int blend = this->Blend == MODEL_BLEND ? self.Model->GetBlend() : this->Blend;
   request.Screen = blend == SCREEN;
   request.ShowRays = this->Output != COMPOSITE;
+  if (this->DimsScene())
+  {
+    request.Medium = &self.Medium;
+    request.View = &view;
+    request.Depth = self.SeenDepth;
+  }
   return self.Blending->Draw(request);
 }
 
@@ -765,39 +853,6 @@ void vtkGodRaysPass::Complain(const std::string& complaint)
   {
     this->Internal->Complaint = complaint;
     vtkWarningMacro("The scene is drawn without god rays: " << complaint << ".");
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGodRaysPass::SetBlend(int mode)
-{
-  this->SetMode("Blend", this->Blend, mode, SCREEN);
-}
-
-//------------------------------------------------------------------------------
-void vtkGodRaysPass::SetOutput(int output)
-{
-  this->SetMode("Output", this->Output, output, SCATTERING);
-}
-
-//------------------------------------------------------------------------------
-void vtkGodRaysPass::SetPrecision(int precision)
-{
-  this->SetMode("Precision", this->Precision, precision, SINGLE);
-}
-
-//------------------------------------------------------------------------------
-void vtkGodRaysPass::SetMode(const char* name, int& mode, int value, int last)
-{
-  if (value < 0 || value > last)
-  {
-    vtkErrorMacro(<< name << " must be in 0.." << last << ", not " << value << "; it stays " << mode
-                  << ".");
-  }
-  else if (value != mode)
-  {
-    mode = value;
-    this->Modified();
   }
 }
 

@@ -55,6 +55,7 @@ class vtkLight;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLState;
 class vtkProp;
+class vtkGodRaysFramebuffer;
 class vtkRenderer;
 struct vtkGodRaysSource;
 struct vtkGodRaysView;
@@ -366,14 +367,16 @@ private:
   void RenderScene(const vtkRenderState* s);
   bool RenderRays(const vtkRenderState* s, const vtkGodRaysView& view,
     const std::vector<vtkGodRaysSource>& sources);
-  bool KeepLayer(
-    const vtkGodRaysSource& source, bool isFirst, bool isOnlyOne, unsigned int precision);
+  bool FindOccluders(const vtkRenderState* s, const vtkGodRaysView& view,
+    const vtkGodRaysFramebuffer& bound, const int viewport[4], unsigned int precision);
+  bool ComposeLayer(const vtkGodRaysSource& source, const std::vector<vtkGodRaysSource>& sources,
+    unsigned int precision);
   bool Scatter(const vtkGodRaysView& view, const vtkGodRaysSource& source);
-  bool DrawOutput(const int viewport[4]);
+  bool DimsScene() const;
+  bool DrawOutput(const int viewport[4], const vtkGodRaysView& view);
   void ShowNoLight(const vtkRenderState* s, vtkOpenGLState* state);
   void DescribeStages(double margin);
   void Complain(const std::string& complaint);
-  void SetMode(const char* name, int& mode, int value, int last);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file    vtkGodRaysSetGet.h
- * @brief   the setter of every real parameter; private to the implementation files
+ * @brief   the setters of parameters; private to the implementation files
  */
 
 #ifndef vtkGodRaysSetGet_h
@@ -10,6 +10,8 @@
 
 #include "vtkMath.h"
 #include "vtkSetGet.h"
+
+#include <algorithm>
 
 /**
  * Define `void className::SetName(double)` in a .cxx file, as vtkCxxSetObjectMacro does for
@@ -30,6 +32,57 @@
     if (this->name != clamped)                                                                     \
     {                                                                                              \
       this->name = clamped;                                                                        \
+      this->Modified();                                                                            \
+    }                                                                                              \
+  }
+
+/**
+ * The same for a parameter of three numbers: `void className::SetName(double, double, double)` and
+ * `void className::SetName(const double[3])`.
+ */
+#define vtkGodRaysSetFinite3Macro(className, name, minimum, maximum)                               \
+  void className::Set##name(const double value[3])                                                 \
+  {                                                                                                \
+    double clamped[3];                                                                             \
+    for (int i = 0; i < 3; ++i)                                                                    \
+    {                                                                                              \
+      if (!vtkMath::IsFinite(value[i]))                                                            \
+      {                                                                                            \
+        vtkErrorMacro(#name " must be three finite numbers in ["                                   \
+          << (minimum) << ", " << (maximum) << "], not " << value[0] << " " << value[1] << " "     \
+          << value[2] << "; it stays " << this->name[0] << " " << this->name[1] << " "             \
+          << this->name[2] << ".");                                                                \
+        return;                                                                                    \
+      }                                                                                            \
+      clamped[i] = vtkMath::ClampValue<double>(value[i], minimum, maximum);                        \
+    }                                                                                              \
+    if (!std::equal(clamped, clamped + 3, this->name))                                             \
+    {                                                                                              \
+      std::copy(clamped, clamped + 3, this->name);                                                 \
+      this->Modified();                                                                            \
+    }                                                                                              \
+  }                                                                                                \
+  void className::Set##name(double first, double second, double third)                             \
+  {                                                                                                \
+    const double value[3] = { first, second, third };                                              \
+    this->Set##name(value);                                                                        \
+  }
+
+/**
+ * Define `void className::SetName(int)` of a mode, 0 to last. Any other number is an error that names
+ * the parameter, its range and the value that is kept.
+ */
+#define vtkGodRaysSetModeMacro(className, name, last)                                              \
+  void className::Set##name(int value)                                                             \
+  {                                                                                                \
+    if (value < 0 || value > (last))                                                               \
+    {                                                                                              \
+      vtkErrorMacro(#name " must be in 0.." << (last) << ", not " << value << "; it stays "        \
+                                            << this->name << ".");                                 \
+    }                                                                                              \
+    else if (value != this->name)                                                                  \
+    {                                                                                              \
+      this->name = value;                                                                          \
       this->Modified();                                                                            \
     }                                                                                              \
   }

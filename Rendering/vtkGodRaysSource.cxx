@@ -69,6 +69,36 @@ void vtkGodRaysView::GetRay(double x, double y, double ray[3]) const
 }
 
 //------------------------------------------------------------------------------
+// With depth d, its rows of x and y are (X x + S d + T)/w, w being d or 1.
+bool vtkGodRaysView::GetPinhole(const int size[2], Pinhole& pinhole) const
+{
+  const double* m = this->ViewToClip;
+  const double tilt = std::hypot(std::hypot(m[1], m[4]), std::hypot(m[8], m[9])) +
+    (this->Parallel ? std::hypot(m[2], m[6]) : std::hypot(m[12], m[13]));
+  const double pixel[2] = { 2.0 / (m[0] * size[0]), 2.0 / (m[5] * size[1]) };
+  if (!(m[0] > 0.0 && m[5] > 0.0 && tilt < 1e-6 * (m[0] + m[5])) ||
+    !(std::abs(pixel[0] - pixel[1]) < 0.02 * pixel[1]))
+  {
+    return false;
+  }
+  const double scale = this->Parallel ? 1.0 / m[15] : -1.0 / m[14];
+  pinhole.PixelSize = std::sqrt(pixel[0] * pixel[1]) / scale;
+  for (int i = 0; i < 2; ++i)
+  {
+    const double center = this->Parallel ? m[4 * i + 3] : -m[4 * i + 2];
+    pinhole.Center[i] = 0.5 * (1.0 + center * scale) * size[i];
+  }
+  // at z = 1 - 2 e; the view depth is counted from the eye
+  const double* c = this->ClipToView;
+  const double over[2] = { this->Eye[2] * c[15] - c[11], this->Eye[2] * c[14] - c[10] };
+  pinhole.Depth[0] = over[0] + over[1];
+  pinhole.Depth[1] = -2.0 * over[1];
+  pinhole.Depth[2] = c[15] + c[14];
+  pinhole.Depth[3] = -2.0 * c[14];
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void vtkGodRaysView::GetPicture(bool planar, double origin[3], double right[3], double up[3]) const
 {
   if (this->Parallel && !planar)
@@ -105,6 +135,7 @@ void vtkGodRaysSource::Place(const vtkGodRaysView& view, const double world[4], 
   this->Clip[2] = clip[3];
 
   const bool infinite = world[3] == 0.0;
+  this->Infinite = infinite;
   for (int i = 0; i < 3; ++i)
   {
     this->Position[i] = position[i];

@@ -40,6 +40,20 @@ struct vtkGodRaysView
    */
   void GetRay(double x, double y, double ray[3]) const;
 
+  /// A camera without distortion, as the medium's integrators see it.
+  struct Pinhole
+  {
+    double PixelSize; ///< at depth 1, or of a parallel view [scene units]
+    double Center[2]; ///< where the axis of view is [pixels from the lower left corner]
+    double Depth[4];  ///< view depth = (D[0] + D[1] e)/(D[2] + D[3] e), e = 1 - window depth
+  };
+
+  /**
+   * The camera, for a layer of this size [pixels]. False if pixels are not square, to 2 percent, or
+   * the picture is tilted against the axis of view, as only projection matrices made by hand do.
+   */
+  bool GetPinhole(const int size[2], Pinhole& pinhole) const;
+
   /**
    * Vectors such that origin + x right + y up is, for the layer's point (x, y), its place in view
    * coordinates (planar, of parallel views only), or else a vector of any length along which it is
@@ -51,14 +65,16 @@ struct vtkGodRaysView
 /// One light.
 struct vtkGodRaysSource
 {
-  std::string Name;         ///< for the plan
-  vtkProp* Prop = nullptr;  ///< the prop that shines, or null for a disc
-  double Color[3];          ///< of the disc and, times BackgroundGlow, of the glow
-  double Position[3];       ///< in view coordinates; of an infinitely far light the direction to it
-  double Direction[3];      ///< unit vector from the eye to the light, view coordinates
-  double Clip[3];           ///< X, Y and w in the layer's clip coordinates
-  double Radius;            ///< of the disc or prop: an angle [radians], or a length where Planar
-  double GlowRadius = 0.0;  ///< as Radius
+  std::string Name;        ///< for the plan
+  vtkProp* Prop = nullptr; ///< the prop that shines, or null for a disc
+  double Color[3];         ///< of the disc and, times BackgroundGlow, of the glow
+  double Power = 1.0;      ///< irradiance, or intensity of a light at a finite distance, over Color
+  double Position[3];      ///< in view coordinates; of an infinitely far light the direction to it
+  bool Infinite;           ///< whether it is infinitely far
+  double Direction[3];     ///< unit vector from the eye to the light, view coordinates
+  double Clip[3];          ///< X, Y and w in the layer's clip coordinates
+  double Radius;           ///< of the disc or prop: an angle [radians], or a length where Planar
+  double GlowRadius = 0.0; ///< as Radius
   double GlowFalloff = 0.0; ///< as Radius
   double LeastPixel =
     0.0;             ///< a pixel's angle where all rays are parallel and so have none [radians]

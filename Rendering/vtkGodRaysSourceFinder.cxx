@@ -78,9 +78,13 @@ std::vector<vtkGodRaysSource> vtkGodRaysSourceFinder::Find(
         "light: " + source.Name + ", skipped: its position is its focal point, or no number\n";
       continue;
     }
-    source.Place(view, place,
-      light->GetPositional() ? this->FindRadius()
-                             : vtkMath::RadiansFromDegrees(this->SunAngularRadius));
+    double radius = vtkMath::RadiansFromDegrees(this->SunAngularRadius);
+    if (light->GetPositional())
+    {
+      radius = this->SourceRadius > 0.0 ? this->SourceRadius : 0.02 * this->FindDiagonal();
+    }
+    source.Place(view, place, radius);
+    source.Power = this->LightsMedium ? this->FindPower(light) : 1.0;
     this->Add(source, view, light->GetDiffuseColor(),
       light->GetSwitch() ? light->GetIntensity() : 0.0, sources);
   }
@@ -113,7 +117,9 @@ std::vector<vtkGodRaysSource> vtkGodRaysSourceFinder::Find(
       0.5 * (bounds[4] + bounds[5]), 1.0 };
     const double diagonal[3] = { bounds[1] - bounds[0], bounds[3] - bounds[2],
       bounds[5] - bounds[4] };
-    source.Place(view, place, 0.5 * vtkMath::Norm(diagonal));
+    const double radius = 0.5 * vtkMath::Norm(diagonal);
+    source.Place(view, place, radius);
+    source.Power = vtkMath::Pi() * radius * radius / 3.0; // of a sphere within its bounds
     double color[3] = { 1.0, 1.0, 1.0 };
     if (auto actor = vtkActor::SafeDownCast(prop))
     {
@@ -132,8 +138,15 @@ std::vector<vtkGodRaysSource> vtkGodRaysSourceFinder::Find(
 void vtkGodRaysSourceFinder::Add(vtkGodRaysSource& source, const vtkGodRaysView& view,
   const double color[3], double intensity, std::vector<vtkGodRaysSource>& sources)
 {
-  source.SetGlow(view, this->BackgroundGlowRadius, this->BackgroundGlowFalloff);
-  this->SetMarch(source, view);
+  if (this->LightsMedium)
+  {
+    source.Fade = 1.0;
+  }
+  else
+  {
+    source.SetGlow(view, this->BackgroundGlowRadius, this->BackgroundGlowFalloff);
+    this->SetMarch(source, view);
+  }
   double greatest = 0.0;
   for (int i = 0; i < 3; ++i)
   {
@@ -151,7 +164,7 @@ void vtkGodRaysSourceFinder::Add(vtkGodRaysSource& source, const vtkGodRaysView&
   {
     this->Plan += ", skipped: off or black\n";
   }
-  else if (!source.Reaches(view, this->BackgroundGlow > 0.0))
+  else if (!this->LightsMedium && !source.Reaches(view, this->BackgroundGlow > 0.0))
   {
     this->Plan += ", skipped: neither it nor its glow can be in the picture\n";
   }
@@ -183,20 +196,30 @@ void vtkGodRaysSourceFinder::SetMarch(vtkGodRaysSource& source, const vtkGodRays
 }
 
 //------------------------------------------------------------------------------
-double vtkGodRaysSourceFinder::FindRadius() const
+// Of what is visible; 50 if nothing is.
+double vtkGodRaysSourceFinder::FindDiagonal() const
 {
-  if (this->SourceRadius > 0.0)
-  {
-    return this->SourceRadius;
-  }
   double bounds[6];
   this->Renderer->ComputeVisiblePropBounds(bounds);
   vtkGodRaysCompositor::JoinBounds(this->Compositor, bounds);
   if (!vtkMath::AreBoundsInitialized(bounds))
   {
-    return 1.0;
+    return 50.0;
   }
   const double diagonal[3] = { bounds[1] - bounds[0], bounds[3] - bounds[2],
     bounds[5] - bounds[4] };
-  return 0.02 * vtkMath::Norm(diagonal);
+  return vtkMath::Norm(diagonal);
+}
+
+//------------------------------------------------------------------------------
+// See vtkGodRaysMediumModel.
+double vtkGodRaysSourceFinder::FindPower(vtkLight* light) const
+{
+  if (!light->GetPositional())
+  {
+    return vtkMath::Pi();
+  }
+  const double falloff = light->GetAttenuationValues()[2];
+  const double reference = 0.5 * this->FindDiagonal();
+  return vtkMath::Pi() * (falloff > 0.0 ? 1.0 / falloff : reference * reference);
 }

@@ -28,6 +28,7 @@ public:
   double BackgroundGlowFalloff;               ///< [degrees]
   bool LinearLight;                           ///< see vtkGodRaysModel
   bool CapsMarch;                             ///< see vtkGodRaysModel
+  bool LightsMedium;                          ///< all that shines counts, wherever it is
   vtkGodRaysCompositor* Compositor = nullptr; ///< of a scene on several processes
 
   /**
@@ -45,7 +46,8 @@ private:
   void Add(vtkGodRaysSource& source, const vtkGodRaysView& view, const double color[3],
     double intensity, std::vector<vtkGodRaysSource>& sources);
   void SetMarch(vtkGodRaysSource& source, const vtkGodRaysView& view) const;
-  double FindRadius() const;
+  double FindDiagonal() const;
+  double FindPower(vtkLight* light) const;
 
   std::string Plan;
 };

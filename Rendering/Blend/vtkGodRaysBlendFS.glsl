@@ -15,6 +15,18 @@ uniform float sceneGain;
 uniform sampler2D backdrop; // of a scene that is over black, put under it later
 uniform vec3 tint;        // of rays of one channel
 uniform float viewScale;  // fraction of the rays' size that is shown, if they are resized
+uniform sampler2D depth;  // window depth of what is seen
+uniform vec4 depthTerms;  // see vtkGodRaysView::Pinhole
+uniform vec3 pictureOrigin; // with these, x and y in [-1, 1] become view coordinates (parallel), or
+uniform vec3 pictureRight;  // else a vector along the view ray
+uniform vec3 pictureUp;
+uniform float pictureScale; // what x and y are on the picture's edge
+uniform vec3 extinction;    // of the medium's two components, where their density is 1
+uniform vec3 secondExtinction;
+uniform vec2 scaleHeight;
+uniform vec3 mediumUp;
+uniform float eyeHeight;
+uniform float farLimit;
 
 //VTK::GodRays::Terms
 // linearLight: whether rays are linear light, or shown values as the scene's colours
@@ -23,18 +35,44 @@ uniform float viewScale;  // fraction of the rays' size that is shown, if they a
 // resized: they are not as large as the viewport
 // oneChannel: the rays are one value a pixel, in red, times the tint
 // hasBackdrop: whether there is a backdrop
+// hasRays: whether there are rays
+// dimmed: by the medium through which the scene is seen
+// parallel: whether view rays are
+
+// What the medium lets through between the eye and what is seen.
+vec3 SceneTransmittance(ivec2 pixel)
+{
+  float rest = 1.0 - texelFetch(depth, pixel, 0).r;
+  float viewDepth = (depthTerms.x + depthTerms.y * rest) / (depthTerms.z + depthTerms.w * rest);
+  viewDepth = rest > 0.0 && viewDepth > 0.0 ? min(viewDepth, farLimit) : farLimit;
+  vec2 place = pictureScale * (2.0 * texCoord - 1.0);
+  vec3 ray = pictureOrigin + place.x * pictureRight + place.y * pictureUp;
+  float way = parallel ? viewDepth : viewDepth * length(ray) / -ray.z;
+  vec3 direction = parallel ? vec3(0.0, 0.0, -1.0) : normalize(ray);
+  float start = eyeHeight + (parallel ? dot(vec3(ray.xy, 0.0), mediumUp) : 0.0);
+  float slope = dot(direction, mediumUp);
+  vec3 tau = extinction * MediumDepth(start, slope, scaleHeight.x, way) +
+    secondExtinction * MediumDepth(start, slope, scaleHeight.y, way);
+  return exp(-tau);
+}
 
 void main()
 {
-  ivec2 pixel = ivec2(texCoord * vec2(textureSize(rays, 0))); // as large as the scene
-  vec4 ray = resized ? texture(rays, 0.5 + (texCoord - 0.5) * viewScale) : texelFetch(rays, pixel, 0);
-  vec3 light = intensity * (oneChannel ? ray.r * tint : ray.rgb);
+  // as large as the scene
+  ivec2 pixel = ivec2(texCoord * vec2(hasRays ? textureSize(rays, 0) : textureSize(scene, 0)));
+  vec3 light = vec3(0.0);
+  if (hasRays)
+  {
+    vec4 ray =
+      resized ? texture(rays, 0.5 + (texCoord - 0.5) * viewScale) : texelFetch(rays, pixel, 0);
+    light = intensity * (oneChannel ? ray.r * tint : ray.rgb);
+  }
   if (showRays)
   {
     gl_FragData[0] = vec4(linearLight ? EncodeDisplay(light) : light, 1.0);
     return;
   }
-  if (!any(greaterThan(light, vec3(0.0))) && sceneGain == 1.0)
+  if (!dimmed && !any(greaterThan(light, vec3(0.0))) && sceneGain == 1.0)
   {
     discard;
   }
@@ -43,6 +81,10 @@ void main()
     hasBackdrop ? (1.0 - shownOver.a) * texelFetch(backdrop, pixel, 0).rgb : vec3(0.0);
   vec3 shown = shownOver.rgb + under;
   vec3 base = sceneGain * (linearLight ? DecodeDisplay(shown) : shown);
+  if (dimmed)
+  {
+    base *= SceneTransmittance(pixel);
+  }
   vec3 sum = screen ? BlendScreen(base, light) : BlendAdd(base, light);
   gl_FragData[0] = vec4((linearLight ? EncodeDisplay(sum) : sum) - under, 1.0);
 }

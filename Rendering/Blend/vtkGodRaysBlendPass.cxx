@@ -3,7 +3,9 @@
 #include "vtkGodRaysBlendPass.h"
 
 #include "vtkGodRaysBlendFS.h"
+#include "vtkGodRaysMedium.h"
 #include "vtkGodRaysQuad.h"
+#include "vtkGodRaysSource.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -12,6 +14,55 @@
 #include "vtk_glew.h"
 
 vtkStandardNewMacro(vtkGodRaysBlendPass);
+
+namespace
+{
+void SetVector(vtkShaderProgram* program, const char* name, const double value[3])
+{
+  const float v[3] = { static_cast<float>(value[0]), static_cast<float>(value[1]),
+    static_cast<float>(value[2]) };
+  program->SetUniform3f(name, v);
+}
+
+void SetMedium(vtkShaderProgram* program, const vtkGodRaysBlendPass::Request& request)
+{
+  const vtkGodRaysMedium& medium = *request.Medium;
+  double extinction[2][3] = {};
+  float scaleHeight[2] = { 0.0f, 0.0f };
+  for (int i = 0; i < medium.NumberOfComponents; ++i)
+  {
+    const vtkGodRaysMedium::Component& component = medium.Components[i];
+    for (int c = 0; c < 3; ++c)
+    {
+      extinction[i][c] = component.Scattering[c] + component.Absorption[c];
+    }
+    scaleHeight[i] = static_cast<float>(component.ScaleHeight);
+  }
+  SetVector(program, "extinction", extinction[0]);
+  SetVector(program, "secondExtinction", extinction[1]);
+  program->SetUniform2f("scaleHeight", scaleHeight);
+  const double mediumUp[3] = { medium.Up[0], medium.Up[1], -medium.Up[2] }; // as OpenGL's z
+  SetVector(program, "mediumUp", mediumUp);
+  program->SetUniformf("eyeHeight", static_cast<float>(medium.EyeHeight));
+  program->SetUniformf("farLimit", static_cast<float>(medium.FarLimit));
+
+  double origin[3];
+  double right[3];
+  double up[3];
+  request.View->GetPicture(request.View->Parallel, origin, right, up);
+  SetVector(program, "pictureOrigin", origin);
+  SetVector(program, "pictureRight", right);
+  SetVector(program, "pictureUp", up);
+  const int size[2] = { request.Viewport[2], request.Viewport[3] };
+  vtkGodRaysView::Pinhole pinhole;
+  request.View->GetPinhole(size, pinhole);
+  const float terms[4] = { static_cast<float>(pinhole.Depth[0]),
+    static_cast<float>(pinhole.Depth[1]), static_cast<float>(pinhole.Depth[2]),
+    static_cast<float>(pinhole.Depth[3]) };
+  program->SetUniform4f("depthTerms", terms);
+  program->SetUniformf("pictureScale", static_cast<float>(request.View->ViewScale));
+}
+}
 
 //------------------------------------------------------------------------------
 struct vtkGodRaysBlendPass::Internals
@@ -31,12 +82,15 @@ vtkGodRaysBlendPass::~vtkGodRaysBlendPass() = default;
 //------------------------------------------------------------------------------
 bool vtkGodRaysBlendPass::Draw(const Request& request)
 {
-  const bool resized = static_cast<int>(request.Rays->GetWidth()) != request.Viewport[2] ||
-    static_cast<int>(request.Rays->GetHeight()) != request.Viewport[3];
+  const bool resized = request.Rays &&
+    (static_cast<int>(request.Rays->GetWidth()) != request.Viewport[2] ||
+      static_cast<int>(request.Rays->GetHeight()) != request.Viewport[3]);
   vtkShaderProgram* program = this->Internal->Quad.Begin(request.Window,
     { { "linearLight", request.LinearLight }, { "screen", request.Screen && !request.ShowRays },
       { "showRays", request.ShowRays }, { "resized", resized },
-      { "hasBackdrop", request.Backdrop != nullptr }, { "oneChannel", request.Tint != nullptr } });
+      { "hasBackdrop", request.Backdrop != nullptr }, { "oneChannel", request.Tint != nullptr },
+      { "hasRays", request.Rays != nullptr }, { "dimmed", request.Medium != nullptr },
+      { "parallel", request.View && request.View->Parallel } });
   if (!program)
   {
     return false;
@@ -68,7 +122,15 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
       static_cast<float>(request.Tint[1]), static_cast<float>(request.Tint[2]) };
     program->SetUniform3f("tint", tint);
   }
-  this->Internal->Quad.SetTexture("rays", request.Rays);
+  if (request.Rays)
+  {
+    this->Internal->Quad.SetTexture("rays", request.Rays);
+  }
+  if (request.Medium)
+  {
+    SetMedium(program, request);
+    this->Internal->Quad.SetTexture("depth", request.Depth);
+  }
   if (!request.ShowRays)
   {
     this->Internal->Quad.SetTexture("scene", request.Scene);

@@ -8,7 +8,7 @@
  * viewport's place in it: the only stage that knows the viewport's origin. Depth and alpha are not
  * written, nor is any pixel that no ray reaches, so anti-aliased samples stay as they are there.
  * Rays are added in linear light: the picture's colours are decoded from and encoded to the sRGB
- * display transfer (IEC 61966-2-1).
+ * display transfer (IEC 61966-2-1), and dimmed by a medium that they are seen through.
  *
  * @sa vtkGodRaysPass
  */
@@ -24,6 +24,8 @@
 class vtkOpenGLRenderWindow;
 class vtkTextureObject;
 class vtkWindow;
+struct vtkGodRaysMedium;
+struct vtkGodRaysView;
 
 class VTKGODRAYSRENDERING_EXPORT vtkGodRaysBlendPass : public vtkObject
 {
@@ -38,9 +40,9 @@ public:
     vtkOpenGLRenderWindow* Window = nullptr;
     int Viewport[4] = { 0, 0, 0, 0 };  ///< origin and size in the bound framebuffer [pixels]
     vtkTextureObject* Scene = nullptr; ///< colours of the viewport; not read when ShowRays
-    vtkTextureObject* Rays = nullptr;
-    const double* Tint = nullptr; ///< if the rays have one channel: their colour where it is 1
-    double ViewScale = 1.0;       ///< fraction of the rays' size that is shown; 1 unless ShowRays
+    vtkTextureObject* Rays = nullptr;  ///< null for none, with a Medium only
+    const double* Tint = nullptr;      ///< if the rays have one channel: their colour where it is 1
+    double ViewScale = 1.0; ///< fraction of the rays' size that is shown; 1 unless ShowRays
     vtkTextureObject* Backdrop = nullptr; ///< background that is put under the result later
     double Intensity = 1.0;
     double SceneGain = 1.0;
@@ -48,6 +50,13 @@ public:
     bool Screen = false;
     bool ShowRays = false;
     bool Accumulate = false; ///< add to what the framebuffer holds
+
+    ///@{
+    /// A medium that dims the scene, by its window depth; null for none.
+    const vtkGodRaysMedium* Medium = nullptr;
+    const vtkGodRaysView* View = nullptr;
+    vtkTextureObject* Depth = nullptr;
+    ///@}
   };
 
   /**

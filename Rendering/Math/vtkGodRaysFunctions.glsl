@@ -528,6 +528,14 @@ FUNCTION Real ExponentialDepth(IN(Real) extinction, IN(Real) height, IN(Real) sl
   return extinction * distance * low * MeanExponential(abs(rise) / scaleHeight);
 }
 
+// Length of a way times the mean density along it; a scale height of 0 stands for a homogeneous medium.
+// Formula: distance, or ExponentialDepth(1, ...). [length]
+FUNCTION Real MediumDepth(
+  IN(Real) height, IN(Real) slope, IN(Real) scaleHeight, IN(Real) distance)
+{
+  return scaleHeight > 0.0 ? ExponentialDepth(1.0, height, slope, scaleHeight, distance) : distance;
+}
+
 // Airlight of a directional light in it, from the part of a view ray between the distances begin and
 // end of the eye, which is at height; lightSlope is the rise towards the light, above 0. The light is
 // dimmed on its way from above. The ground is plane: from 85 degrees of the zenith on a sphere

@@ -49,9 +49,10 @@ bool HasVolume(vtkProp* prop)
   return volumes->GetNumberOfItems() > 0;
 }
 
-Sorted Sort(vtkRenderer* renderer, bool untaggedPropsOcclude)
+Sorted Sort(const vtkGodRaysOcclusionPass::Request& request)
 {
   Sorted sorted;
+  vtkRenderer* renderer = request.Renderer;
   vtkCollectionSimpleIterator iterator;
   vtkPropCollection* props = renderer->GetViewProps();
   props->InitTraversal(iterator);
@@ -63,14 +64,15 @@ Sorted Sort(vtkRenderer* renderer, bool untaggedPropsOcclude)
     }
     const int role = vtkGodRaysPass::GetRole(prop);
     if (role == vtkGodRaysPass::IGNORED ||
-      (role == vtkGodRaysPass::AUTOMATIC && !untaggedPropsOcclude))
+      (role == vtkGodRaysPass::LIGHT && !request.LampsOcclude) ||
+      (role == vtkGodRaysPass::AUTOMATIC && !request.UntaggedPropsOcclude))
     {
       ++sorted.NotBlocking;
       continue;
     }
     sorted.Blocking.push_back(prop);
     sorted.Shining += role == vtkGodRaysPass::LIGHT ? 1 : 0;
-    if (role != vtkGodRaysPass::LIGHT &&
+    if (request.Dims && role != vtkGodRaysPass::LIGHT &&
       (prop->HasTranslucentPolygonalGeometry() || HasVolume(prop)))
     {
       sorted.Dimming.push_back(prop);
@@ -182,7 +184,7 @@ vtkGodRaysOcclusionPass::~vtkGodRaysOcclusionPass() = default;
 //------------------------------------------------------------------------------
 bool vtkGodRaysOcclusionPass::SceneDepthServes(const Request& request)
 {
-  const Sorted sorted = Sort(request.Renderer, request.UntaggedPropsOcclude);
+  const Sorted sorted = Sort(request);
   vtkGodRaysCompositor* compositor = request.Compositor;
   if (compositor && compositor->IsDistributed())
   {
@@ -199,7 +201,7 @@ bool vtkGodRaysOcclusionPass::Begin(const Request& request)
 {
   Internals& self = *this->Internal;
   self.Frame = request;
-  const Sorted sorted = Sort(request.Renderer, request.UntaggedPropsOcclude);
+  const Sorted sorted = Sort(request);
   const auto enlarged = [&request](unsigned int size)
   { return static_cast<int>(std::lround(size * (1.0 + 2.0 * request.Margin))); };
   const int width = self.Width = enlarged(request.SceneDepth->GetWidth());
@@ -457,6 +459,12 @@ void vtkGodRaysOcclusionPass::JoinShining()
 vtkGodRaysTarget* vtkGodRaysOcclusionPass::GetLayer()
 {
   return this->Internal->Composed;
+}
+
+//------------------------------------------------------------------------------
+vtkTextureObject* vtkGodRaysOcclusionPass::GetDepth()
+{
+  return this->Internal->Depth;
 }
 
 //------------------------------------------------------------------------------

@@ -60,6 +60,8 @@ public:
     unsigned int OneColorFormat = 0;
     double Margin = 0.0; ///< fraction of the picture on each side
     bool UntaggedPropsOcclude = true;
+    bool LampsOcclude = true; ///< whether props tagged LIGHT block the light of others
+    bool Dims = true;         ///< whether translucent props and volumes dim light
     bool LinearLight = true;
     double Glow = 0.0;
     vtkGodRaysCompositor* Compositor = nullptr; ///< of a scene on several processes
@@ -84,6 +86,11 @@ public:
    * The layer last composed; null if there is none.
    */
   VTK_WRAPEXCLUDE vtkGodRaysTarget* GetLayer();
+
+  /**
+   * Window depth of what blocks light, of the layer's size.
+   */
+  VTK_WRAPEXCLUDE vtkTextureObject* GetDepth();
 
   /**
    * Whether Begin() rendered the props that block light a second time.

@@ -4,7 +4,7 @@
  * @class   vtkGodRaysIntegrator
  * @brief   how the light scattered towards the eye is summed: the interface of all integrators
  *
- * A model says what is summed over an occlusion layer, an integrator evaluates it. vtkGodRaysPass
+ * A model says what is summed, over an occlusion layer or along view rays; an integrator evaluates it. vtkGodRaysPass
  * calls Integrate() once for each light of a frame.
  *
  * @sa vtkGodRaysTapsIntegrator vtkGodRaysModel vtkGodRaysPass
@@ -21,8 +21,12 @@
 class vtkGodRaysModel;
 class vtkGodRaysSum;
 class vtkGodRaysTarget;
+class vtkGodRaysViewDepths;
 class vtkOpenGLRenderWindow;
 class vtkWindow;
+struct vtkGodRaysMedium;
+struct vtkGodRaysSource;
+struct vtkGodRaysView;
 
 class VTKGODRAYSRENDERING_EXPORT vtkGodRaysIntegrator : public vtkObject
 {
@@ -45,6 +49,14 @@ public:
     double ResolutionScale = 1.0;
     double ErrorTolerance = 1.0 / 255.0;
     vtkGodRaysSum* Result = nullptr; ///< the light scattered by all lights: add to it
+
+    ///@{
+    /// Of a vtkGodRaysMediumModel, which has no layer; null for others.
+    const vtkGodRaysMedium* Medium = nullptr; ///< in scene units
+    const vtkGodRaysView* View = nullptr;
+    const vtkGodRaysSource* Source = nullptr;
+    vtkGodRaysViewDepths* Depths = nullptr;
+    ///@}
   };
 
   /**

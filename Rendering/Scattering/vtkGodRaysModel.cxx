@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysModel.h"
 
+#include "vtkGodRaysEpipolarIntegrator.h"
+
 //------------------------------------------------------------------------------
 void vtkGodRaysModel::PrintSelf(ostream& os, vtkIndent indent)
 {
@@ -11,4 +13,10 @@ void vtkGodRaysModel::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LinearLight: " << this->GetLinearLight() << "\n";
   os << indent << "Blend: " << this->GetBlend() << "\n";
   os << indent << "SceneGain: " << this->GetSceneGain() << "\n";
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysIntegrator* vtkGodRaysModel::MakeIntegrator() const
+{
+  return vtkGodRaysEpipolarIntegrator::New();
 }

@@ -15,8 +15,11 @@
 
 #include "vtkGodRaysRenderingModule.h" // For export macro
 #include "vtkObject.h"
+#include "vtkWrappingHints.h" // For VTK_NEWINSTANCE
 
 #include <string> // For std::string
+
+class vtkGodRaysIntegrator;
 
 class VTKGODRAYSRENDERING_EXPORT vtkGodRaysModel : public vtkObject
 {
@@ -32,10 +35,15 @@ public:
   };
 
   /**
-   * Whether the parameters let any light be scattered. If not, the pass draws the scene straight
-   * through.
+   * Whether the parameters change any picture. If not, the pass draws the scene straight through.
    */
   virtual bool CanScatter() const = 0;
+
+  /**
+   * A new integrator, the one that the pass takes for this model unless it is given another: a
+   * vtkGodRaysEpipolarIntegrator, unless overridden.
+   */
+  VTK_NEWINSTANCE virtual vtkGodRaysIntegrator* MakeIntegrator() const;
 
   /**
    * The result for a layer that is 1 everywhere, before any clamp: the brightest possible result

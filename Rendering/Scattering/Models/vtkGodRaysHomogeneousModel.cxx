@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysHomogeneousModel.h"
+
+#include "vtkGodRaysMedium.h"
+#include "vtkGodRaysSetGet.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <iterator>
+#include <sstream>
+
+vtkStandardNewMacro(vtkGodRaysHomogeneousModel);
+
+vtkGodRaysSetFinite3Macro(vtkGodRaysHomogeneousModel, ScatteringCoefficient, 0.0, 1e15);
+vtkGodRaysSetFinite3Macro(vtkGodRaysHomogeneousModel, AbsorptionCoefficient, 0.0, 1e15);
+vtkGodRaysSetModeMacro(vtkGodRaysHomogeneousModel, PhaseFunction, SCHLICK);
+vtkGodRaysSetFiniteMacro(vtkGodRaysHomogeneousModel, Asymmetry, -0.99, 0.99);
+vtkGodRaysSetModeMacro(vtkGodRaysHomogeneousModel, SecondPhaseFunction, SCHLICK);
+vtkGodRaysSetFiniteMacro(vtkGodRaysHomogeneousModel, SecondAsymmetry, -0.99, 0.99);
+vtkGodRaysSetFiniteMacro(vtkGodRaysHomogeneousModel, SecondWeight, 0.0, 1.0);
+
+namespace
+{
+struct Preset
+{
+  const char* Name;
+  double Scattering[3];
+  double Absorption[3];
+  int PhaseFunction;
+  double Asymmetry;
+};
+
+const Preset Presets[] = {
+  { "clear air", { 5.802e-6, 13.558e-6, 33.1e-6 }, { 0.0, 0.0, 0.0 },
+    vtkGodRaysMediumModel::RAYLEIGH, 0.0 },
+  { "haze", { 7.49e-4, 7.49e-4, 7.49e-4 }, { 0.0, 0.0, 0.0 },
+    vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.76 },
+  { "fog", { 1.5e-2, 1.5e-2, 1.5e-2 }, { 0.0, 0.0, 0.0 }, vtkGodRaysMediumModel::HENYEY_GREENSTEIN,
+    0.85 },
+  { "dusty room", { 6e-3, 6e-3, 6e-3 }, { 0.0, 0.0, 0.0 }, vtkGodRaysMediumModel::HENYEY_GREENSTEIN,
+    0.6 },
+  { "sea water", { 0.219, 0.219, 0.219 }, { 0.61, 0.20, 0.151 },
+    vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.924 },
+};
+
+const char* const PhaseNames[] = { "isotropic", "Rayleigh", "Henyey-Greenstein", "Cornette-Shanks",
+  "Schlick" };
+}
+
+//------------------------------------------------------------------------------
+int vtkGodRaysHomogeneousModel::GetNumberOfPresets()
+{
+  return static_cast<int>(std::size(Presets));
+}
+
+//------------------------------------------------------------------------------
+const char* vtkGodRaysHomogeneousModel::GetPresetName(int index)
+{
+  return index >= 0 && index < GetNumberOfPresets() ? Presets[index].Name : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysHomogeneousModel::ApplyPreset(const char* name)
+{
+  const std::string wanted = name ? name : "";
+  const auto found = std::find_if(std::begin(Presets), std::end(Presets),
+    [&wanted](const Preset& preset) { return wanted == preset.Name; });
+  if (found == std::end(Presets))
+  {
+    std::string names;
+    for (const Preset& preset : Presets)
+    {
+      names += std::string(names.empty() ? "" : ", ") + preset.Name;
+    }
+    vtkErrorMacro("There is no preset \"" << wanted << "\". Use one of: " << names << ".");
+    return false;
+  }
+  this->SetScatteringCoefficient(found->Scattering);
+  this->SetAbsorptionCoefficient(found->Absorption);
+  this->SetPhaseFunction(found->PhaseFunction);
+  this->SetAsymmetry(found->Asymmetry);
+  this->SetSecondWeight(0.0);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysHomogeneousModel::FillMedium(
+  vtkGodRaysMedium& medium, const double*, const double*) const
+{
+  medium.NumberOfComponents = 1;
+  vtkGodRaysMedium::Component& component = medium.Components[0];
+  std::copy_n(this->ScatteringCoefficient, 3, component.Scattering);
+  std::copy_n(this->AbsorptionCoefficient, 3, component.Absorption);
+  component.PhaseFunction = this->PhaseFunction;
+  component.Asymmetry = this->Asymmetry;
+  component.SecondPhaseFunction = this->SecondPhaseFunction;
+  component.SecondAsymmetry = this->SecondAsymmetry;
+  component.SecondWeight = this->SecondWeight;
+  component.ScaleHeight = 0.0;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysHomogeneousModel::Describe() const
+{
+  std::ostringstream text;
+  const double* s = this->ScatteringCoefficient;
+  const double* a = this->AbsorptionCoefficient;
+  text << "homogeneous medium, scattering " << s[0] << " " << s[1] << " " << s[2] << ", absorption "
+       << a[0] << " " << a[1] << " " << a[2] << " [1/m], " << PhaseNames[this->PhaseFunction];
+  if (this->PhaseFunction >= HENYEY_GREENSTEIN)
+  {
+    text << " " << this->Asymmetry;
+  }
+  if (this->SecondWeight > 0.0)
+  {
+    text << " and " << this->SecondWeight << " of " << PhaseNames[this->SecondPhaseFunction];
+  }
+  text << (this->AttenuateScene ? ", the scene is dimmed" : ", the scene is not dimmed");
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysHomogeneousModel::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto print = [&os, indent](const char* name, const double* values)
+  { os << indent << name << ": " << values[0] << " " << values[1] << " " << values[2] << "\n"; };
+  print("ScatteringCoefficient", this->ScatteringCoefficient);
+  print("AbsorptionCoefficient", this->AbsorptionCoefficient);
+  os << indent << "PhaseFunction: " << this->PhaseFunction << "\n";
+  os << indent << "Asymmetry: " << this->Asymmetry << "\n";
+  os << indent << "SecondPhaseFunction: " << this->SecondPhaseFunction << "\n";
+  os << indent << "SecondAsymmetry: " << this->SecondAsymmetry << "\n";
+  os << indent << "SecondWeight: " << this->SecondWeight << "\n";
+}

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysHomogeneousModel
+ * @brief   a medium that is the same everywhere: haze, fog, a dusty room, water
+ *
+ * See vtkGodRaysMediumModel for what is computed and how much light there is. Directional lights are
+ * not dimmed on their way to a view ray, as in a room with a window: their colour is what arrives.
+ *
+ * Numbers beyond a valid range are clamped to it; NaN and infinities are errors and change nothing.
+ */
+
+#ifndef vtkGodRaysHomogeneousModel_h
+#define vtkGodRaysHomogeneousModel_h
+
+#include "vtkGodRaysMediumModel.h"
+#include "vtkGodRaysRenderingModule.h" // For export macro
+
+#include <string> // For std::string
+
+class VTKGODRAYSRENDERING_EXPORT vtkGodRaysHomogeneousModel : public vtkGodRaysMediumModel
+{
+public:
+  static vtkGodRaysHomogeneousModel* New();
+  vtkTypeMacro(vtkGodRaysHomogeneousModel, vtkGodRaysMediumModel);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get how much light is scattered and absorbed, for each colour [1/m]. Valid range: [0, 1e15].
+   * Default is 0.02 and 0.
+   */
+  void SetScatteringCoefficient(double red, double green, double blue);
+  void SetScatteringCoefficient(const double coefficient[3]) VTK_SIZEHINT(3);
+  vtkGetVector3Macro(ScatteringCoefficient, double);
+  void SetAbsorptionCoefficient(double red, double green, double blue);
+  void SetAbsorptionCoefficient(const double coefficient[3]) VTK_SIZEHINT(3);
+  vtkGetVector3Macro(AbsorptionCoefficient, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the phase function, one of PhaseFunctionType. Default is HENYEY_GREENSTEIN.
+   */
+  void SetPhaseFunction(int phaseFunction);
+  vtkGetMacro(PhaseFunction, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the asymmetry g of the last three phase functions [no unit]: above 0, light goes on rather
+   * than back. Valid range: [-0.99, 0.99]. Default is 0.6.
+   */
+  void SetAsymmetry(double g);
+  vtkGetMacro(Asymmetry, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get a second phase function, its asymmetry, and how much of the light it scatters [fraction]:
+   * (1 - w) p + w p2. Valid ranges as of the first, and [0, 1]. Defaults are ISOTROPIC, 0 and 0: none.
+   */
+  void SetSecondPhaseFunction(int phaseFunction);
+  vtkGetMacro(SecondPhaseFunction, int);
+  void SetSecondAsymmetry(double g);
+  vtkGetMacro(SecondAsymmetry, double);
+  void SetSecondWeight(double weight);
+  vtkGetMacro(SecondWeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set coefficients and phase function to those of a medium in nature; WorldUnitInMeters, FarLimit and
+   * AttenuateScene stay. Red, green and blue stand for 680, 550 and 440 nm.
+   *
+   * | name       | scattering [1/m]       | absorption [1/m]  | phase function | source |
+   * |------------|------------------------|-------------------|----------------|--------|
+   * | clear air  | 5.802, 13.558, 33.1e-6 | 0                 | Rayleigh       | air at sea level without aerosols [BrunetonNeyret2008] |
+   * | haze       | 7.49e-4                | 0                 | HG 0.76        | a visibility of 4 km, 3.00/V [WMO8]; g as in [BrunetonNeyret2008] |
+   * | fog        | 1.5e-2                 | 0                 | HG 0.85        | a visibility of 200 m; g of droplets [HansenTravis1974] |
+   * | dusty room | 6e-3                   | 0                 | HG 0.6         | 10 mg/m3, the limit for a workplace, times 0.6 m2/g of coarse dust [IMPROVE]; g is a guess |
+   * | sea water  | 0.219                  | 0.61, 0.20, 0.151 | HG 0.924       | coastal [Petzold1972]: 0.219 and 0.179 at 514 nm; colours as pure water's [PopeFry1997] |
+   *
+   * Returns false, with an error that lists the names, for a name that is none of them.
+   */
+  bool ApplyPreset(const char* name);
+  static int GetNumberOfPresets();
+  static const char* GetPresetName(int index);
+  ///@}
+
+  std::string Describe() const override;
+
+protected:
+  vtkGodRaysHomogeneousModel() = default;
+  ~vtkGodRaysHomogeneousModel() override = default;
+
+  void FillMedium(
+    vtkGodRaysMedium& medium, const double worldToView[16], const double eye[3]) const override;
+
+private:
+  vtkGodRaysHomogeneousModel(const vtkGodRaysHomogeneousModel&) = delete;
+  void operator=(const vtkGodRaysHomogeneousModel&) = delete;
+
+  double ScatteringCoefficient[3] = { 0.02, 0.02, 0.02 };
+  double AbsorptionCoefficient[3] = { 0.0, 0.0, 0.0 };
+  int PhaseFunction = HENYEY_GREENSTEIN;
+  double Asymmetry = 0.6;
+  int SecondPhaseFunction = ISOTROPIC;
+  double SecondAsymmetry = 0.0;
+  double SecondWeight = 0.0;
+};
+
+#endif

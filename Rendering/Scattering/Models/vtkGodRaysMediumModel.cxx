@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysMediumModel.h"
+
+#include "vtkGodRaysEpipolarCoverageIntegrator.h"
+#include "vtkGodRaysMath.h"
+#include "vtkGodRaysMedium.h"
+#include "vtkGodRaysSetGet.h"
+
+#include <algorithm>
+
+vtkGodRaysSetFiniteMacro(vtkGodRaysMediumModel, WorldUnitInMeters, 1e-12, 1e12);
+vtkGodRaysSetFiniteMacro(vtkGodRaysMediumModel, FarLimit, 0.0, 1e9);
+
+namespace
+{
+// Any place will do where only coefficients matter.
+const double Identity[16] = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0,
+  0.0, 1.0 };
+const double Origin[3] = { 0.0, 0.0, 0.0 };
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysMedium vtkGodRaysMediumModel::GetMedium(
+  const double worldToView[16], const double eye[3], double farDepth) const
+{
+  vtkGodRaysMedium medium;
+  this->FillMedium(medium, worldToView, eye);
+  for (int i = 0; i < medium.NumberOfComponents; ++i)
+  {
+    vtkGodRaysMedium::Component& component = medium.Components[i];
+    for (int c = 0; c < 3; ++c)
+    {
+      component.Scattering[c] *= this->WorldUnitInMeters;
+      component.Absorption[c] *= this->WorldUnitInMeters;
+    }
+    component.ScaleHeight /= this->WorldUnitInMeters;
+  }
+  medium.FarLimit = this->FarLimit > 0.0 ? this->FarLimit : farDepth;
+  return medium;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysMediumModel::CanScatter() const
+{
+  const vtkGodRaysMedium medium = this->GetMedium(Identity, Origin, 1.0);
+  double most = 0.0;
+  for (int i = 0; i < medium.NumberOfComponents; ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      most = std::max(most, medium.Components[i].Scattering[c]);
+      most = std::max(most, this->AttenuateScene ? medium.Components[i].Absorption[c] : 0.0);
+    }
+  }
+  return most > 0.0;
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysIntegrator* vtkGodRaysMediumModel::MakeIntegrator() const
+{
+  return vtkGodRaysEpipolarCoverageIntegrator::New();
+}
+
+//------------------------------------------------------------------------------
+// An endless medium that only scatters, looked through in the direction that is brightest.
+double vtkGodRaysMediumModel::GetFlatGain() const
+{
+  const vtkGodRaysMedium medium = this->GetMedium(Identity, Origin, 1.0);
+  double most = 0.0;
+  for (int i = 0; i < medium.NumberOfComponents; ++i)
+  {
+    const vtkGodRays::PhaseFunction phase = { medium.Components[i].PhaseFunction,
+      medium.Components[i].Asymmetry };
+    most = std::max({ most, vtkGodRays::Phase(phase, 1.0), vtkGodRays::Phase(phase, -1.0) });
+  }
+  return most;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysMediumModel::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "WorldUnitInMeters: " << this->WorldUnitInMeters << "\n";
+  os << indent << "FarLimit: " << this->FarLimit << "\n";
+  os << indent << "AttenuateScene: " << (this->AttenuateScene ? "on" : "off") << "\n";
+}

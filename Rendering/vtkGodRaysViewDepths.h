@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysViewDepths
+ * @brief   how far from the eye things are, of one frame; private to this module
+ *
+ * View depths as 32-bit floats, OpenSky where nothing is: what a frame's integrators of a medium read,
+ * in shaders or in memory. They are drawn when they are first asked for, once a frame.
+ */
+
+#ifndef vtkGodRaysViewDepths_h
+#define vtkGodRaysViewDepths_h
+
+#include "vtkGodRaysQuad.h"
+#include "vtkGodRaysTarget.h"
+
+class vtkOpenGLRenderWindow;
+class vtkTextureObject;
+class vtkWindow;
+struct vtkGodRaysView;
+
+class vtkGodRaysViewDepths
+{
+public:
+  static constexpr float OpenSky = 1e30f;
+
+  vtkGodRaysViewDepths();
+  ~vtkGodRaysViewDepths();
+
+  /**
+   * Start a frame with the window depths of what blocks light, of a layer's size, and of what is seen,
+   * of the picture's, about which the layer may have a margin; null if it is the same.
+   */
+  void Begin(vtkOpenGLRenderWindow* window, const vtkGodRaysView& view, vtkTextureObject* blocking,
+    vtkTextureObject* seen);
+
+  /**
+   * A number that differs from frame to frame.
+   */
+  unsigned int GetFrame() const { return this->Frame; }
+
+  ///@{
+  /**
+   * Depths of what blocks light, and of where view rays end, if that is not the same; of the layer's
+   * size. Null, after an error, if they cannot be drawn. The framebuffer drawn into may be another one
+   * after it.
+   */
+  vtkGodRaysTarget* GetBlocking();
+  vtkGodRaysTarget* GetEnds();
+  bool HasEnds() const { return this->Sources[1] != nullptr; }
+  ///@}
+
+  void Release(vtkWindow* window);
+
+private:
+  vtkGodRaysTarget* Get(int which);
+
+  vtkGodRaysQuad Quad;
+  vtkGodRaysTarget Depths[2];
+  bool Drawn[2] = { false, false };
+  vtkTextureObject* Sources[2] = { nullptr, nullptr };
+  vtkOpenGLRenderWindow* Window = nullptr;
+  const vtkGodRaysView* View = nullptr;
+  unsigned int Frame = 0;
+};
+
+#endif

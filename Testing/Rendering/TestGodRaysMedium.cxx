@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Models of a medium in the pass: the light that they scatter against closed forms and against the
+// ground truth of vtkGodRaysSingleScatteringReference, the scene that they dim, roles, cameras.
+
+#include "GodRaysMediumTesting.h"
+
+#include "vtkGodRaysEpipolarCoverageIntegrator.h"
+#include "vtkGodRaysEpipolarIntegrator.h"
+#include "vtkGodRaysHomogeneousModel.h"
+#include "vtkGodRaysMath.h"
+
+#include "vtkCamera.h"
+#include "vtkMath.h"
+#include "vtkProperty.h"
+
+#include <cmath>
+
+using namespace GodRaysTesting;
+
+namespace
+{
+constexpr int Width = 256;
+constexpr int Height = 192;
+
+class GodRaysMedium : public ::testing::Test
+{
+protected:
+  Messages VTKMessages;
+  Stage Scene{ Width, Height };
+  vtkGodRaysPass* Rays = Scene.Rays;
+  vtkRenderer* Renderer = Scene.Renderer;
+  vtkNew<vtkGodRaysHomogeneousModel> Model;
+
+  GodRaysMedium()
+  {
+    this->Model->SetScatteringCoefficient(0.05, 0.05, 0.05);
+    this->Model->SetFarLimit(30.0);
+    this->Rays->SetModel(this->Model);
+    this->Rays->SetPrecision(vtkGodRaysPass::SINGLE);
+    this->Rays->Attach(this->Renderer);
+  }
+
+  void AddPillars(double depth = 0.5)
+  {
+    for (int i = -3; i <= 3; ++i)
+    {
+      this->Renderer->AddActor(MakeBox({ 1.2 * i, 0.0, 0.0 }, { 0.5, 4.0, depth }));
+    }
+  }
+
+  vtkSmartPointer<vtkLight> AddSun(
+    std::array<double, 3> towards, std::array<double, 3> color = { 1.0, 1.0, 1.0 })
+  {
+    auto sun = MakeSun(towards, color);
+    this->Rays->AddLight(sun);
+    return sun;
+  }
+
+  vtkSmartPointer<vtkImageData> GetScattering()
+  {
+    this->Scene.Window->Render();
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    EXPECT_TRUE(this->Rays->GetScatteringImage(image)) << this->Rays->GetPlan();
+    return image;
+  }
+};
+}
+
+TEST_F(GodRaysMedium, ChoosesItsOwnIntegratorUnlessOneIsSet)
+{
+  EXPECT_TRUE(vtkGodRaysEpipolarCoverageIntegrator::SafeDownCast(this->Rays->GetIntegrator()));
+  this->Rays->SetModel(nullptr);
+  EXPECT_TRUE(vtkGodRaysEpipolarIntegrator::SafeDownCast(this->Rays->GetIntegrator()));
+  vtkNew<vtkGodRaysEpipolarIntegrator> mine;
+  this->Rays->SetIntegrator(mine);
+  this->Rays->SetModel(this->Model);
+  EXPECT_EQ(this->Rays->GetIntegrator(), mine.Get());
+  this->AddSun({ 0.0, 1.0, 0.0 });
+  this->Scene.Window->Render();
+  EXPECT_TRUE(Says(this->VTKMessages.Take().at(0), "cannot evaluate"));
+  this->Rays->SetIntegrator(nullptr);
+  EXPECT_TRUE(vtkGodRaysEpipolarCoverageIntegrator::SafeDownCast(this->Rays->GetIntegrator()));
+}
+
+// Nothing blocks, so that a closed form holds in each pixel; view rays are those of GetClip().
+TEST_F(GodRaysMedium, IsTheClosedFormWithoutOccluders)
+{
+  this->Model->SetScatteringCoefficient(0.05, 0.02, 0.2);
+  this->Model->SetAbsorptionCoefficient(0.0, 0.01, 0.1);
+  for (const std::array<double, 3>& towards :
+    { std::array<double, 3>{ 0.3, 0.2, -1.0 }, { 1.0, 0.5, 0.0 }, { 0.2, -0.1, 1.0 } })
+  {
+    this->Rays->RemoveAllLights();
+    this->AddSun(towards, { 1.0, 0.5, 0.2 });
+    auto image = this->GetScattering();
+    double direction[3] = { towards[0], towards[1], towards[2] };
+    vtkMath::Normalize(direction);
+    const double tangent = std::tan(vtkMath::RadiansFromDegrees(20.0));
+    double worst = 0.0;
+    for (int y = 0; y < Height; y += 7)
+    {
+      for (int x = 0; x < Width; x += 7)
+      {
+        double ray[3] = { (2.0 * (x + 0.5) / Width - 1.0) * tangent * Width / Height,
+          (2.0 * (y + 0.5) / Height - 1.0) * tangent, -1.0 };
+        const double perDepth = vtkMath::Normalize(ray);
+        const double shown[3] = { 1.0, 0.5, 0.2 };
+        for (int c = 0; c < 3; ++c)
+        {
+          const double scattering = this->Model->GetScatteringCoefficient()[c];
+          const double extinction = scattering + this->Model->GetAbsorptionCoefficient()[c];
+          const double expected = vtkMath::Pi() * vtkGodRays::DecodeDisplay(shown[c]) * scattering *
+            vtkGodRays::PhaseHenyeyGreenstein(vtkMath::Dot(ray, direction), 0.6) *
+            vtkGodRays::DirectionalAirlight(extinction, 0.0, 30.0 * perDepth, 0.0, 0.0);
+          worst = std::max(worst, std::abs(GetValue(image, x, y, c) / expected - 1.0));
+        }
+      }
+    }
+    std::cout << "largest relative error " << worst << "\n";
+    EXPECT_LT(worst, 1e-4);
+  }
+}
+
+TEST_F(GodRaysMedium, IsTheGroundTruthWithOccluders)
+{
+  this->AddPillars();
+  struct Case
+  {
+    const char* Name;
+    std::array<double, 3> Towards;
+    double Bound; // [root mean square over the peak]
+  };
+  for (const Case& each :
+    { Case{ "front", { 0.15, 0.1, -1.0 }, 0.013 }, Case{ "edge", { 0.5, 0.2, -1.0 }, 0.005 },
+      Case{ "beside", { 1.0, 0.3, -0.1 }, 0.002 }, Case{ "behind", { 0.3, 0.4, 1.0 }, 0.008 } })
+  {
+    this->Rays->RemoveAllLights();
+    this->AddSun(each.Towards);
+    auto image = this->GetScattering();
+    const std::array<double, 4> light{ each.Towards[0], each.Towards[1], each.Towards[2], 0.0 };
+    const double error = GetErrorOfMedium(this->Renderer, this->Model, light, image);
+    std::cout << each.Name << ": " << error << "\n";
+    RecordProperty(each.Name, std::to_string(error));
+    EXPECT_LT(error, each.Bound) << each.Name;
+    // the light a little off its place would be seen
+    const std::array<double, 4> wrong{ light[0] + 0.2, light[1], light[2] + 0.2, 0.0 };
+    EXPECT_GT(GetErrorOfMedium(this->Renderer, this->Model, wrong, image), 2.0 * each.Bound);
+  }
+}
+
+// Flat ones, as a parallel projection shows no sides, which a light from the side makes cast shadows.
+TEST_F(GodRaysMedium, IsTheSameInAParallelProjectionAndWithAMargin)
+{
+  this->AddPillars(0.1);
+  const std::array<double, 4> light{ 0.5, 0.3, -1.0, 0.0 };
+  this->AddSun({ light[0], light[1], light[2] });
+  auto alone = this->GetScattering();
+  this->Rays->SetLayerMargin(0.25);
+  auto wide = this->GetScattering();
+  EXPECT_LT(GetErrorOfMedium(this->Renderer, this->Model, light, wide), 0.012);
+  EXPECT_NE(GetMean(alone), GetMean(wide)); // pillars beyond the edge
+  this->Rays->SetLayerMargin(0.0);
+  this->Renderer->GetActiveCamera()->ParallelProjectionOn();
+  this->Renderer->GetActiveCamera()->SetParallelScale(3.0);
+  EXPECT_LT(GetErrorOfMedium(this->Renderer, this->Model, light, this->GetScattering()), 0.02);
+}
+
+// e^-tau of the depth on the graphics card, in linear light, to a level of the 8-bit picture.
+TEST_F(GodRaysMedium, DimsTheScene)
+{
+  this->AddPillars();
+  this->Renderer->SetBackground(0.8, 0.6, 0.4);
+  this->Model->SetScatteringCoefficient(0.0, 0.0, 0.0);
+  this->Model->SetAbsorptionCoefficient(0.03, 0.06, 0.12);
+  this->Model->AttenuateSceneOff();
+  const auto before = GetPixels(this->Scene.Window);
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "scatter nothing"));
+  this->Model->AttenuateSceneOn(); // without any light
+  const auto after = GetPixels(this->Scene.Window);
+  const auto depths = GetDepths(this->Scene.Window, false);
+  const double near = 1.0;
+  const double far = 100.0;
+  const double tangent = std::tan(vtkMath::RadiansFromDegrees(20.0));
+  int worst = 0;
+  for (int i = 0; i < Width * Height; ++i)
+  {
+    const double x = (2.0 * (i % Width + 0.5) / Width - 1.0) * tangent * Width / Height;
+    const double y = (2.0 * (i / Width + 0.5) / Height - 1.0) * tangent;
+    const double depth = near * far / (far - depths[i] * (far - near));
+    const double way = std::min(depth, 30.0) * std::sqrt(1.0 + x * x + y * y);
+    for (int c = 0; c < 3; ++c)
+    {
+      const double light = vtkGodRays::DecodeDisplay(before[4 * i + c] / 255.0) *
+        vtkGodRays::Transmittance(this->Model->GetAbsorptionCoefficient()[c], way);
+      const int expected = static_cast<int>(std::lround(255.0 * vtkGodRays::EncodeDisplay(light)));
+      worst = std::max(worst, std::abs(expected - after[4 * i + c]));
+    }
+  }
+  EXPECT_LE(worst, 1);
+  EXPECT_GT(GetLargestDifference(before, after), 40);
+}
+
+TEST_F(GodRaysMedium, SeesPropsThatAreIgnoredButCastNoShadow)
+{
+  this->AddSun({ 0.5, 0.3, -1.0 });
+  auto wall = MakeBox({ 0.5, 0.5, 2.0 }, { 2.0, 2.0, 0.1 });
+  this->Renderer->AddActor(wall);
+  auto blocking = this->GetScattering();
+  vtkGodRaysPass::SetRole(wall, vtkGodRaysPass::IGNORED);
+  auto ignored = this->GetScattering();
+  vtkGodRaysPass::SetRole(wall, vtkGodRaysPass::AUTOMATIC);
+  wall->VisibilityOff();
+  auto empty = this->GetScattering();
+  // the ray ends at the wall in both, and beyond it nothing is missing in the second
+  const int onWall[2] = { 140, 108 };
+  const int inShadow[2] = { 80, 80 };
+  EXPECT_LT(GetValue(ignored, onWall[0], onWall[1]), 0.7 * GetValue(empty, onWall[0], onWall[1]));
+  EXPECT_NEAR(
+    GetValue(ignored, inShadow[0], inShadow[1]), GetValue(empty, inShadow[0], inShadow[1]), 1e-6);
+  EXPECT_LT(
+    GetValue(blocking, inShadow[0], inShadow[1]), 0.98 * GetValue(empty, inShadow[0], inShadow[1]));
+}
+
+TEST_F(GodRaysMedium, IsLinearInEachLight)
+{
+  this->AddPillars();
+  auto red = this->AddSun({ 0.2, 0.2, -1.0 }, { 1.0, 0.0, 0.0 });
+  auto first = this->GetScattering();
+  this->Rays->RemoveLight(red);
+  this->AddSun({ -0.4, 0.1, -1.0 }, { 0.2, 0.5, 1.0 });
+  auto second = this->GetScattering();
+  this->Rays->AddLight(red);
+  auto both = this->GetScattering();
+  double worst = 0.0;
+  double peak = 0.0;
+  for (int y = 0; y < Height; ++y)
+  {
+    for (int x = 0; x < Width; ++x)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        const double sum = GetValue(first, x, y, c) + GetValue(second, x, y, c);
+        worst = std::max(worst, std::abs(sum - GetValue(both, x, y, c)));
+        peak = std::max(peak, sum);
+      }
+    }
+  }
+  EXPECT_LT(worst, 1e-6 * peak);
+}
+
+TEST_F(GodRaysMedium, ComputesWhatTheSceneNeeds)
+{
+  this->AddPillars();
+  this->AddSun({ 0.2, 0.2, -1.0 }, { 1.0, 0.5, 0.1 });
+  this->Scene.Window->Render();
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "1 extinction(s), 1 component(s)"))
+    << this->Rays->GetPlan();
+  EXPECT_EQ(this->Rays->GetNumberOfGeometryPasses(), 1);
+  this->Model->SetScatteringCoefficient(0.05, 0.06, 0.07);
+  this->Scene.Window->Render();
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "3 extinction(s), 3 component(s)"))
+    << this->Rays->GetPlan();
+}
+
+TEST(GodRaysHomogeneousModel, RefusesWhatIsNoMedium)
+{
+  Messages messages;
+  vtkNew<vtkGodRaysHomogeneousModel> model;
+  const double nan = std::nan("");
+  model->SetScatteringCoefficient(nan, 1.0, 1.0);
+  EXPECT_TRUE(Says(messages.Take().at(0), "ScatteringCoefficient must be three finite numbers"));
+  EXPECT_EQ(model->GetScatteringCoefficient()[0], 0.02);
+  model->SetAsymmetry(2.0);
+  EXPECT_EQ(model->GetAsymmetry(), 0.99);
+  model->SetPhaseFunction(7);
+  EXPECT_TRUE(Says(messages.Take().at(0), "PhaseFunction must be in 0..4"));
+  EXPECT_FALSE(model->ApplyPreset("soup"));
+  EXPECT_TRUE(Says(messages.Take().at(0), "clear air, haze, fog, dusty room, sea water"));
+  for (int i = 0; i < model->GetNumberOfPresets(); ++i)
+  {
+    EXPECT_TRUE(model->ApplyPreset(model->GetPresetName(i)));
+    EXPECT_TRUE(model->CanScatter());
+  }
+  model->SetScatteringCoefficient(0.0, 0.0, 0.0);
+  EXPECT_TRUE(model->CanScatter()); // sea water absorbs
+  model->AttenuateSceneOff();
+  EXPECT_FALSE(model->CanScatter());
+}
