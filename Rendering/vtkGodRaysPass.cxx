@@ -282,14 +282,7 @@ vtkGodRaysCompositor* vtkGodRaysPass::GetCompositor()
 //------------------------------------------------------------------------------
 bool vtkGodRaysPass::ApplyPreset(const char* name)
 {
-  auto model = vtkGodRaysRadialModel::SafeDownCast(this->Internal->Model);
-  if (!model)
-  {
-    vtkErrorMacro("Presets are those of vtkGodRaysRadialModel, but the model is a "
-      << this->Internal->Model->GetClassName() << ". Call SetModel(nullptr) first.");
-    return false;
-  }
-  return model->ApplyPreset(name);
+  return this->Internal->Model->ApplyPreset(name);
 }
 
 //------------------------------------------------------------------------------

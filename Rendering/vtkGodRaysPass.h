@@ -135,9 +135,9 @@ public:
   ///@}
 
   /**
-   * Set the model's parameters to a named look, see vtkGodRaysRadialModel::ApplyPreset(); the model
-   * must be a vtkGodRaysRadialModel. Returns false, with an error that lists the names, for a name
-   * that is none of them.
+   * Set the model's parameters to a named look, see vtkGodRaysRadialModel::ApplyPreset(), or medium, see
+   * vtkGodRaysHomogeneousModel::ApplyPreset(). Returns false, with an error that lists the names, for a
+   * name that is none of the model's.
    */
   bool ApplyPreset(const char* name);
 

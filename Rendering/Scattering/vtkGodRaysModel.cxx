@@ -16,6 +16,13 @@ void vtkGodRaysModel::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
+bool vtkGodRaysModel::ApplyPreset(const char* name)
+{
+  vtkErrorMacro("There is no preset \"" << (name ? name : "") << "\": this model has none.");
+  return false;
+}
+
+//------------------------------------------------------------------------------
 vtkGodRaysIntegrator* vtkGodRaysModel::MakeIntegrator() const
 {
   return vtkGodRaysEpipolarIntegrator::New();

@@ -35,6 +35,12 @@ public:
   };
 
   /**
+   * Set parameters to those of this name. Returns false, with an error that lists the names, for a name
+   * that is none of them; a model has none unless this is overridden.
+   */
+  virtual bool ApplyPreset(const char* name);
+
+  /**
    * Whether the parameters change any picture. If not, the pass draws the scene straight through.
    */
   virtual bool CanScatter() const = 0;

@@ -83,7 +83,7 @@ public:
    *
    * Returns false, with an error that lists the names, for a name that is none of them.
    */
-  bool ApplyPreset(const char* name);
+  bool ApplyPreset(const char* name) override;
   static int GetNumberOfPresets();
   static const char* GetPresetName(int index);
   ///@}

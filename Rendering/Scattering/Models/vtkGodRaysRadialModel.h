@@ -161,7 +161,7 @@ public:
    * its authors' defaults, and some of our own, which are INVARIANT. Returns false, with an error
    * that lists the names, for any other name, and changes nothing.
    */
-  bool ApplyPreset(const char* name);
+  bool ApplyPreset(const char* name) override;
   static int GetNumberOfPresets();
   static const char* GetPresetName(int index);
   static const char* GetPresetDescription(int index);

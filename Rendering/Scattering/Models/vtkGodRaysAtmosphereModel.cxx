@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysAtmosphereModel.h"
+
+#include "vtkGodRaysMedium.h"
+#include "vtkGodRaysSetGet.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <sstream>
+
+vtkStandardNewMacro(vtkGodRaysAtmosphereModel);
+
+vtkGodRaysSetFinite3Macro(vtkGodRaysAtmosphereModel, RayleighScattering, 0.0, 1e15);
+vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphereModel, RayleighScaleHeight, 1e-6, 1e9);
+vtkGodRaysSetFinite3Macro(vtkGodRaysAtmosphereModel, MieScattering, 0.0, 1e15);
+vtkGodRaysSetFinite3Macro(vtkGodRaysAtmosphereModel, MieAbsorption, 0.0, 1e15);
+vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphereModel, MieScaleHeight, 1e-6, 1e9);
+vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphereModel, MieAsymmetry, -0.99, 0.99);
+vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphereModel, GroundLevel, -1e30, 1e30);
+
+//------------------------------------------------------------------------------
+void vtkGodRaysAtmosphereModel::SetUp(const double direction[3])
+{
+  const double length = vtkMath::Norm(direction);
+  if (!(length > 0.0) || !vtkMath::IsFinite(length))
+  {
+    vtkErrorMacro("Up must be a direction, not " << direction[0] << " " << direction[1] << " "
+                                                 << direction[2] << "; it stays " << this->Up[0]
+                                                 << " " << this->Up[1] << " " << this->Up[2]
+                                                 << ".");
+    return;
+  }
+  if (!std::equal(direction, direction + 3, this->Up))
+  {
+    std::copy_n(direction, 3, this->Up);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysAtmosphereModel::SetUp(double x, double y, double z)
+{
+  const double direction[3] = { x, y, z };
+  this->SetUp(direction);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysAtmosphereModel::FillMedium(
+  vtkGodRaysMedium& medium, const double worldToView[16], const double eye[3]) const
+{
+  medium.NumberOfComponents = 2;
+  vtkGodRaysMedium::Component& molecules = medium.Components[0];
+  std::copy_n(this->RayleighScattering, 3, molecules.Scattering);
+  molecules.PhaseFunction = RAYLEIGH;
+  molecules.ScaleHeight = this->RayleighScaleHeight;
+  vtkGodRaysMedium::Component& aerosols = medium.Components[1];
+  std::copy_n(this->MieScattering, 3, aerosols.Scattering);
+  std::copy_n(this->MieAbsorption, 3, aerosols.Absorption);
+  aerosols.PhaseFunction = CORNETTE_SHANKS;
+  aerosols.Asymmetry = this->MieAsymmetry;
+  aerosols.ScaleHeight = this->MieScaleHeight;
+
+  // A view is the world, turned and then moved by the last column.
+  double up[3] = { this->Up[0], this->Up[1], this->Up[2] };
+  vtkMath::Normalize(up);
+  medium.EyeHeight = -this->GroundLevel;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double along = vtkMath::Dot(worldToView + 4 * i, up);
+    medium.EyeHeight += along * (eye[i] - worldToView[4 * i + 3]);
+    medium.Up[i] = i == 2 ? -along : along;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysAtmosphereModel::Describe() const
+{
+  std::ostringstream text;
+  const auto print = [&text](const double* values)
+  { text << values[0] << " " << values[1] << " " << values[2]; };
+  text << "atmosphere over a plane, molecules ";
+  print(this->RayleighScattering);
+  text << " [1/m], scale height " << this->RayleighScaleHeight << " m, aerosols ";
+  print(this->MieScattering);
+  text << " [1/m], scale height " << this->MieScaleHeight << " m, g " << this->MieAsymmetry
+       << (this->AttenuateScene ? ", the scene is dimmed" : ", the scene is not dimmed");
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysAtmosphereModel::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto print = [&os, indent](const char* name, const double* values)
+  { os << indent << name << ": " << values[0] << " " << values[1] << " " << values[2] << "\n"; };
+  print("RayleighScattering", this->RayleighScattering);
+  os << indent << "RayleighScaleHeight: " << this->RayleighScaleHeight << "\n";
+  print("MieScattering", this->MieScattering);
+  print("MieAbsorption", this->MieAbsorption);
+  os << indent << "MieScaleHeight: " << this->MieScaleHeight << "\n";
+  os << indent << "MieAsymmetry: " << this->MieAsymmetry << "\n";
+  print("Up", this->Up);
+  os << indent << "GroundLevel: " << this->GroundLevel << "\n";
+}

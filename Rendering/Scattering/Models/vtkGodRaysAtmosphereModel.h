@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysAtmosphereModel
+ * @brief   air over a plane: molecules and aerosols whose density falls with height
+ *
+ * Two components, each of density e^(-h/ScaleHeight) at the height h above GroundLevel: molecules that
+ * scatter as Rayleigh's theory has it, and aerosols that scatter forwards [CornetteShanks1992] and
+ * absorb. Directional lights are dimmed on their way down to each point of a view ray, so that a low sun
+ * is red: their colour is what arrives above the air. A light below the horizon gives nothing. The
+ * ground is plane: from about 85 degrees off the zenith on, light and view rays through a real, round
+ * atmosphere have a shorter way. See vtkGodRaysMediumModel for what is computed and how much light there
+ * is.
+ *
+ * Defaults are clear air over the Earth, [BrunetonNeyret2008]; red, green and blue stand for 680, 550
+ * and 440 nm. In a scene of some kilometres that is what makes distant hills blue; for shafts, raise
+ * MieScattering.
+ *
+ * Numbers beyond a valid range are clamped to it; NaN and infinities are errors and change nothing.
+ */
+
+#ifndef vtkGodRaysAtmosphereModel_h
+#define vtkGodRaysAtmosphereModel_h
+
+#include "vtkGodRaysMediumModel.h"
+#include "vtkGodRaysRenderingModule.h" // For export macro
+
+#include <string> // For std::string
+
+class VTKGODRAYSRENDERING_EXPORT vtkGodRaysAtmosphereModel : public vtkGodRaysMediumModel
+{
+public:
+  static vtkGodRaysAtmosphereModel* New();
+  vtkTypeMacro(vtkGodRaysAtmosphereModel, vtkGodRaysMediumModel);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get how much light molecules scatter at GroundLevel, for each colour [1/m]. Valid range:
+   * [0, 1e15]. Default is 5.802e-6, 13.558e-6, 33.1e-6.
+   */
+  void SetRayleighScattering(double red, double green, double blue);
+  void SetRayleighScattering(const double coefficient[3]) VTK_SIZEHINT(3);
+  vtkGetVector3Macro(RayleighScattering, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get over which height their density falls to 1/e [m]. Valid range: [1e-6, 1e9]. Default is
+   * 8000.
+   */
+  void SetRayleighScaleHeight(double height);
+  vtkGetMacro(RayleighScaleHeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how much light aerosols scatter and absorb at GroundLevel, for each colour [1/m]. Valid
+   * range: [0, 1e15]. Defaults are 3.996e-6 and 4.4e-7.
+   */
+  void SetMieScattering(double red, double green, double blue);
+  void SetMieScattering(const double coefficient[3]) VTK_SIZEHINT(3);
+  vtkGetVector3Macro(MieScattering, double);
+  void SetMieAbsorption(double red, double green, double blue);
+  void SetMieAbsorption(const double coefficient[3]) VTK_SIZEHINT(3);
+  vtkGetVector3Macro(MieAbsorption, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get over which height their density falls to 1/e [m]. Valid range: [1e-6, 1e9]. Default is
+   * 1200.
+   */
+  void SetMieScaleHeight(double height);
+  vtkGetMacro(MieScaleHeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the asymmetry g of aerosols [no unit]. Valid range: [-0.99, 0.99]. Default is 0.8.
+   */
+  void SetMieAsymmetry(double g);
+  vtkGetMacro(MieAsymmetry, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get which way is up, a direction of the world of any length but 0. Default is (0, 0, 1).
+   */
+  void SetUp(double x, double y, double z);
+  void SetUp(const double direction[3]) VTK_SIZEHINT(3);
+  vtkGetVector3Macro(Up, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get where heights are counted from: the coordinate along Up [scene units]. Valid range:
+   * [-1e30, 1e30]. Default is 0.
+   */
+  void SetGroundLevel(double level);
+  vtkGetMacro(GroundLevel, double);
+  ///@}
+
+  std::string Describe() const override;
+
+protected:
+  vtkGodRaysAtmosphereModel() = default;
+  ~vtkGodRaysAtmosphereModel() override = default;
+
+  void FillMedium(
+    vtkGodRaysMedium& medium, const double worldToView[16], const double eye[3]) const override;
+
+private:
+  vtkGodRaysAtmosphereModel(const vtkGodRaysAtmosphereModel&) = delete;
+  void operator=(const vtkGodRaysAtmosphereModel&) = delete;
+
+  double RayleighScattering[3] = { 5.802e-6, 13.558e-6, 33.1e-6 };
+  double RayleighScaleHeight = 8000.0;
+  double MieScattering[3] = { 3.996e-6, 3.996e-6, 3.996e-6 };
+  double MieAbsorption[3] = { 4.4e-7, 4.4e-7, 4.4e-7 };
+  double MieScaleHeight = 1200.0;
+  double MieAsymmetry = 0.8;
+  double Up[3] = { 0.0, 0.0, 1.0 };
+  double GroundLevel = 0.0;
+};
+
+#endif
