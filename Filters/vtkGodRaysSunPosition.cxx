@@ -1,0 +1,357 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysSunPosition.h"
+
+#include "vtkGodRaysSetGet.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <regex>
+
+vtkStandardNewMacro(vtkGodRaysSunPosition);
+
+vtkGodRaysSetFiniteMacro(vtkGodRaysSunPosition, TimeOfDay, 0.0, 24.0);
+vtkGodRaysSetFiniteMacro(vtkGodRaysSunPosition, TimeZone, -18.0, 18.0);
+vtkGodRaysSetFiniteMacro(vtkGodRaysSunPosition, Latitude, -90.0, 90.0);
+vtkGodRaysSetFiniteMacro(vtkGodRaysSunPosition, Longitude, -180.0, 180.0);
+vtkGodRaysSetFiniteMacro(vtkGodRaysSunPosition, Height, -500.0, 100000.0);
+vtkGodRaysSetFiniteMacro(vtkGodRaysSunPosition, Pressure, 0.0, 200000.0);
+vtkGodRaysSetFiniteMacro(vtkGodRaysSunPosition, Temperature, -100.0, 100.0);
+
+// The formulas of astronomy are here and not with those of the pictures: they take double precision.
+namespace
+{
+constexpr double HorizonElevation = -0.8333; // refraction 34', radius of the sun 16'
+
+double Sine(double degrees)
+{
+  return std::sin(vtkMath::RadiansFromDegrees(degrees));
+}
+
+double Cosine(double degrees)
+{
+  return std::cos(vtkMath::RadiansFromDegrees(degrees));
+}
+
+double Direction(double y, double x)
+{
+  return vtkMath::DegreesFromRadians(std::atan2(y, x));
+}
+
+double Wrap(double degrees, double low)
+{
+  return degrees - 360.0 * std::floor((degrees - low) / 360.0);
+}
+
+bool IsDay(int year, int month, int day)
+{
+  static const int days[12] = { 31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31 };
+  if (year < 1900 || year > 2100 || month < 1 || month > 12)
+  {
+    return false;
+  }
+  const bool leap = month == 2 && year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
+  return day >= 1 && day <= days[month - 1] + (leap ? 1 : 0);
+}
+
+// Days from noon of 2000-01-01 to the midnight that begins the day. [Meeus1998] 7.1
+double DaysSinceJ2000(int year, int month, int day)
+{
+  if (month <= 2)
+  {
+    --year;
+    month += 12;
+  }
+  const int century = year / 100;
+  return std::floor(365.25 * (year + 4716)) + std::floor(30.6001 * (month + 1)) + day + 2 -
+    century + century / 4 - 1524.5 - 2451545.0;
+}
+
+// The sun as seen from the Earth's centre: angles in degrees.
+struct Sun
+{
+  double Ascension;
+  double Declination;
+  double Distance; // [astronomical units]
+  double Sidereal; // apparent sidereal time at Greenwich
+};
+
+// t is the days of universal time since J2000.
+Sun GetSun(double days)
+{
+  // Dynamical time is ahead by 0 s in 1900 and some 70 s today; the sun moves by 0.0008 degrees in 70 s.
+  const double dynamical = (days + 69.0 / 86400.0) / 36525.0;
+
+  // The sun's true longitude. [Meeus1988] chapter 18; its centuries count from 1900.
+  const double t = dynamical + 1.0;
+  const double meanLongitude = 279.69668 + t * (36000.76892 + t * 0.0003025);
+  const double anomaly = 358.47583 + t * (35999.04975 - t * (0.000150 + t * 0.0000033));
+  const double eccentricity = 0.01675104 - t * (0.0000418 + t * 0.000000126);
+  const double center = (1.919460 - t * (0.004789 + t * 0.000014)) * Sine(anomaly) +
+    (0.020094 - t * 0.000100) * Sine(2.0 * anomaly) + 0.000293 * Sine(3.0 * anomaly);
+  const double elongation = 350.74 + t * (445267.1142 - t * 0.00144);   // of the Moon
+  const double perturbation = 0.00134 * Cosine(153.23 + 22518.7541 * t) // Venus
+    + 0.00154 * Cosine(216.57 + 45037.5082 * t)                         // Venus
+    + 0.00200 * Cosine(312.69 + 32964.3577 * t)                         // Jupiter
+    + 0.00179 * Sine(elongation)                                        // Moon
+    + 0.00178 * Sine(231.19 + 20.20 * t);                               // of long period
+  const double longitude = meanLongitude + center + perturbation;
+  const double distance = 1.0000002 * (1.0 - eccentricity * eccentricity) /
+    (1.0 + eccentricity * Cosine(anomaly + center));
+
+  // Nutation and the obliquity of the ecliptic. [Meeus1998] chapter 22
+  const double node = 125.04452 - 1934.136261 * dynamical;
+  const double moon = 218.3165 + 481267.8813 * dynamical;
+  const double inLongitude = (-17.20 * Sine(node) - 1.32 * Sine(2.0 * meanLongitude) -
+                               0.23 * Sine(2.0 * moon) + 0.21 * Sine(2.0 * node)) /
+    3600.0;
+  const double inObliquity = (9.20 * Cosine(node) + 0.57 * Cosine(2.0 * meanLongitude) +
+                               0.10 * Cosine(2.0 * moon) - 0.09 * Cosine(2.0 * node)) /
+    3600.0;
+  const double obliquity =
+    23.0 + (26.0 + (21.448 - 46.8150 * dynamical) / 60.0) / 60.0 + inObliquity;
+
+  const double apparent = longitude + inLongitude - 20.4898 / 3600.0 / distance; // and aberration
+  Sun sun;
+  sun.Ascension = Direction(Cosine(obliquity) * Sine(apparent), Cosine(apparent));
+  sun.Declination = vtkMath::DegreesFromRadians(std::asin(Sine(obliquity) * Sine(apparent)));
+  sun.Distance = distance;
+  sun.Sidereal = 280.46061837 + 360.98564736629 * days + // [Meeus1998] 12.4
+    0.000387933 * std::pow(days / 36525.0, 2) + inLongitude * Cosine(obliquity);
+  return sun;
+}
+
+// Refraction [degrees] at a true elevation. [Meeus1998] 16.4; below the horizon, where that is not
+// meant for, as 1/tan(elevation) from what it is there.
+double GetRefraction(double elevation, double pressure, double temperature)
+{
+  const double seen = std::fmax(elevation, HorizonElevation);
+  const double air = pressure / 101000.0 * 283.0 / (273.0 + temperature);
+  const double angle = seen + 10.3 / (seen + 5.11);
+  const double refraction = air * 1.02 / 60.0 * Cosine(angle) / Sine(angle);
+  const double fade = Sine(seen) / Cosine(seen) * Cosine(elevation) / Sine(elevation);
+  return elevation < seen ? refraction * fade : std::fmax(refraction, 0.0);
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSunPosition::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "DateTime: " << this->GetDateTime() << "\n";
+  os << indent << "Latitude: " << this->Latitude << "\n";
+  os << indent << "Longitude: " << this->Longitude << "\n";
+  os << indent << "Height: " << this->Height << "\n";
+  os << indent << "Pressure: " << this->Pressure << "\n";
+  os << indent << "Temperature: " << this->Temperature << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSunPosition::SetDate(int year, int month, int day)
+{
+  if (!IsDay(year, month, day))
+  {
+    vtkErrorMacro("There is no day " << year << "-" << month << "-" << day
+                                     << " between 1900-01-01 and 2100-12-31; the date stays "
+                                     << this->GetDateTime().substr(0, 10) << ".");
+    return;
+  }
+  if (this->Year != year || this->Month != month || this->Day != day)
+  {
+    this->Year = year;
+    this->Month = month;
+    this->Day = day;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSunPosition::SetDateTime(const std::string& text)
+{
+  static const std::regex format(
+    "(\\d{4})-(\\d\\d)-(\\d\\d)[T ](\\d\\d):(\\d\\d)(?::(\\d\\d(?:\\.\\d+)?))?"
+    "(?:(Z)|([+-])(\\d\\d)(?::?(\\d\\d))?)?");
+  std::smatch part;
+  const bool matches = std::regex_match(text, part, format);
+  const auto number = [&part](int i) { return part[i].matched ? std::stod(part[i]) : 0.0; };
+  const double time = matches ? number(4) + number(5) / 60.0 + number(6) / 3600.0 : 0.0;
+  const double zone = matches ? number(9) + number(10) / 60.0 : 0.0;
+  if (!matches || !IsDay(std::stoi(part[1]), std::stoi(part[2]), std::stoi(part[3])) ||
+    number(5) >= 60.0 || number(6) >= 61.0 || time > 24.0 || number(10) >= 60.0 || zone > 18.0)
+  {
+    vtkErrorMacro("Not a date and time from 1900 to 2100: \""
+      << text << "\". Write it like 2003-10-17T12:30:30-07:00; it stays " << this->GetDateTime()
+      << ".");
+    return false;
+  }
+  this->SetDate(std::stoi(part[1]), std::stoi(part[2]), std::stoi(part[3]));
+  this->SetTimeOfDay(time);
+  if (part[7].matched || part[8].matched)
+  {
+    this->SetTimeZone(part[8] == "-" ? -zone : zone);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysSunPosition::GetDateTime() const
+{
+  const long milliseconds = std::lround(this->TimeOfDay * 3600e3);
+  const long zone = std::lround(std::fabs(this->TimeZone) * 60.0);
+  char text[80];
+  std::snprintf(text, sizeof(text), "%04d-%02d-%02dT%02ld:%02ld:%02ld.%03ld%c%02ld:%02ld",
+    this->Year, this->Month, this->Day, milliseconds / 3600000, milliseconds / 60000 % 60,
+    milliseconds / 1000 % 60, milliseconds % 1000, this->TimeZone < 0.0 ? '-' : '+', zone / 60,
+    zone % 60);
+  return text;
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysSunPosition::Position vtkGodRaysSunPosition::GetPosition(double timeOfDay) const
+{
+  const Sun sun = GetSun(
+    DaysSinceJ2000(this->Year, this->Month, this->Day) + (timeOfDay - this->TimeZone) / 24.0);
+  Position position;
+  position.Distance = sun.Distance;
+  position.HourAngle = Wrap(sun.Sidereal + this->Longitude - sun.Ascension, -180.0);
+
+  const double declination = sun.Declination;
+  const double south = Sine(this->Latitude) * Cosine(declination) * Cosine(position.HourAngle) -
+    Cosine(this->Latitude) * Sine(declination);
+  const double west = Cosine(declination) * Sine(position.HourAngle);
+  const double up = Sine(this->Latitude) * Sine(declination) +
+    Cosine(this->Latitude) * Cosine(declination) * Cosine(position.HourAngle);
+  position.Azimuth = Wrap(Direction(west, south) + 180.0, 0.0);
+  position.GeocentricElevation = Direction(up, std::hypot(south, west));
+  // The observer is at the Earth's surface, not in its centre. [Meeus1998] chapter 40
+  const double parallax = 8.794 / 3600.0 / sun.Distance * (1.0 + this->Height / 6378140.0);
+  position.TrueElevation =
+    position.GeocentricElevation - parallax * Cosine(position.GeocentricElevation);
+  return position;
+}
+
+//------------------------------------------------------------------------------
+double vtkGodRaysSunPosition::GetAzimuth()
+{
+  return this->GetPosition(this->TimeOfDay).Azimuth;
+}
+
+//------------------------------------------------------------------------------
+double vtkGodRaysSunPosition::GetElevation()
+{
+  const double elevation = this->GetTrueElevation();
+  return elevation + GetRefraction(elevation, this->Pressure, this->Temperature);
+}
+
+//------------------------------------------------------------------------------
+double vtkGodRaysSunPosition::GetTrueElevation()
+{
+  return this->GetPosition(this->TimeOfDay).TrueElevation;
+}
+
+//------------------------------------------------------------------------------
+double vtkGodRaysSunPosition::GetDistance()
+{
+  return this->GetPosition(this->TimeOfDay).Distance;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSunPosition::GetDirection(
+  const double up[3], const double north[3], double direction[3])
+{
+  double zenith[3] = { up[0], up[1], up[2] };
+  double east[3];
+  const bool hasZenith = vtkMath::Normalize(zenith) > 0.0 && std::isfinite(vtkMath::Norm(zenith));
+  double ahead[3] = { north[0], north[1], north[2] };
+  vtkMath::Normalize(ahead);
+  vtkMath::Cross(ahead, zenith, east);
+  if (!hasZenith || !(vtkMath::Normalize(east) > 1e-9))
+  {
+    vtkErrorMacro("No direction to the sun: up and north must be finite, not 0 and not parallel.");
+    const double fallback[3] = { 0.0, 0.0, 1.0 };
+    vtkMath::Assign(hasZenith ? zenith : fallback, direction);
+    return false;
+  }
+  vtkMath::Cross(zenith, east, ahead);
+  const double azimuth = this->GetAzimuth();
+  const double elevation = this->GetElevation();
+  for (int i = 0; i < 3; ++i)
+  {
+    direction[i] = Sine(elevation) * zenith[i] +
+      Cosine(elevation) * (Cosine(azimuth) * ahead[i] + Sine(azimuth) * east[i]);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSunPosition::IsUp(double timeOfDay) const
+{
+  return this->GetPosition(timeOfDay).GeocentricElevation >= HorizonElevation;
+}
+
+//------------------------------------------------------------------------------
+double vtkGodRaysSunPosition::FindHorizon(double below, double above) const
+{
+  if (this->IsUp(below) || !this->IsUp(above))
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  while (std::fabs(above - below) > 1e-6)
+  {
+    const double middle = 0.5 * (below + above);
+    (this->IsUp(middle) ? above : below) = middle;
+  }
+  return 0.5 * (below + above);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSunPosition::FindEvents()
+{
+  if (this->EventTime > this->GetMTime())
+  {
+    return;
+  }
+  // The clock's noon is within half a day of the transit that belongs to this date.
+  double transit = 12.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    transit -= this->GetPosition(transit).HourAngle / 15.0;
+  }
+  this->Transit = transit;
+  this->Sunrise = this->FindHorizon(transit - 12.0, transit);
+  this->Sunset = this->FindHorizon(transit + 12.0, transit);
+  const bool complete = !std::isnan(this->Sunrise) && !std::isnan(this->Sunset);
+  this->Type = complete ? RISES_AND_SETS : (this->IsUp(transit) ? POLAR_DAY : POLAR_NIGHT);
+  this->EventTime.Modified();
+}
+
+//------------------------------------------------------------------------------
+double vtkGodRaysSunPosition::GetSunrise()
+{
+  this->FindEvents();
+  return this->Sunrise;
+}
+
+//------------------------------------------------------------------------------
+double vtkGodRaysSunPosition::GetTransit()
+{
+  this->FindEvents();
+  return this->Transit;
+}
+
+//------------------------------------------------------------------------------
+double vtkGodRaysSunPosition::GetSunset()
+{
+  this->FindEvents();
+  return this->Sunset;
+}
+
+//------------------------------------------------------------------------------
+int vtkGodRaysSunPosition::GetDayType()
+{
+  this->FindEvents();
+  return this->Type;
+}
