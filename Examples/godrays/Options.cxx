@@ -143,7 +143,7 @@ void AddLightOptions(Parser& parser, Options& options)
 void AddRayOptions(Parser& parser, Options& options)
 {
   parser.Group = "Rays";
-  parser.AddCall("--preset", "NAME", "A named look: see --list-presets",
+  parser.AddCall("--preset", "NAME", "A named look or medium: see --list-presets",
     [&options](const std::string& text) { options.Preset = text; });
   parser.Add("--intensity", options.Intensity, 0.0, 1e4, "Factor on all rays (1.7)");
   parser.Add("--density", options.Density, 0.0, 2.0, "Length of the rays, to the light at 1");
@@ -155,6 +155,10 @@ void AddRayOptions(Parser& parser, Options& options)
     "Radiance of the open background about the light, as a fraction of the light's (0.6)");
   parser.Add("--glow-angle", options.GlowAngle, 0.0, 180.0,
     "Angle from the light over which that glow falls to 0, in degrees (5, of a lamp 14)");
+  parser.Add("--optical-depth", options.OpticalDepth, 1e-6, 100.0,
+    "How thick a medium is across the scene, in green: 1 lets a third of the light through");
+  parser.Add("--world-unit", options.WorldUnit, 1e-12, 1e12,
+    "How long the scene's unit is in metres, for a medium (1)");
   parser.Add("--tolerance", options.Tolerance, 1e-6, 0.1,
     "Error that the rays may have, as a fraction of the brightest possible");
   parser.App
@@ -281,7 +285,7 @@ void AddOutputOptions(Parser& parser, Options& options)
     "Open a window, also with --output, which is then written when it closes");
   parser.AddFlag("--stats", options.Stats,
     "Print what was drawn, how, how long it took, and how exact the rays are");
-  parser.AddFlag("--list-presets", options.ListPresets, "List the named looks");
+  parser.AddFlag("--list-presets", options.ListPresets, "List the named looks and media");
   parser.AddFlag("--list-colormaps", options.ListColormaps, "List the colour maps");
 }
 

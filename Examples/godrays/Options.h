@@ -28,7 +28,8 @@ struct Options
   // Rays: what is not given stays as the preset has it.
   bool Rays = true;
   std::string Preset;
-  std::optional<double> Intensity, Density, Decay, Weight, Exposure, Glow, GlowAngle, Tolerance;
+  std::optional<double> Intensity, Density, Decay, Weight, Exposure, Glow, GlowAngle, Tolerance,
+    OpticalDepth, WorldUnit;
   std::string Show = "composite";
 
   // Camera.

@@ -3,10 +3,10 @@
 #include "Output.h"
 
 #include "Failure.h"
+#include "Presets.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkGodRaysPass.h"
-#include "vtkGodRaysRadialModel.h"
 #include "vtkInteractorStyleTrackballCamera.h"
 #include "vtkJPEGWriter.h"
 #include "vtkNew.h"
@@ -47,7 +47,7 @@ struct Session
   vtkRenderWindow* Window;
   vtkRenderer* Renderer;
   vtkGodRaysPass* Rays;
-  int Preset;
+  std::string Preset; // its name; none at first if none was given
   bool Attached = true;
 
   void SwitchRays()
@@ -65,10 +65,14 @@ struct Session
 
   void TakeNextPreset()
   {
-    this->Preset = (this->Preset + 1) % vtkGodRaysRadialModel::GetNumberOfPresets();
-    const char* name = vtkGodRaysRadialModel::GetPresetName(this->Preset);
-    this->Rays->ApplyPreset(name);
-    this->Window->SetWindowName((std::string("godrays: ") + name).c_str());
+    const auto& presets = GetPresets();
+    const auto next = std::find_if(presets.begin(), presets.end(),
+      [this](const ::Preset& preset) { return preset.Name == this->Preset; });
+    const ::Preset& preset =
+      next == presets.end() || next + 1 == presets.end() ? presets.front() : *(next + 1);
+    this->Preset = preset.Name;
+    ApplyPreset(preset, this->Rays);
+    this->Window->SetWindowName(("godrays: " + preset.Name).c_str());
   }
 
   void ShowRaysAlone()
@@ -99,19 +103,6 @@ struct Session
     this->Window->Render();
   }
 };
-
-//------------------------------------------------------------------------------
-int FindPreset(const std::string& name)
-{
-  for (int i = 0; i < vtkGodRaysRadialModel::GetNumberOfPresets(); ++i)
-  {
-    if (name == vtkGodRaysRadialModel::GetPresetName(i))
-    {
-      return i;
-    }
-  }
-  return -1;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -204,7 +195,7 @@ void Interact(
   vtkNew<vtkInteractorStyleTrackballCamera> style;
   interactor->SetInteractorStyle(style);
   interactor->SetRenderWindow(window);
-  Session session{ window, renderer, rays, FindPreset(preset), renderer->GetPass() == rays };
+  Session session{ window, renderer, rays, preset, renderer->GetPass() == rays };
   vtkNew<vtkCallbackCommand> command;
   command->SetClientData(&session);
   command->SetCallback(

@@ -10,12 +10,14 @@
 #include "Messages.h"
 #include "Options.h"
 #include "Output.h"
+#include "Presets.h"
 #include "Scene.h"
 #include "Sky.h"
 #include "Viewpoint.h"
 
 #include "vtkCamera.h"
 #include "vtkGodRaysEpipolarIntegrator.h"
+#include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysPass.h"
 #include "vtkGodRaysRadialModel.h"
 #include "vtkLight.h"
@@ -28,6 +30,7 @@
 #include <iomanip>
 #include <iostream>
 #include <sstream>
+#include <utility>
 
 namespace
 {
@@ -57,27 +60,41 @@ double GetSeconds()
 //------------------------------------------------------------------------------
 void ListPresets()
 {
-  for (int i = 0; i < vtkGodRaysRadialModel::GetNumberOfPresets(); ++i)
+  for (const Preset& preset : GetPresets())
   {
-    std::cout << std::left << std::setw(22) << vtkGodRaysRadialModel::GetPresetName(i) << " "
-              << vtkGodRaysRadialModel::GetPresetDescription(i) << "\n";
+    std::cout << std::left << std::setw(22) << preset.Name << " " << preset.Description << "\n";
   }
 }
 
 //------------------------------------------------------------------------------
-void CheckPreset(const std::string& name)
+/**
+ * Whether what is given fits the preset.
+ */
+void CheckPreset(const Options& options)
 {
-  std::string names;
-  for (int i = 0; i < vtkGodRaysRadialModel::GetNumberOfPresets(); ++i)
+  const bool isMedium = !options.Preset.empty() && FindPreset(options.Preset).IsMedium;
+  const std::pair<const char*, bool> others[] = { { "--density", options.Density.has_value() },
+    { "--decay", options.Decay.has_value() }, { "--weight", options.Weight.has_value() },
+    { "--exposure", options.Exposure.has_value() }, { "--glow", options.Glow.has_value() },
+    { "--glow-angle", options.GlowAngle.has_value() } };
+  const std::pair<const char*, bool> mediums[] = { { "--optical-depth",
+                                                     options.OpticalDepth.has_value() },
+    { "--world-unit", options.WorldUnit.has_value() } };
+  for (const auto& [name, given] : others)
   {
-    const std::string preset = vtkGodRaysRadialModel::GetPresetName(i);
-    if (preset == name || name.empty())
+    if (given && isMedium)
     {
-      return;
+      throw Failure(std::string(name) + " belongs to looks, and --preset " + options.Preset +
+        " is a medium; take --optical-depth and --intensity");
     }
-    names += (i ? ", " : "") + preset;
   }
-  throw Failure("--preset: '" + name + "' should be one of " + names);
+  for (const auto& [name, given] : mediums)
+  {
+    if (given && !isMedium)
+    {
+      throw Failure(std::string(name) + " needs a --preset that is a medium, such as fog or haze");
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -119,10 +136,15 @@ void AddFill(vtkRenderer* renderer, const Scene& scene, double fill)
 }
 
 //------------------------------------------------------------------------------
-void SetRays(vtkGodRaysPass* rays, const Viewpoint& view, const Options& options)
+const Preset& GetPreset(const Viewpoint& view, const Options& options)
 {
   const std::string usual = view.LightIsLamp ? "default" : "low-sun";
-  rays->ApplyPreset((options.Preset.empty() ? usual : options.Preset).c_str());
+  return FindPreset(options.Preset.empty() ? usual : options.Preset);
+}
+
+//------------------------------------------------------------------------------
+void SetLook(vtkGodRaysPass* rays, const Viewpoint& view, const Options& options)
+{
   auto* model = vtkGodRaysRadialModel::SafeDownCast(rays->GetModel());
   model->SetDensity(options.Density.value_or(model->GetDensity()));
   model->SetDecay(options.Decay.value_or(model->GetDecay()));
@@ -133,6 +155,43 @@ void SetRays(vtkGodRaysPass* rays, const Viewpoint& view, const Options& options
   rays->SetBackgroundGlowRadius(GlowRadius);
   rays->SetBackgroundGlowFalloff(
     options.GlowAngle.value_or(view.LightIsLamp ? LampGlowAngle : SunGlowAngle));
+}
+
+//------------------------------------------------------------------------------
+void SetMedium(vtkGodRaysPass* rays, const Scene& scene, const Options& options)
+{
+  auto* medium = vtkGodRaysHomogeneousModel::SafeDownCast(rays->GetModel());
+  medium->SetWorldUnitInMeters(options.WorldUnit.value_or(1.0));
+  if (options.OpticalDepth)
+  {
+    // the same medium, thicker or thinner
+    const double* scattering = medium->GetScatteringCoefficient();
+    const double* absorption = medium->GetAbsorptionCoefficient();
+    const double way = scene.Bounds.GetDiagonalLength() * medium->GetWorldUnitInMeters();
+    const double factor = *options.OpticalDepth / (way * (scattering[1] + absorption[1]));
+    medium->SetScatteringCoefficient(
+      factor * scattering[0], factor * scattering[1], factor * scattering[2]);
+    medium->SetAbsorptionCoefficient(
+      factor * absorption[0], factor * absorption[1], factor * absorption[2]);
+  }
+  rays->SetIntensity(options.Intensity.value_or(1.0));
+  rays->SetLayerMargin(0.5); // what is just outside the picture casts shadows into it
+}
+
+//------------------------------------------------------------------------------
+void SetRays(
+  vtkGodRaysPass* rays, const Scene& scene, const Viewpoint& view, const Options& options)
+{
+  const Preset& preset = GetPreset(view, options);
+  ApplyPreset(preset, rays);
+  if (preset.IsMedium)
+  {
+    SetMedium(rays, scene, options);
+  }
+  else
+  {
+    SetLook(rays, view, options);
+  }
   rays->SetErrorTolerance(options.Tolerance.value_or(rays->GetErrorTolerance()));
   rays->SetOutput(options.Show == "occlusion" ? vtkGodRaysPass::OCCLUSION
       : options.Show == "rays"                ? vtkGodRaysPass::SCATTERING
@@ -222,6 +281,10 @@ void PrintRays(vtkGodRaysPass* rays, vtkRenderWindow* window, bool on)
   // measured in a frame of its own, as it takes time
   const int pixels = 1024;
   auto integrator = vtkGodRaysEpipolarIntegrator::SafeDownCast(rays->GetIntegrator());
+  if (!integrator)
+  {
+    return; // of a medium; see Documentation/Accuracy.md
+  }
   integrator->SetVerifyPixels(pixels);
   window->Render();
   if (integrator->GetErrorEstimate() >= 0.0)
@@ -284,7 +347,7 @@ bool Draw(const Scene& scene, const Viewpoint& view, const Options& options, Mea
   const Sky sky(renderer, scene, view, options.LightSize.value_or(SunRadius), options);
 
   vtkNew<vtkGodRaysPass> rays;
-  SetRays(rays, view, options);
+  SetRays(rays, scene, view, options);
   rays->AddLight(light);
   rays->SetMeasureTimes(options.Stats);
 
@@ -339,7 +402,7 @@ int Run(int argc, char* argv[])
     }
     return EXIT_SUCCESS;
   }
-  CheckPreset(options->Preset);
+  CheckPreset(*options);
   if (!options->Output.empty())
   {
     CheckOutput(options->Output);

@@ -212,6 +212,9 @@ class Arguments(ProgramTest):
             (["--light-size", "-1"], ["--light-size"]),
             (["--fill", "x"], ["--fill"]),
             (["--preset", "nonesuch"], ["--preset", "nonesuch", "default"]),
+            (["--preset", "fog", "--decay", "0.9"], ["--decay", "looks", "--optical-depth"]),
+            (["--optical-depth", "1"], ["--optical-depth", "medium"]),
+            (["--preset", "fog", "--optical-depth", "0"], ["--optical-depth"]),
             (["--intensity", "-1"], ["--intensity", "0 to 10000"]),
             (["--density", "3"], ["--density", "0 to 2"]),
             (["--decay", "2"], ["--decay"]),
@@ -288,7 +291,8 @@ class Pictures(ProgramTest):
         for arguments in (
             ["--sun", "-10,12"], ["--light", "0,2,-2"], ["--light-color", "blue"],
             ["--light-size", "5"], ["--fill", "2"], ["--preset", "crisp-shafts"],
-            ["--intensity", "3"], ["--density", "0.5"], ["--decay", "0.9"], ["--weight", "0.1"],
+            ["--preset", "fog", "--optical-depth", "1"],
+            ["--preset", "haze", "--world-unit", "300"], ["--intensity", "3"], ["--density", "0.5"], ["--decay", "0.9"], ["--weight", "0.1"],
             ["--exposure", "3"], ["--glow", "0"], ["--glow-angle", "60"],
             ["--show", "occlusion"], ["--show", "rays"], ["--camera-position", "0,-5,1"],
             ["--focal-point", "0.3,0,0"], ["--view-up", "1,0,0"], ["--view-angle", "60"],
@@ -326,6 +330,7 @@ class Lists(ProgramTest):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         lines = done.stdout.splitlines()
         self.assertIn("default", [line.split()[0] for line in lines])
+        self.assertIn("fog", [line.split()[0] for line in lines])
         self.assertTrue(all(len(line.split()) > 1 for line in lines))
 
     def test_colormaps(self):

@@ -200,6 +200,26 @@ class Parameters(unittest.TestCase):
             self.enable(densty=1)
         self.assertIsNone(self.renderer.GetPass())
 
+    def test_a_medium_by_preset_or_name(self):
+        window, renderer, _ = make_scene()
+        rays = godrays.enable(renderer, light=BEHIND, preset="fog", asymmetry=0.3, thickness=0.02)
+        self.assertEqual(rays.GetModel().GetClassName(), "vtkGodRaysHomogeneousModel")
+        self.assertEqual(rays.GetModel().GetScatteringCoefficient(), (0.015,) * 3)
+        self.assertEqual(rays.GetModel().GetAsymmetry(), 0.3)
+        self.assertEqual(rays.GetIntegrator().GetThickness(), 0.02)
+        foggy = pixels(window)
+        godrays.enable(renderer, model="atmosphere", mie_scattering=(0.01, 0.01, 0.01))
+        self.assertEqual(rays.GetModel().GetClassName(), "vtkGodRaysAtmosphereModel")
+        godrays.enable(renderer, preset="mitchell")
+        self.assertEqual(rays.GetModel().GetClassName(), "vtkGodRaysRadialModel")
+        self.assertNotEqual(foggy, pixels(window))
+        for wrong, words in (
+            ({"model": "soup"}, "no model 'soup'; there are: radial"),
+            ({"model": "radial", "preset": "fog"}, "'fog' is one of vtkGodRaysHomogeneousModel"),
+        ):
+            with self.assertRaisesRegex(ValueError, words):
+                godrays.enable(renderer, **wrong)
+
     def test_an_unknown_preset_changes_nothing(self):
         with self.assertRaisesRegex(ValueError, "no preset 'nonesuch'; there are: "):
             self.enable(preset="nonesuch")

@@ -277,7 +277,7 @@ TEST(GodRaysHomogeneousModel, RefusesWhatIsNoMedium)
   model->SetPhaseFunction(7);
   EXPECT_TRUE(Says(messages.Take().at(0), "PhaseFunction must be in 0..4"));
   EXPECT_FALSE(model->ApplyPreset("soup"));
-  EXPECT_TRUE(Says(messages.Take().at(0), "clear air, haze, fog, dusty room, sea water"));
+  EXPECT_TRUE(Says(messages.Take().at(0), "clear-air, haze, fog, dust, sea-water"));
   for (int i = 0; i < model->GetNumberOfPresets(); ++i)
   {
     EXPECT_TRUE(model->ApplyPreset(model->GetPresetName(i)));

@@ -35,6 +35,19 @@ _ROLES = {
     "ignored": vtkGodRaysPass.IGNORED,
 }
 
+_MODELS = {
+    "radial": vtkGodRaysRadialModel,
+    "homogeneous": vtkGodRaysHomogeneousModel,
+    "atmosphere": vtkGodRaysAtmosphereModel,
+}
+
+
+def _preset_names(model):
+    """The presets that a class of models has."""
+    if not hasattr(model, "GetNumberOfPresets"):
+        return []
+    return [model.GetPresetName(i) for i in range(model.GetNumberOfPresets())]
+
 
 def enable(target, light=None, occluders=(), ignored=(), preset=None, **parameters):
     """Put god rays into a scene and return their vtkGodRaysPass, attached to the renderer.
@@ -47,10 +60,12 @@ def enable(target, light=None, occluders=(), ignored=(), preset=None, **paramete
         tagged "light", or else the renderer's own lights that stand in the scene.
     occluders, ignored: props to tag. Props without a tag block light unless
         untagged_props_occlude=False.
-    preset: the name of a look, see vtkGodRaysRadialModel.GetPresetName.
+    preset: the name of a look or of a medium, see vtkGodRaysRadialModel.GetPresetName and
+        vtkGodRaysHomogeneousModel.GetPresetName. It chooses the model that has it, unless one is given.
     parameters: every property of the pass, its model and its integrator, in the spelling
         ``sun_angular_radius`` or ``SunAngularRadius``. Constants can be given by name:
-        output="occlusion". They come after the preset.
+        output="occlusion". They come after the preset. model is an object, or one of "radial",
+        "homogeneous" and "atmosphere".
 
     Enabling a renderer again changes the pass that it has; a light given then replaces the lights
     and the tagged props that shone before.
@@ -61,16 +76,11 @@ def enable(target, light=None, occluders=(), ignored=(), preset=None, **paramete
     rays = rays or vtkGodRaysPass()
 
     # Look at everything before anything is changed.
+    parameters = _with_model(rays, preset, parameters)
     settings = _settings(rays, parameters)
     lights = _lights(light)
     occluders = [_prop(prop) for prop in _list(occluders)]
     ignored = [_prop(prop) for prop in _list(ignored)]
-    presets = [
-        vtkGodRaysRadialModel.GetPresetName(i)
-        for i in range(vtkGodRaysRadialModel.GetNumberOfPresets())
-    ]
-    if preset is not None and preset not in presets:
-        raise ValueError(f"there is no preset {preset!r}; there are: {', '.join(presets)}")
     tagged = _shining(renderer)
     if not lights and not tagged and rays.GetNumberOfLights() == 0:
         lights = [each for each in renderer.GetLights() if each.LightTypeIsSceneLight()]
@@ -262,13 +272,34 @@ def _properties(owner):
     } - {"Role"}
 
 
+def _with_model(rays, preset, parameters):
+    """The parameters of enable() with the model that they and the preset ask for, as an object."""
+    names = {name.replace("_", "").lower(): name for name in parameters}
+    model = parameters.get(names.get("model"))
+    if isinstance(model, str):
+        if model not in _MODELS:
+            raise ValueError(f"there is no model {model!r}; there are: {', '.join(_MODELS)}")
+        model = _MODELS[model]()
+        parameters = {**parameters, names["model"]: model}
+    if preset is None or preset in _preset_names(type(model or rays.GetModel())):
+        return parameters
+    known = {name: each for each in _MODELS.values() for name in _preset_names(each)}
+    if preset not in known:
+        raise ValueError(f"there is no preset {preset!r}; there are: {', '.join(known)}")
+    if model is not None:
+        raise ValueError(
+            f"the preset {preset!r} is one of {known[preset].__name__}, not of {type(model).__name__}"
+        )
+    return {**parameters, "model": known[preset]()}
+
+
 def _settings(rays, parameters):
     """The parameters of enable() under their properties' names, or a TypeError."""
     simple = {name.replace("_", "").lower(): value for name, value in parameters.items()}
     owners = (
         rays,
         simple.get("model") or rays.GetModel(),
-        simple.get("integrator") or rays.GetIntegrator(),
+        simple.get("integrator") or _integrator(rays, simple.get("model")),
     )
     names = {name.lower(): name for owner in owners for name in _properties(owner)}
     unknown = [name for name in parameters if name.replace("_", "").lower() not in names]
@@ -281,6 +312,13 @@ def _settings(rays, parameters):
         if isinstance(value, str):
             settings[name] = _constant(owner, name, value)
     return settings
+
+
+def _integrator(rays, model):
+    """The integrator that the rays will have with a model."""
+    if model is None or rays.GetIntegrator().Supports(model):
+        return rays.GetIntegrator()
+    return model.MakeIntegrator()
 
 
 def _constant(owner, name, text):

@@ -26,10 +26,9 @@ void vtkGodRaysAtmosphereModel::SetUp(const double direction[3])
   const double length = vtkMath::Norm(direction);
   if (!(length > 0.0) || !vtkMath::IsFinite(length))
   {
-    vtkErrorMacro("Up must be a direction, not " << direction[0] << " " << direction[1] << " "
-                                                 << direction[2] << "; it stays " << this->Up[0]
-                                                 << " " << this->Up[1] << " " << this->Up[2]
-                                                 << ".");
+    vtkErrorMacro("Up must be a direction, not "
+      << direction[0] << " " << direction[1] << " " << direction[2] << "; it stays " << this->Up[0]
+      << " " << this->Up[1] << " " << this->Up[2] << ".");
     return;
   }
   if (!std::equal(direction, direction + 3, this->Up))

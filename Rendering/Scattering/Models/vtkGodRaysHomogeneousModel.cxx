@@ -25,6 +25,7 @@ namespace
 struct Preset
 {
   const char* Name;
+  const char* Description;
   double Scattering[3];
   double Absorption[3];
   int PhaseFunction;
@@ -32,16 +33,16 @@ struct Preset
 };
 
 const Preset Presets[] = {
-  { "clear air", { 5.802e-6, 13.558e-6, 33.1e-6 }, { 0.0, 0.0, 0.0 },
-    vtkGodRaysMediumModel::RAYLEIGH, 0.0 },
-  { "haze", { 7.49e-4, 7.49e-4, 7.49e-4 }, { 0.0, 0.0, 0.0 },
+  { "clear-air", "molecules alone, at sea level; shows over kilometres",
+    { 5.802e-6, 13.558e-6, 33.1e-6 }, { 0.0, 0.0, 0.0 }, vtkGodRaysMediumModel::RAYLEIGH, 0.0 },
+  { "haze", "a visibility of 4 km", { 7.49e-4, 7.49e-4, 7.49e-4 }, { 0.0, 0.0, 0.0 },
     vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.76 },
-  { "fog", { 1.5e-2, 1.5e-2, 1.5e-2 }, { 0.0, 0.0, 0.0 }, vtkGodRaysMediumModel::HENYEY_GREENSTEIN,
-    0.85 },
-  { "dusty room", { 6e-3, 6e-3, 6e-3 }, { 0.0, 0.0, 0.0 }, vtkGodRaysMediumModel::HENYEY_GREENSTEIN,
-    0.6 },
-  { "sea water", { 0.219, 0.219, 0.219 }, { 0.61, 0.20, 0.151 },
-    vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.924 },
+  { "fog", "a visibility of 200 m", { 1.5e-2, 1.5e-2, 1.5e-2 }, { 0.0, 0.0, 0.0 },
+    vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.85 },
+  { "dust", "10 mg of coarse dust a cubic metre", { 6e-3, 6e-3, 6e-3 }, { 0.0, 0.0, 0.0 },
+    vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.6 },
+  { "sea-water", "coastal water, which swallows red", { 0.219, 0.219, 0.219 },
+    { 0.61, 0.20, 0.151 }, vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.924 },
 };
 
 const char* const PhaseNames[] = { "isotropic", "Rayleigh", "Henyey-Greenstein", "Cornette-Shanks",
@@ -58,6 +59,12 @@ int vtkGodRaysHomogeneousModel::GetNumberOfPresets()
 const char* vtkGodRaysHomogeneousModel::GetPresetName(int index)
 {
   return index >= 0 && index < GetNumberOfPresets() ? Presets[index].Name : nullptr;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkGodRaysHomogeneousModel::GetPresetDescription(int index)
+{
+  return index >= 0 && index < GetNumberOfPresets() ? Presets[index].Description : nullptr;
 }
 
 //------------------------------------------------------------------------------

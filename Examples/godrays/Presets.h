@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The named looks of the radial model, and the media in which light is scattered once.
+ */
+
+#ifndef Presets_h
+#define Presets_h
+
+#include <string>
+#include <vector>
+
+class vtkGodRaysPass;
+
+struct Preset
+{
+  std::string Name;
+  std::string Description;
+  bool IsMedium;
+};
+
+/**
+ * All of them, looks first.
+ */
+const std::vector<Preset>& GetPresets();
+
+/**
+ * The one of this name. Throws Failure if there is none.
+ */
+const Preset& FindPreset(const std::string& name);
+
+/**
+ * Give the rays the preset's model with its parameters.
+ */
+void ApplyPreset(const Preset& preset, vtkGodRaysPass* rays);
+
+#endif
