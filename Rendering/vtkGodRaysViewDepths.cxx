@@ -10,6 +10,8 @@
 #include "vtkTextureObject.h"
 #include "vtk_glew.h"
 
+#include <atomic>
+
 //------------------------------------------------------------------------------
 vtkGodRaysViewDepths::vtkGodRaysViewDepths()
   : Quad("vtkGodRaysViewDepthsFS", vtkGodRaysViewDepthsFS)
@@ -29,7 +31,8 @@ void vtkGodRaysViewDepths::Begin(vtkOpenGLRenderWindow* window, const vtkGodRays
   this->Sources[1] = seen;
   this->Drawn[0] = false;
   this->Drawn[1] = false;
-  ++this->Frame;
+  static std::atomic<unsigned int> frames{ 0 };
+  this->Frame = ++frames;
 }
 
 //------------------------------------------------------------------------------

@@ -35,7 +35,7 @@ public:
     vtkTextureObject* seen);
 
   /**
-   * A number that differs from frame to frame.
+   * A number that no other frame has, of any of these objects.
    */
   unsigned int GetFrame() const { return this->Frame; }
 

@@ -10,6 +10,7 @@
 #include "EffectScene.h"
 #include "GodRaysPictures.h"
 #include "Methods.h"
+#include "ModelErrors.h"
 #include "Report.h"
 #include "Rounds.h"
 #include "Scattering.h"
@@ -55,6 +56,9 @@ Prints tables, and each figure that is asked for as met or missed.
   --methods REGEX        only integrators whose names match; --list shows names
   --csv FILE             write all that was measured as comma-separated values
   --documentation FOLDER write FOLDER/Performance.md and the charts in FOLDER/Charts/
+  --model-error          measure something else: how far models are from single scattering, on twelve
+                         scenes; FOLDER/ModelError.md, its chart and pictures. Names for --filter:
+                         SCENE/LIGHT. Some 8 minutes
   --list                 list pictures, lights and integrators, and measure nothing
   --help                 this text
 
@@ -69,6 +73,7 @@ struct Options
 {
   bool Quick = false;
   bool List = false;
+  bool ModelError = false;
   std::string Filter = ".";
   std::string Methods = ".";
   std::string CSV;
@@ -880,6 +885,10 @@ Options ReadOptions(int count, char* arguments[])
     {
       options.Quick = true;
     }
+    else if (name == "--model-error")
+    {
+      options.ModelError = true;
+    }
     else if (name == "--full")
     {
       options.Quick = false;
@@ -972,6 +981,13 @@ int main(int count, char* arguments[])
     if (!fault.empty())
     {
       throw std::runtime_error(fault);
+    }
+    if (options.ModelError)
+    {
+      Device device;
+      const bool kept = MeasureModelErrors(
+        device, { options.Quick, options.Filter, options.Documentation, options.Command });
+      return kept ? EXIT_SUCCESS : EXIT_FAILURE;
     }
     Benchmark benchmark(options);
     benchmark.MeasureSteadyFrame();

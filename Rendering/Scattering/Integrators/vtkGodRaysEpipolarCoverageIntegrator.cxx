@@ -36,7 +36,6 @@ struct vtkGodRaysEpipolarCoverageIntegrator::Internals
 {
   vtkGodRaysCoverageSweep Sweep;
   vtkGodRaysTarget Rays[2]; // of one channel, and of three
-  vtkGodRaysViewDepths* Depths = nullptr;
   unsigned int Frame = 0; // whose depths the sweep has
   std::string Plan = "nothing yet";
   std::string Told; // of which light it was told that it cannot be evaluated
@@ -48,7 +47,7 @@ struct vtkGodRaysEpipolarCoverageIntegrator::Internals
 // Once a frame, however many lights it has.
 bool vtkGodRaysEpipolarCoverageIntegrator::Internals::LoadDepths(vtkGodRaysViewDepths& depths)
 {
-  if (this->Depths == &depths && this->Frame == depths.GetFrame())
+  if (this->Frame == depths.GetFrame())
   {
     return true;
   }
@@ -64,7 +63,6 @@ bool vtkGodRaysEpipolarCoverageIntegrator::Internals::LoadDepths(vtkGodRaysViewD
   {
     targets[i]->Read(GL_RED, GL_FLOAT, input.Values[i], static_cast<int>(input.Stride));
   }
-  this->Depths = &depths;
   this->Frame = depths.GetFrame();
   return true;
 }
