@@ -272,8 +272,8 @@ void WriteRow(const std::vector<Picture>& pictures, double white, int width, int
       {
         const double value = pictures[p][3 * (static_cast<std::size_t>(y) * width + x) + 1];
         const double shown = vtkGodRays::EncodeDisplay(std::min(1.0, std::max(0.0, value / white)));
-        std::fill_n(
-          pixels + 3 * (static_cast<std::size_t>(y) * image->GetDimensions()[0] + p * (width + gap) + x),
+        std::fill_n(pixels +
+            3 * (static_cast<std::size_t>(y) * image->GetDimensions()[0] + p * (width + gap) + x),
           3, static_cast<unsigned char>(std::lround(255.0 * shown)));
       }
     }
@@ -319,7 +319,8 @@ public:
 private:
   void MeasureCase(const Scene& scene, const NamedLight& light);
   void MeasureTimes();
-  void WritePictures(const Scene& scene, const Picture& truth, const std::vector<Picture>& pictures);
+  void WritePictures(
+    const Scene& scene, const Picture& truth, const std::vector<Picture>& pictures);
   std::string MakeTables() const;
 
   Device& OpenGL;
@@ -327,10 +328,10 @@ private:
   std::vector<ModelMethod> Methods;
   int Width;
   int Height;
-  std::ostringstream Cases;                                            // rows of the long table
-  std::map<std::pair<std::string, std::string>, Summary> ByLight;      // method, light; g 0.6
-  std::map<std::pair<std::string, std::string>, Summary> ByAsymmetry;  // method, g; before the light
-  std::map<std::pair<std::string, std::string>, Summary> ByMedium;     // method, scattering; g 0.6
+  std::ostringstream Cases;                                           // rows of the long table
+  std::map<std::pair<std::string, std::string>, Summary> ByLight;     // method, light; g 0.6
+  std::map<std::pair<std::string, std::string>, Summary> ByAsymmetry; // method, g; before the light
+  std::map<std::pair<std::string, std::string>, Summary> ByMedium;    // method, scattering; g 0.6
   std::map<std::string, Summary> All;
   std::map<std::string, std::vector<double>> Copies; // of what the rays add to a frame, each round
   std::map<std::string, std::vector<double>> Taps;   // of the same with 100 taps
@@ -348,8 +349,7 @@ void ModelErrors::MeasureCase(const Scene& scene, const NamedLight& light)
       continue;
     }
     stage.Set(light, asymmetry);
-    const Picture truth =
-      FindTruth(scene.Occluders, light, asymmetry, this->Width, this->Height);
+    const Picture truth = FindTruth(scene.Occluders, light, asymmetry, this->Width, this->Height);
     std::vector<Picture> pictures;
     std::ostringstream row;
     row << "| " << scene.Name << " | " << light.Name << " | " << asymmetry;
@@ -544,23 +544,24 @@ void ModelErrors::WritePage() const
   WriteChart(chart, folder + "/Charts/model-error.png");
 
   std::ofstream page(folder + "/ModelError.md");
-  page << "# Model error\n\nWritten by `" << this->Settings.Command << "`.\n\n"
-       << "How far pictures are from single scattering, and what they cost. The truth is\n"
-          "`vtkGodRaysSingleScatteringReference`; errors are root mean squares over a picture of "
-       << this->Width << " x " << this->Height
-       << ",\nas fractions of its peak, shown as *root mean square / worst* of the cases: twelve "
-          "scenes, three media with\nscattering coefficients of 0.02, 0.1 and 0.3 to a far limit of "
-          "20 (optical depths 0.4, 2 and 6), nothing absorbed,\nHenyey-Greenstein with g 0.6 unless "
-          "said otherwise. The radial sum, which has no scale of its own, is times what\nmakes its "
-          "error least, for each picture and medium; the others are as they come. The cost is what "
-          "the rays add to a frame\nof the scene *city* at 1920 x 1080 in full-screen copies, three "
-          "media at once, and against the radial sum with 100\ntaps; medians. OpenGL: "
-       << this->OpenGL.GetRendererName()
-       << ".\n\n![Model error against cost](Charts/model-error.png)\n\n"
-       << this->MakeTables() << "\n## Pictures\n\n"
-       << "Truth, the radial sum, " << BestModel
-       << ", and four times the differences of both from the truth; light in front, "
-          "coefficient 0.1.\n\n";
+  page
+    << "# Model error\n\nWritten by `" << this->Settings.Command << "`.\n\n"
+    << "How far pictures are from single scattering, and what they cost. The truth is\n"
+       "`vtkGodRaysSingleScatteringReference`; errors are root mean squares over a picture of "
+    << this->Width << " x " << this->Height
+    << ",\nas fractions of its peak, shown as *root mean square / worst* of the cases: twelve "
+       "scenes, three media with\nscattering coefficients of 0.02, 0.1 and 0.3 to a far limit of "
+       "20 (optical depths 0.4, 2 and 6), nothing absorbed,\nHenyey-Greenstein with g 0.6 unless "
+       "said otherwise. The radial sum, which has no scale of its own, is times what\nmakes its "
+       "error least, for each picture and medium; the others are as they come. The cost is what "
+       "the rays add to a frame\nof the scene *city* at 1920 x 1080 in full-screen copies, three "
+       "media at once, and against the radial sum with 100\ntaps; medians. OpenGL: "
+    << this->OpenGL.GetRendererName()
+    << ".\n\n![Model error against cost](Charts/model-error.png)\n\n"
+    << this->MakeTables() << "\n## Pictures\n\n"
+    << "Truth, the radial sum, " << BestModel
+    << ", and four times the differences of both from the truth; light in front, "
+       "coefficient 0.1.\n\n";
   for (const Scene& scene : MakeMediumScenes(4))
   {
     std::string name = scene.Name;

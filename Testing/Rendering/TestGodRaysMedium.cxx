@@ -250,6 +250,57 @@ TEST_F(GodRaysMedium, IsLinearInEachLight)
   EXPECT_LT(worst, 1e-6 * peak);
 }
 
+// One pass over the other, each with its own lights: what the outer one adds is added to the whole
+// picture of the inner one, in linear light.
+TEST_F(GodRaysMedium, GoesTogetherWithARadialSum)
+{
+  this->AddPillars();
+  this->AddSun({ 0.4, 0.2, -1.0 }, { 0.3, 0.5, 1.0 });
+  const auto alone = GetPixels(this->Scene.Window);
+  auto mediumAlone = this->GetScattering();
+  vtkNew<vtkGodRaysPass> radial;
+  radial->SetPrecision(vtkGodRaysPass::SINGLE);
+  radial->AddLight(MakeSun({ -0.2, 0.1, -1.0 }, { 1.0, 0.7, 0.3 }));
+  radial->Attach(this->Renderer);
+  const auto both = GetPixels(this->Scene.Window);
+  vtkNew<vtkImageData> light;
+  ASSERT_TRUE(radial->GetScatteringImage(light));
+  EXPECT_LE(GetErrorOfSum(both, alone, Width, light), 1.0);
+  EXPECT_GT(GetLargestDifference(both, alone), 20);
+  vtkNew<vtkImageData> medium;
+  ASSERT_TRUE(this->Rays->GetScatteringImage(medium));
+  for (int i = 0; i < Width; ++i)
+  {
+    EXPECT_EQ(GetValue(medium, i, Height / 2), GetValue(mediumAlone, i, Height / 2));
+  }
+  radial->Detach(this->Renderer);
+}
+
+// A frame of another pass, at the place in memory where a former one was, is another frame.
+TEST_F(GodRaysMedium, AnIntegratorServesOnePassAfterAnother)
+{
+  vtkNew<vtkGodRaysEpipolarCoverageIntegrator> integrator;
+  double means[2];
+  for (const bool pillars : { false, true })
+  {
+    Stage stage(Width, Height);
+    if (pillars)
+    {
+      stage.Renderer->AddActor(MakeBox({ 0.0, 0.0, 0.0 }, { 3.0, 3.0, 0.5 }));
+    }
+    stage.Rays->SetModel(this->Model);
+    stage.Rays->SetIntegrator(integrator);
+    stage.Rays->AddLight(MakeSun({ 0.1, 0.1, -1.0 }));
+    stage.Rays->Attach(stage.Renderer);
+    stage.Window->Render();
+    vtkNew<vtkImageData> image;
+    ASSERT_TRUE(stage.Rays->GetScatteringImage(image));
+    means[pillars] = GetMean(image);
+    stage.Rays->Detach(stage.Renderer);
+  }
+  EXPECT_LT(means[1], 0.95 * means[0]);
+}
+
 TEST_F(GodRaysMedium, ComputesWhatTheSceneNeeds)
 {
   this->AddPillars();

@@ -36,7 +36,7 @@ struct vtkGodRaysEpipolarCoverageIntegrator::Internals
 {
   vtkGodRaysCoverageSweep Sweep;
   vtkGodRaysTarget Rays[2]; // of one channel, and of three
-  unsigned int Frame = 0; // whose depths the sweep has
+  unsigned int Frame = 0;   // whose depths the sweep has
   std::string Plan = "nothing yet";
   std::string Told; // of which light it was told that it cannot be evaluated
 
