@@ -5,23 +5,25 @@
 set(godrays_paraview_bin "${ParaView_PREFIX_PATH}/bin")
 set(godrays_paraview_python "${ParaView_PREFIX_PATH}/${PARAVIEW_PYTHONPATH}")
 
-foreach(program IN ITEMS pvbatch pvserver mpirun)
+foreach(program IN ITEMS paraview pvbatch pvserver mpirun Xvfb)
   string(TOUPPER "GODRAYS_${program}" variable)
   find_program(${variable} ${program} HINTS "${godrays_paraview_bin}"
     DOC "${program}, for tests of the plugin")
   mark_as_advanced(${variable})
   if(NOT ${variable})
     message(FATAL_ERROR "${program} was not found, and the tests of the plugin need it. Install it "
-      "(Debian: paraview, openmpi-bin), name it with -D${variable}=<file>, or configure with "
+      "(Debian: paraview, openmpi-bin, xvfb), name it with -D${variable}=<file>, or configure with "
       "-DGODRAYS_BUILD_TESTING=OFF.")
   endif()
 endforeach()
 
 set(godrays_plugin_environment
   "GODRAYS_PLUGIN=$<TARGET_FILE:GodRays>"
+  "GODRAYS_PARAVIEW=${GODRAYS_PARAVIEW}"
   "GODRAYS_PVBATCH=${GODRAYS_PVBATCH}"
   "GODRAYS_PVSERVER=${GODRAYS_PVSERVER}"
   "GODRAYS_MPIRUN=${GODRAYS_MPIRUN}"
+  "GODRAYS_XVFB=${GODRAYS_XVFB}"
   "GODRAYS_BASELINES=${PROJECT_SOURCE_DIR}/Testing/Baseline"
   "GODRAYS_TEMPORARY=${CMAKE_BINARY_DIR}/Testing/Plugin")
 file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/Testing/Plugin")

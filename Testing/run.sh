@@ -37,7 +37,7 @@ packages=(
   libbenchmark-dev
   xvfb xauth libgl1-mesa-dri)
 if $paraview; then
-  packages+=(paraview paraview-dev openmpi-bin)
+  packages+=(paraview paraview-dev openmpi-bin libqt5svg5) # the last: the icons of its window
 fi
 
 missing=()
