@@ -133,13 +133,12 @@ class State(Case):
         simple.SaveAnimation(path("animation.png"), view, ImageResolution=[320, 240])
         files = sorted(glob.glob(path("animation*.png")))
         self.assertEqual(len(files), 3)
-        reader = vtkPNGReader()
-        reader.SetFileName(files[1])
-        reader.Update()
-        frame = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
-        view.SunElevation = 8.0
+        frames = [read(file) for file in files]
+        self.assert_different(frames[0], frames[1])
         view.ViewSize = [320, 240]
-        self.assert_alike(frame.reshape(240, 320, 3).astype(int), pixels(view))
+        for frame, elevation in zip(frames, (2.0, 8.0, 14.0)):
+            view.SunElevation = elevation
+            self.assert_alike(frame, pixels(view))
 
     def test_every_number_can_be_animated(self):
         view = make_view()
@@ -162,7 +161,7 @@ class Pictures(Case):
         self.assert_alike(pixels(view, 3), expected)
         self.assertEqual(list(view.ViewSize), size)
         simple.SaveScreenshot(path("large.png"), view, ImageResolution=[480, 360])
-        self.assert_alike(self.read(path("large.png")), expected)
+        self.assert_alike(read(path("large.png")), expected)
         # a control: the same light in tiles
         tiled = make_view("RenderView")
         add_colonnade(tiled)
@@ -171,14 +170,6 @@ class Pictures(Case):
             light=[0.0, numpy.sin(numpy.radians(10.0)), -numpy.cos(numpy.radians(10.0))],
         )
         self.assert_different(pixels(tiled, 3), expected)
-
-    def read(self, file):
-        reader = vtkPNGReader()
-        reader.SetFileName(file)
-        reader.Update()
-        width, height, _ = reader.GetOutput().GetDimensions()
-        values = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(int)
-        return values.reshape(height, width, -1)[:, :, :3]
 
     def test_a_transparent_background(self):
         view = make_view()
@@ -212,7 +203,7 @@ class Pictures(Case):
         width = min(alone.shape[1], plain.shape[1])  # ParaView gives one of them a pixel less
         self.assert_different(alone[:, :width], plain[:, :width], 40)
         simple.SaveScreenshot(path("two-views.png"), layout, SeparatorWidth=0)
-        both = self.read(path("two-views.png"))
+        both = read(path("two-views.png"))
         self.assert_alike(both[:, : alone.shape[1]], alone)
         self.assert_alike(both[:, -plain.shape[1] :], plain)
 
@@ -226,6 +217,42 @@ class Pictures(Case):
         self.assert_alike(pixels(first), alone)
         self.assert_alike(pixels(third), low)
 
+    def test_comparative_view(self):
+        look = {"SunElevation": 6.0, "Preset": "crisp-shafts"}
+        widths = (0.4, 1.2)
+        expected = []
+        for width, smooth in zip(widths, (0, 1)):  # ParaView does not smooth the first one's edges
+            view = make_view(UseFXAA=smooth, **look)
+            middle, left, *_ = add_pillars(view)
+            middle.Input.XLength = width
+            left.Representation = "Surface (God Rays)"
+            left.Role = "Ignored"
+            expected.append(pixels(view))
+        both = make_view("Comparative" + VIEW, (321, 120), Dimensions=[2, 1], **look)
+        middle, left, *_ = add_pillars(both)
+        left.Representation = "Surface (God Rays)"
+        left.Role = "Ignored"
+        manager = simple.servermanager.ProxyManager().SMProxyManager
+        cue = simple.servermanager._getPyProxy(
+            manager.NewProxy("animation", "ComparativeAnimationCue")
+        )
+        cue.AnimatedProxy = middle.Input
+        cue.AnimatedPropertyName = "XLength"
+        cue.SMProxy.UpdateXRange(0, *widths)
+        both.Cues = [cue]
+
+        def halves():
+            simple.Render(both)
+            simple.SaveScreenshot(path("comparative.png"), both)
+            shown = read(path("comparative.png"))
+            return shown[:, :160], shown[:, -160:]
+
+        for half, wanted in zip(halves(), expected):
+            self.assert_alike(half, wanted)
+        both.UseGodRays = 0
+        for half, wanted in zip(halves(), expected):
+            self.assert_different(half, wanted, 50)
+
     def test_stereo(self):
         view = make_view()
         add_pillars(view)
@@ -233,12 +260,12 @@ class Pictures(Case):
         view.StereoRender = 1
         simple.SaveScreenshot(path("left.png"), view, StereoMode="Left Eye Only")
         simple.SaveScreenshot(path("right.png"), view, StereoMode="Right Eye Only")
-        left, right = self.read(path("left.png")), self.read(path("right.png"))
+        left, right = read(path("left.png")), read(path("right.png"))
         self.assert_different(left, right)
         plain = make_view("RenderView")
         add_pillars(plain)
         simple.SaveScreenshot(path("plain.png"), plain, StereoMode="Left Eye Only")
-        self.assert_different(left, self.read(path("plain.png")), 40)
+        self.assert_different(left, read(path("plain.png")), 40)
         view.StereoRender = 0
         self.assert_alike(pixels(view), mono)
 

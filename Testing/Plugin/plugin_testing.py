@@ -87,14 +87,19 @@ def rays(view):
     return view.GetClientSideObject().GetGodRaysPass()
 
 
-def baseline(name):
-    """A picture of Testing/Baseline/, as pixels() has it."""
+def read(file):
+    """A picture, as pixels() has it."""
     reader = vtkPNGReader()
-    reader.SetFileName(os.path.join(BASELINES, name + ".png"))
+    reader.SetFileName(file)
     reader.Update()
     width, height, _ = reader.GetOutput().GetDimensions()
     values = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(int)
     return values.reshape(height, width, -1)[:, :, :3]
+
+
+def baseline(name):
+    """A picture of Testing/Baseline/, as pixels() has it."""
+    return read(os.path.join(BASELINES, name + ".png"))
 
 
 def layer(view, which="Scattering"):
