@@ -145,9 +145,21 @@ class Parallel(unittest.TestCase):
                         GODRAYS_REMOTE_RENDERING=remote,
                     )
                     self.check(folder, scenes)
+                    if remote == "1":
+                        self.check_dragged(folder, scenes)
                 finally:
                     server.terminate()
                     server.communicate()
+
+    def check_dragged(self, folder, scenes):
+        """While the camera is dragged there are the same rays, over a coarser picture."""
+        for name in scenes:
+            with self.subTest(name + ", dragged"):
+                full, dragged = read(folder, name), read(folder, name + "-dragged")
+                rays = abs(full - read(folder, name + "-plain")).mean()
+                self.assertLess(abs(dragged - full).mean(), 0.1 * rays)
+                self.assertGreater(abs(dragged - full).max(), 5 * LEVELS)  # it was reduced
+
 
 
 unittest.main(verbosity=2)

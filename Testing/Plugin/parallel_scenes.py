@@ -6,7 +6,8 @@ Usage: pvbatch parallel_scenes.py <folder> [<scene>...], under mpirun with as ma
 wanted; or with Python, as a client of the server at GODRAYS_SERVER_PORT, which renders if
 GODRAYS_REMOTE_RENDERING is 1, and does not if it is 0.
 
-Each <scene>.png has rays, each <scene>-plain.png none; times.json has the seconds of a frame, if
+Each <scene>.png has rays, each <scene>-plain.png none; as a client, each <scene>-dragged.png is what
+the window shows of <scene>.png while the camera is dragged, reduced by REDUCTION; times.json has the seconds of a frame, if
 GODRAYS_FRAMES says how many of them to draw.
 """
 
@@ -16,10 +17,13 @@ import sys
 import time
 
 from plugin_testing import *
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 FOLDER = sys.argv[1]
 SIZE = (200, 150)
 FRAMES = int(os.environ.get("GODRAYS_FRAMES", "0"))
+REDUCTION = 4
 CENTERS = [(-1.7, 0.7, 0.0), (-0.9, -0.6, 0.3), (0.1, 0.8, -0.4), (0.9, -0.4, 0.2), (1.7, 0.6, 0.0)]
 
 
@@ -107,6 +111,23 @@ SCENES = {
     for scene in (opaque, gradient, tagged, role, lamp, bright, translucent, volume, one_process)
 }
 
+
+
+def save_dragged(view, path):
+    """Write what the window shows while the camera is dragged."""
+    view.ImageReductionFactor = REDUCTION
+    view.SMProxy.InteractiveRender()
+    grab = vtkWindowToImageFilter()
+    grab.SetInput(view.GetRenderWindow())
+    grab.ReadFrontBufferOff()
+    grab.ShouldRerenderOff()
+    grab.Update()
+    writer = vtkPNGWriter()
+    writer.SetFileName(path)
+    writer.SetInputConnection(grab.GetOutputPort())
+    writer.Write()
+
+
 times = {}
 for name in sys.argv[2:] or SCENES:
     view = make_view(size=SIZE, SunElevation=6.0, SunAzimuth=3.0)
@@ -116,6 +137,8 @@ for name in sys.argv[2:] or SCENES:
     simple.Render(view)
     path = os.path.join(FOLDER, name)
     simple.SaveScreenshot(path + ".png", view)
+    if "GODRAYS_REMOTE_RENDERING" in os.environ:
+        save_dragged(view, path + "-dragged.png")
     begin = time.perf_counter()
     for _ in range(FRAMES):
         simple.Render(view)
