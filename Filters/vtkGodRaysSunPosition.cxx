@@ -262,6 +262,19 @@ double vtkGodRaysSunPosition::GetDistance()
 bool vtkGodRaysSunPosition::GetDirection(
   const double up[3], const double north[3], double direction[3])
 {
+  if (!vtkGodRaysSunPosition::ComputeDirection(
+        this->GetAzimuth(), this->GetElevation(), up, north, direction))
+  {
+    vtkErrorMacro("No direction to the sun: up and north must be finite, not 0 and not parallel.");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSunPosition::ComputeDirection(
+  double azimuth, double elevation, const double up[3], const double north[3], double direction[3])
+{
   double zenith[3] = { up[0], up[1], up[2] };
   double east[3];
   const bool hasZenith = vtkMath::Normalize(zenith) > 0.0 && std::isfinite(vtkMath::Norm(zenith));
@@ -270,14 +283,11 @@ bool vtkGodRaysSunPosition::GetDirection(
   vtkMath::Cross(ahead, zenith, east);
   if (!hasZenith || !(vtkMath::Normalize(east) > 1e-9))
   {
-    vtkErrorMacro("No direction to the sun: up and north must be finite, not 0 and not parallel.");
     const double fallback[3] = { 0.0, 0.0, 1.0 };
     vtkMath::Assign(hasZenith ? zenith : fallback, direction);
     return false;
   }
   vtkMath::Cross(zenith, east, ahead);
-  const double azimuth = this->GetAzimuth();
-  const double elevation = this->GetElevation();
   for (int i = 0; i < 3; ++i)
   {
     direction[i] = Sine(elevation) * zenith[i] +

@@ -132,12 +132,17 @@ public:
    */
   double GetDistance();
 
+  ///@{
   /**
-   * The direction to the sun as it is seen, of length 1, in a world where up and north are as given, of
-   * any length but 0. Only the part of north that is horizontal counts. Returns false after an error
-   * about two that are parallel or not finite, with up or (0, 0, 1) as the direction.
+   * The direction to the sun as it is seen, or to any azimuth and elevation [degrees], of length 1, in a
+   * world where up and north are as given, of any length but 0. Only the part of north that is horizontal
+   * counts. Returns false if the two are parallel or not finite, the first of them with an error, and
+   * then gives up or (0, 0, 1) as the direction.
    */
   bool GetDirection(const double up[3], const double north[3], double direction[3]);
+  static bool ComputeDirection(double azimuth, double elevation, const double up[3],
+    const double north[3], double direction[3]);
+  ///@}
 
   ///@{
   /**

@@ -3,9 +3,11 @@
 #include "vtkGodRaysRenderView.h"
 
 #include "vtkCompositeRepresentation.h"
+#include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysIntegrator.h"
 #include "vtkGodRaysPass.h"
 #include "vtkGodRaysRadialModel.h"
+#include "vtkGodRaysSunPosition.h"
 #include "vtkGodRaysSurfaceRepresentation.h"
 #include "vtkGodRaysViewCompositor.h"
 #include "vtkLight.h"
@@ -59,6 +61,30 @@ bool Remove(ObjectList& list, vtkObject* object)
   }
   list.erase(found);
   return true;
+}
+
+template <class Model>
+bool HasPreset(const std::string& name)
+{
+  for (int i = 0; i < Model::GetNumberOfPresets(); ++i)
+  {
+    if (name == Model::GetPresetName(i))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+template <class Model>
+std::string ListPresets()
+{
+  std::string names;
+  for (int i = 0; i < Model::GetNumberOfPresets(); ++i)
+  {
+    names += std::string(", ") + Model::GetPresetName(i);
+  }
+  return names;
 }
 
 /// Props that show axes rather than data.
@@ -116,9 +142,12 @@ struct vtkGodRaysRenderView::vtkInternals
   vtkNew<ToneMappedPass> Chain;
   vtkNew<vtkGodRaysViewCompositor> Compositor;
   vtkSmartPointer<vtkGodRaysModel> CustomModel;
-  vtkNew<vtkGodRaysRadialModel> PresetModel;
+  vtkNew<vtkGodRaysRadialModel> Look;
+  vtkNew<vtkGodRaysHomogeneousModel> Medium;
+  vtkSmartPointer<vtkGodRaysIntegrator> Integrator;
   std::string Preset = "default";
   vtkNew<vtkLight> Sun;
+  vtkNew<vtkGodRaysSunPosition> SunPosition;
   std::string Plan;
 
   ObjectList Occluders;
@@ -135,8 +164,8 @@ vtkGodRaysRenderView::vtkGodRaysRenderView()
   : Internals(new vtkInternals)
 {
   this->Internals->CustomModel = this->Internals->Pass->GetModel();
-  this->Internals->PresetModel->ApplyPreset("default");
-  this->Internals->Pass->SetModel(this->Internals->PresetModel);
+  this->Internals->Look->ApplyPreset("default");
+  this->Internals->Pass->SetModel(this->Internals->Look);
   this->Internals->Chain->Rays = this->Internals->Pass;
   this->Internals->Pass->SetCompositor(this->Internals->Compositor);
   this->UpdatePasses();
@@ -216,7 +245,7 @@ void vtkGodRaysRenderView::SetLightSource(int mode)
 //------------------------------------------------------------------------------
 void vtkGodRaysRenderView::SetSunFrame(int frame)
 {
-  this->SetMode("SunFrame", this->SunFrame, frame, Z_UP);
+  this->SetMode("SunFrame", this->SunFrame, frame, UP_AND_NORTH);
 }
 
 //------------------------------------------------------------------------------
@@ -246,6 +275,58 @@ void vtkGodRaysRenderView::SetSunElevation(double degrees)
 }
 
 //------------------------------------------------------------------------------
+void vtkGodRaysRenderView::SetSunUp(double x, double y, double z)
+{
+  const double up[3] = { x, y, z };
+  vtkMath::Assign(up, this->SunUp);
+  this->SunErrorTold = false;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::SetSunNorth(double x, double y, double z)
+{
+  const double north[3] = { x, y, z };
+  vtkMath::Assign(north, this->SunNorth);
+  this->SunErrorTold = false;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::SetSunPosition(int mode)
+{
+  this->SetMode("SunPosition", this->SunPosition, mode, DATE_AND_PLACE);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::SetSunDate(int year, int month, int day)
+{
+  this->Internals->SunPosition->SetDate(year, month, day);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+#define vtkGodRaysForwardSunMacro(name)                                                            \
+  void vtkGodRaysRenderView::SetSun##name(double value)                                            \
+  {                                                                                                \
+    this->Internals->SunPosition->Set##name(value);                                                \
+    this->Modified();                                                                              \
+  }
+vtkGodRaysForwardSunMacro(TimeOfDay);
+vtkGodRaysForwardSunMacro(TimeZone);
+vtkGodRaysForwardSunMacro(Latitude);
+vtkGodRaysForwardSunMacro(Longitude);
+
+//------------------------------------------------------------------------------
+double* vtkGodRaysRenderView::GetSunAngles()
+{
+  const bool angles = this->SunPosition == AZIMUTH_AND_ELEVATION;
+  this->SunAngles[0] = angles ? this->SunAzimuth : this->Internals->SunPosition->GetAzimuth();
+  this->SunAngles[1] = angles ? this->SunElevation : this->Internals->SunPosition->GetElevation();
+  return this->SunAngles;
+}
+
+//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::SetSunColor(double red, double green, double blue)
 {
   double color[3] = { red, green, blue };
@@ -272,25 +353,65 @@ void vtkGodRaysRenderView::SetPreset(const char* name)
   {
     return;
   }
-  const bool custom = preset == "custom";
-  if (!custom && !self.PresetModel->ApplyPreset(name))
+  vtkGodRaysModel* model = nullptr;
+  if (preset == "custom")
   {
+    model = self.CustomModel;
+  }
+  else if (HasPreset<vtkGodRaysHomogeneousModel>(preset))
+  {
+    model = self.Medium;
+  }
+  else if (HasPreset<vtkGodRaysRadialModel>(preset))
+  {
+    model = self.Look;
+  }
+  else
+  {
+    vtkErrorMacro("There is no preset \""
+      << preset << "\"; it stays " << self.Preset << ". There are: custom"
+      << ListPresets<vtkGodRaysRadialModel>() << ListPresets<vtkGodRaysHomogeneousModel>() << ".");
     return;
   }
   self.Preset = preset;
-  self.Pass->SetModel(custom ? self.CustomModel.Get() : self.PresetModel.Get());
-  this->Modified();
+  if (preset != "custom")
+  {
+    model->ApplyPreset(name);
+  }
+  this->UseModel(model);
 }
 
 //------------------------------------------------------------------------------
 void vtkGodRaysRenderView::SetModel(vtkGodRaysModel* model)
 {
-  vtkInternals& self = *this->Internals;
-  self.CustomModel = model;
-  if (self.Preset == "custom")
+  this->Internals->CustomModel = model;
+  if (this->Internals->Preset == "custom")
   {
-    self.Pass->SetModel(model);
+    this->UseModel(model);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::SetIntegrator(vtkGodRaysIntegrator* integrator)
+{
+  this->Internals->Integrator = integrator;
+  this->UseModel(this->Internals->Pass->GetModel());
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::UseModel(vtkGodRaysModel* model)
+{
+  vtkInternals& self = *this->Internals;
+  self.Pass->SetModel(model);
+  const bool fits = self.Integrator && self.Integrator->Supports(self.Pass->GetModel());
+  self.Pass->SetIntegrator(fits ? self.Integrator.Get() : nullptr);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::SetWorldUnitInMeters(double meters)
+{
+  this->Internals->Medium->SetWorldUnitInMeters(meters);
   this->Modified();
 }
 
@@ -354,7 +475,6 @@ void vtkGodRaysRenderView::RemoveIgnored(vtkObject* representation)
   {                                                                                                \
     this->Internals->Pass->Set##name(value);                                                       \
   }
-vtkGodRaysForwardMacro(Integrator, vtkGodRaysIntegrator*);
 vtkGodRaysForwardMacro(Intensity, double);
 vtkGodRaysForwardMacro(ErrorTolerance, double);
 vtkGodRaysForwardMacro(InteractiveErrorTolerance, double);
@@ -509,33 +629,47 @@ void vtkGodRaysRenderView::UpdateRoles()
 }
 
 //------------------------------------------------------------------------------
+bool vtkGodRaysRenderView::UpdateSun()
+{
+  static const double axes[][2][3] = { // up and north, by SunFrame
+    { { 0.0, 1.0, 0.0 }, { 0.0, 0.0, -1.0 } }, { { 1.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 } },
+    { { 0.0, 1.0, 0.0 }, { 0.0, 0.0, -1.0 } }, { { 0.0, 0.0, 1.0 }, { 0.0, 1.0, 0.0 } }
+  };
+  const bool given = this->SunFrame == UP_AND_NORTH;
+  const double* up = given ? this->SunUp : axes[this->SunFrame][0];
+  const double* north = given ? this->SunNorth : axes[this->SunFrame][1];
+  const double* angles = this->GetSunAngles();
+  vtkInternals& self = *this->Internals;
+  double direction[3];
+  if (!vtkGodRaysSunPosition::ComputeDirection(angles[0], angles[1], up, north, direction))
+  {
+    if (!this->SunErrorTold)
+    {
+      vtkErrorMacro("There is no sun: SunUp and SunNorth must be finite, not 0 and not parallel.");
+      this->SunErrorTold = true;
+    }
+    return false;
+  }
+  self.Sun->SetLightType(
+    this->SunFrame == CAMERA ? VTK_LIGHT_TYPE_CAMERA_LIGHT : VTK_LIGHT_TYPE_SCENE_LIGHT);
+  self.Sun->SetFocalPoint(0.0, 0.0, 0.0);
+  self.Sun->SetPosition(direction);
+  // At night it does not shine; a sun by its angles may well stand below the scene.
+  return this->SunPosition == AZIMUTH_AND_ELEVATION ||
+    angles[1] > -self.Pass->GetSunAngularRadius();
+}
+
+//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::UpdateLights()
 {
   vtkInternals& self = *this->Internals;
   std::vector<vtkLight*> lights;
   if (this->LightSource == SUN)
   {
-    const double azimuth = vtkMath::RadiansFromDegrees(this->SunAzimuth);
-    const double elevation = vtkMath::RadiansFromDegrees(this->SunElevation);
-    const double east = std::cos(elevation) * std::sin(azimuth);
-    const double north = std::cos(elevation) * std::cos(azimuth);
-    const double up = std::sin(elevation);
-    self.Sun->SetLightType(
-      this->SunFrame == CAMERA ? VTK_LIGHT_TYPE_CAMERA_LIGHT : VTK_LIGHT_TYPE_SCENE_LIGHT);
-    self.Sun->SetFocalPoint(0.0, 0.0, 0.0);
-    switch (this->SunFrame)
+    if (this->UpdateSun())
     {
-      case X_UP:
-        self.Sun->SetPosition(up, east, north);
-        break;
-      case Z_UP:
-        self.Sun->SetPosition(east, north, up);
-        break;
-      default:
-        self.Sun->SetPosition(east, up, -north);
-        break;
+      lights.push_back(self.Sun);
     }
-    lights.push_back(self.Sun);
   }
   else if (this->LightSource == VIEW_LIGHTS)
   {
@@ -582,6 +716,12 @@ void vtkGodRaysRenderView::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SunFrame: " << this->SunFrame << "\n";
   os << indent << "SunAzimuth: " << this->SunAzimuth << "\n";
   os << indent << "SunElevation: " << this->SunElevation << "\n";
+  os << indent << "SunUp: (" << this->SunUp[0] << ", " << this->SunUp[1] << ", " << this->SunUp[2]
+     << ")\n";
+  os << indent << "SunNorth: (" << this->SunNorth[0] << ", " << this->SunNorth[1] << ", "
+     << this->SunNorth[2] << ")\n";
+  os << indent << "SunPosition: " << this->SunPosition << "\n";
+  this->Internals->SunPosition->PrintSelf(os, indent.GetNextIndent());
   os << indent << "Preset: " << this->Internals->Preset << "\n";
   os << indent << "Pass:\n";
   this->Internals->Pass->PrintSelf(os, indent.GetNextIndent());

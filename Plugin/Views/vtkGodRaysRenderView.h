@@ -5,8 +5,8 @@
  * @brief   ParaView's render view with god rays
  *
  * The view "Render View (God Rays)" of the ParaView plugin. It holds a vtkGodRaysPass and forwards
- * to it; what it adds is ParaView's: a sun by azimuth and elevation, presets by name, and roles by
- * representation.
+ * to it; what it adds is ParaView's: a sun by azimuth and elevation or by date and place, presets by name,
+ * and roles by representation.
  *
  * Roles given by AddOccluder(), AddLightSource() and AddIgnored() belong to a representation as a
  * whole: they follow its type (surface, volume, ...) when that changes, and take precedence over
@@ -64,10 +64,11 @@ public:
   /// What azimuth and elevation of the sun refer to.
   enum SunFrameType
   {
-    CAMERA = 0, ///< azimuth 0 is the direction of view, elevation is up in the picture
-    X_UP = 1,   ///< north is +z, east +y
-    Y_UP = 2,   ///< north is -z, east +x
-    Z_UP = 3    ///< north is +y, east +x, as on a map
+    CAMERA = 0,      ///< azimuth 0 is the direction of view, elevation is up in the picture
+    X_UP = 1,        ///< north is +z, east +y
+    Y_UP = 2,        ///< north is -z, east +x
+    Z_UP = 3,        ///< north is +y, east +x, as on a map
+    UP_AND_NORTH = 4 ///< as SetSunUp() and SetSunNorth() say
   };
 
   /**
@@ -75,6 +76,29 @@ public:
    * changes nothing. Default is CAMERA.
    */
   void SetSunFrame(int frame);
+
+  ///@{
+  /**
+   * Set where up and north are for UP_AND_NORTH [no unit]: directions of any length. Only the part of
+   * north that is at right angles to up counts. While they are not finite, 0 or parallel, it is an error
+   * to draw, and there is no sun. Defaults are (0, 0, 1) and (0, 1, 0).
+   */
+  void SetSunUp(double x, double y, double z);
+  void SetSunNorth(double x, double y, double z);
+  ///@}
+
+  /// What says where the sun stands.
+  enum SunPositionMode
+  {
+    AZIMUTH_AND_ELEVATION = 0,
+    DATE_AND_PLACE = 1
+  };
+
+  /**
+   * Set what says where the sun stands, one of SunPositionMode. Any other number is an error and changes
+   * nothing. Default is AZIMUTH_AND_ELEVATION.
+   */
+  void SetSunPosition(int mode);
 
   /**
    * Set the sun's azimuth, clockwise from north seen from above [degrees]; north is 0, east 90. Any
@@ -88,6 +112,24 @@ public:
    */
   void SetSunElevation(double degrees);
 
+  ///@{
+  /**
+   * Set when and where, for DATE_AND_PLACE; see vtkGodRaysSunPosition for ranges and errors. The defaults
+   * are noon of 2000-06-21 at latitude and longitude 0. While the sun is below the horizon it does not
+   * shine.
+   */
+  void SetSunDate(int year, int month, int day);
+  void SetSunTimeOfDay(double hours);
+  void SetSunTimeZone(double hours);
+  void SetSunLatitude(double degrees);
+  void SetSunLongitude(double degrees);
+  ///@}
+
+  /**
+   * Azimuth and elevation of the sun [degrees], however they are set.
+   */
+  double* GetSunAngles() VTK_SIZEHINT(2);
+
   /**
    * Set the sun's colour, as shown on the display [no unit]. Valid range: [0, 1] each.
    * Default is (1, 1, 1).
@@ -95,11 +137,21 @@ public:
   void SetSunColor(double red, double green, double blue);
 
   /**
-   * Set the look by name, see vtkGodRaysRadialModel::ApplyPreset(), or "custom" to use the model that
-   * SetModel() got. An unknown name is an error that lists the known ones, and changes nothing.
-   * Default is "default".
+   * Set the look by name, see vtkGodRaysRadialModel::ApplyPreset(), or the medium, see
+   * vtkGodRaysHomogeneousModel::ApplyPreset(), or "custom" to use the model that SetModel() got. An
+   * unknown name is an error that lists the known ones, and changes nothing. Default is "default".
    */
   void SetPreset(const char* name);
+
+  /**
+   * Set how long the scene's unit is for media by name [m]. Valid range: [1e-12, 1e12]. Default is 1.
+   */
+  void SetWorldUnitInMeters(double meters);
+
+  /**
+   * Set the integrator. Models that it cannot evaluate take their own instead.
+   */
+  void SetIntegrator(vtkGodRaysIntegrator* integrator);
 
   ///@{
   /**
@@ -120,7 +172,6 @@ public:
    * Forwarded to the pass; see vtkGodRaysPass.
    */
   void SetModel(vtkGodRaysModel* model);
-  void SetIntegrator(vtkGodRaysIntegrator* integrator);
   void SetIntensity(double intensity);
   void SetErrorTolerance(double tolerance);
   void SetInteractiveErrorTolerance(double tolerance);
@@ -157,7 +208,9 @@ private:
   void operator=(const vtkGodRaysRenderView&) = delete;
 
   bool SetMode(const char* name, int& mode, int value, int last);
+  void UseModel(vtkGodRaysModel* model);
   void UpdatePasses();
+  bool UpdateSun();
   void UpdateLights();
   void UpdateRoles();
 
@@ -169,6 +222,11 @@ private:
   int SunFrame = CAMERA;
   double SunAzimuth = 0.0;
   double SunElevation = 10.0;
+  int SunPosition = AZIMUTH_AND_ELEVATION;
+  double SunUp[3] = { 0.0, 0.0, 1.0 };
+  double SunNorth[3] = { 0.0, 1.0, 0.0 };
+  bool SunErrorTold = false;
+  double SunAngles[2] = { 0.0, 0.0 };
 };
 
 #endif

@@ -144,7 +144,8 @@ class State(Case):
         view = make_view()
         for name in ("Intensity", "SunAzimuth", "SunElevation", "SunColor", "SunAngularRadius",
             "SourceRadius", "BackgroundGlow", "BackgroundGlowRadius", "BackgroundGlowFalloff",
-            "ErrorTolerance", "ResolutionScale", "LayerMargin"):  # fmt: skip
+            "ErrorTolerance", "ResolutionScale", "LayerMargin", "SunUp", "SunNorth",
+            "SunTimeOfDay", "SunTimeZone", "SunLatitude", "SunLongitude"):  # fmt: skip
             self.assertTrue(view.SMProxy.GetProperty(name).GetAnimateable(), name)
         for name in ("Density", "Decay", "Weight", "Exposure"):
             self.assertTrue(view.Model.SMProxy.GetProperty(name).GetAnimateable(), name)

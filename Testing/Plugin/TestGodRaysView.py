@@ -76,6 +76,64 @@ class View(Case):
         north_and_up = (numpy.sin(e), numpy.cos(e) * numpy.sin(a), numpy.cos(e) * numpy.cos(a))
         self.assertLess(error_of_light(view, north_and_up), 2e-3)
 
+    def test_the_sun_by_date_and_place(self):
+        # the example of the solar position algorithm, [RedaAndreas2004], in thicker air
+        place = {
+            "SunPosition": "Date and place",
+            "SunFrame": "World, Z up",
+            "SunDate": [2003, 10, 17],
+            "SunTimeOfDay": 12 + 30 / 60 + 30 / 3600,
+            "SunTimeZone": -7.0,
+            "SunLatitude": 39.742476,
+            "SunLongitude": -105.1786,
+        }
+        view = make_view(CameraPosition=[2.0, 6.7, -4.0], CameraViewUp=[0, 0, 1], **place)
+        view.Integrator = "Taps"  # which the model evaluates one by one
+        add_pillars(view)
+        shown = pixels(view)
+        view.UpdatePropertyInformation()
+        azimuth, elevation = view.GetPropertyValue("SunAngles")
+        self.assertAlmostEqual(azimuth, 194.3402, delta=0.005)
+        self.assertAlmostEqual(elevation, 90.0 - 50.1116, delta=0.02)
+        a, e = numpy.radians([azimuth, elevation])
+        south = (numpy.cos(e) * numpy.sin(a), numpy.cos(e) * numpy.cos(a), numpy.sin(e))
+        self.assertLess(error_of_light(view, south), 2e-3)
+
+        by_angles = {"SunPosition": "Azimuth and elevation", "SunAzimuth": azimuth}
+        for name, value in {**by_angles, "SunElevation": elevation}.items():
+            setattr(view, name, value)
+        self.assert_alike(pixels(view), shown)
+        view.SunPosition = "Date and place"
+        view.SunTimeOfDay = 10.0
+        self.assert_different(pixels(view), shown)
+
+        # it goes down, and does not shine from below
+        view.SunTimeOfDay = 23.0
+        simple.Render(view)
+        self.assertIn("light: none", rays(view).GetPlan())
+        view.SunPosition = "Azimuth and elevation"
+        view.SunElevation = -20.0
+        simple.Render(view)
+        self.assertNotIn("light: none", rays(view).GetPlan())
+
+    def test_up_and_north(self):
+        view = make_view(SunFrame="World, Y up", SunAzimuth=5.0)
+        add_pillars(view)
+        expected = pixels(view)
+        view.SunFrame = "World, by Up and North"
+        self.assert_different(pixels(view), expected)  # as on a map
+        view.SunUp = [0, 2, 0]
+        view.SunNorth = [0, 7, -3]
+        self.assert_alike(pixels(view), expected)
+        with Messages() as messages:
+            view.SunNorth = [0, 1, 0]
+            simple.Render(view)
+            simple.Render(view)
+        self.assertEqual(messages.text.count("parallel"), 1, messages.text)
+        self.assertIn("light: none", rays(view).GetPlan())
+        view.SunNorth = [0, 0, -1]
+        self.assert_alike(pixels(view), expected)
+
     def test_lights_of_the_light_inspector(self):
         view = make_view(LightSource="What is tagged as a light")
         add_pillars(view)
@@ -121,6 +179,7 @@ class View(Case):
             view.SMProxy.GetProperty("Preset").SetElement(0, "no-such-look")
             view.SMProxy.UpdateVTKObjects()
         self.assertIn("low-sun", messages.text)
+        self.assertIn("sea-water", messages.text)
         self.assert_alike(pixels(view), default)
 
     def test_tone_mapping_comes_after_the_rays(self):
