@@ -11,6 +11,8 @@
 #ifndef vtkGodRaysMedium_h
 #define vtkGodRaysMedium_h
 
+#include <initializer_list>
+
 struct vtkGodRaysMedium
 {
   struct Component
@@ -32,6 +34,35 @@ struct vtkGodRaysMedium
   double Up[3] = { 0.0, 1.0, 0.0 }; // where densities fall, in view coordinates; length 1
   double EyeHeight = 0.0;           // above the plane where densities are 1
   double FarLimit = 100.0;          // where the medium ends [view depth]
+
+  /// Whether red, green and blue are alike.
+  bool IsGrey() const
+  {
+    for (int i = 0; i < this->NumberOfComponents; ++i)
+    {
+      for (const double* c : { this->Components[i].Scattering, this->Components[i].Absorption })
+      {
+        if (c[0] != c[1] || c[1] != c[2])
+        {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  /// Whether its density falls with height.
+  bool ThinsOut() const
+  {
+    for (int i = 0; i < this->NumberOfComponents; ++i)
+    {
+      if (this->Components[i].ScaleHeight > 0.0)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
 };
 
 #endif

@@ -38,6 +38,9 @@ uniform float farLimit;
 // hasRays: whether there are rays
 // dimmed: by the medium through which the scene is seen
 // parallel: whether view rays are
+// thinsOut: whether the medium's density falls with height
+// hasSecond: whether it has two components
+// grey: whether it dims all colours alike
 
 // What the medium lets through between the eye and what is seen.
 vec3 SceneTransmittance(ivec2 pixel)
@@ -48,12 +51,19 @@ vec3 SceneTransmittance(ivec2 pixel)
   vec2 place = pictureScale * (2.0 * texCoord - 1.0);
   vec3 ray = pictureOrigin + place.x * pictureRight + place.y * pictureUp;
   float way = parallel ? viewDepth : viewDepth * length(ray) / -ray.z;
-  vec3 direction = parallel ? vec3(0.0, 0.0, -1.0) : normalize(ray);
-  float start = eyeHeight + (parallel ? dot(vec3(ray.xy, 0.0), mediumUp) : 0.0);
-  float slope = dot(direction, mediumUp);
-  vec3 tau = extinction * MediumDepth(start, slope, scaleHeight.x, way) +
-    secondExtinction * MediumDepth(start, slope, scaleHeight.y, way);
-  return exp(-tau);
+  vec3 tau = (thinsOut || !hasSecond ? extinction : extinction + secondExtinction) * way;
+  if (thinsOut)
+  {
+    vec3 direction = parallel ? vec3(0.0, 0.0, -1.0) : normalize(ray);
+    float start = eyeHeight + (parallel ? dot(vec3(ray.xy, 0.0), mediumUp) : 0.0);
+    float slope = dot(direction, mediumUp);
+    tau = extinction * MediumDepth(start, slope, scaleHeight.x, way);
+    if (hasSecond)
+    {
+      tau += secondExtinction * MediumDepth(start, slope, scaleHeight.y, way);
+    }
+  }
+  return grey ? vec3(exp(-tau.x)) : exp(-tau);
 }
 
 void main()

@@ -90,7 +90,10 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
       { "showRays", request.ShowRays }, { "resized", resized },
       { "hasBackdrop", request.Backdrop != nullptr }, { "oneChannel", request.Tint != nullptr },
       { "hasRays", request.Rays != nullptr }, { "dimmed", request.Medium != nullptr },
-      { "parallel", request.View && request.View->Parallel } });
+      { "parallel", request.View && request.View->Parallel },
+      { "thinsOut", request.Medium && request.Medium->ThinsOut() },
+      { "hasSecond", request.Medium && request.Medium->NumberOfComponents > 1 },
+      { "grey", request.Medium && request.Medium->IsGrey() } });
   if (!program)
   {
     return false;

@@ -20,17 +20,6 @@ vtkStandardNewMacro(vtkGodRaysEpipolarCoverageIntegrator);
 
 vtkGodRaysSetFiniteMacro(vtkGodRaysEpipolarCoverageIntegrator, Thickness, 0.0, 1.0);
 
-namespace
-{
-bool IsGrey(const vtkGodRaysMedium& medium)
-{
-  const auto grey = [](const double* c) { return c[0] == c[1] && c[1] == c[2]; };
-  return std::all_of(medium.Components, medium.Components + medium.NumberOfComponents,
-    [grey](const vtkGodRaysMedium::Component& component)
-    { return grey(component.Scattering) && grey(component.Absorption); });
-}
-}
-
 //------------------------------------------------------------------------------
 struct vtkGodRaysEpipolarCoverageIntegrator::Internals
 {
@@ -101,7 +90,7 @@ bool vtkGodRaysEpipolarCoverageIntegrator::Integrate(const Request& request)
   parameters.PixelSize = pinhole.PixelSize;
   std::copy_n(pinhole.Center, 2, parameters.Center);
   parameters.Parallel = view.Parallel;
-  const bool grey = IsGrey(*request.Medium); // then one channel serves a light of any colour
+  const bool grey = request.Medium->IsGrey(); // then one channel serves a light of any colour
   for (int i = 0; i < 3; ++i)
   {
     const double place = source.Position[i] - (source.Infinite ? 0.0 : view.Eye[i]);
