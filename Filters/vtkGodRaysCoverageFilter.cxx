@@ -29,14 +29,14 @@ using Sweep = vtkGodRaysCoverageSweep;
 //------------------------------------------------------------------------------
 // Planes of positive depths.
 template <typename Scalar>
-void Load(const Scalar* values, int components, vtkIdType pixels, const Sweep::Planes& planes)
+void Load(const Scalar* values, int components, vtkIdType pixels, float* const* planes)
 {
   vtkSMPTools::For(0, pixels, 1 << 16,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (int c = 0; c < components; ++c)
       {
-        float* plane = planes.Values[c];
+        float* plane = planes[c];
         for (vtkIdType i = begin; i < end; ++i)
         {
           const Scalar z = values[i * components + c];
@@ -45,6 +45,28 @@ void Load(const Scalar* values, int components, vtkIdType pixels, const Sweep::P
         }
       }
     });
+}
+
+//------------------------------------------------------------------------------
+void Load(vtkDataArray* depths, float* const* planes)
+{
+  const int components = depths->GetNumberOfComponents();
+  const vtkIdType pixels = depths->GetNumberOfTuples();
+  const void* values = depths->GetVoidPointer(0);
+  if (depths->GetDataType() == VTK_FLOAT)
+  {
+    Load(static_cast<const float*>(values), components, pixels, planes);
+  }
+  else
+  {
+    Load(static_cast<const double*>(values), components, pixels, planes);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool IsReal(vtkDataArray* array)
+{
+  return array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
 }
 }
 
@@ -62,6 +84,7 @@ void vtkGodRaysCoverageFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Thickness: " << this->Thickness << "\n";
+  os << indent << "EndArrayName: " << this->EndArrayName << "\n";
   os << indent << "Plan: " << this->GetPlan() << "\n";
 }
 
@@ -125,37 +148,42 @@ int vtkGodRaysCoverageFilter::RequestData(
   vtkImageData* image = vtkImageData::GetData(input[0]);
   vtkImageData* result = vtkImageData::GetData(output);
   vtkDataArray* depths = image ? this->GetInputArrayToProcess(0, input) : nullptr;
-  std::string fault = this->FindFault();
-  const int components = depths ? depths->GetNumberOfComponents() : 0;
-  if (!fault.empty())
-  {
-    // said
-  }
-  else if (!depths || depths->GetNumberOfTuples() != image->GetNumberOfPoints() ||
-    image->GetNumberOfPoints() == 0 || image->GetDimensions()[2] != 1)
-  {
-    fault =
-      "there is no depth image. Connect one slice in x and y of view depths as point data; name "
-      "the array with SetInputArrayToProcess() unless it is the active one.";
-  }
-  else if ((components != 1 && components != 2 && components != 4) ||
-    (depths->GetDataType() != VTK_FLOAT && depths->GetDataType() != VTK_DOUBLE))
-  {
-    fault = "the depths are " + std::to_string(components) + " component(s) of type " +
-      depths->GetDataTypeAsString() +
-      ". Give 1, 2 or 4 components of float or double: the first surface, or fronts and backs of "
-      "solid layers.";
-  }
-  else if (this->Light[3] != 0.0)
-  {
-    fault = "the light is a point light, and only directional lights are supported. Set the fourth "
-            "number of Light to 0, or take vtkGodRaysSingleScatteringReference.";
-  }
-  if (!fault.empty())
+  const auto fail = [&](const std::string& fault)
   {
     vtkErrorMacro("Cannot compute scattered light: " << fault);
     result->Initialize();
     return 1; // the executive would only add that something failed
+  };
+  const std::string parameterFault = this->FindFault();
+  if (!parameterFault.empty())
+  {
+    return fail(parameterFault);
+  }
+  if (!depths || depths->GetNumberOfTuples() != image->GetNumberOfPoints() ||
+    image->GetNumberOfPoints() == 0 || image->GetDimensions()[2] != 1)
+  {
+    return fail(
+      "there is no depth image. Connect one slice in x and y of view depths as point data; name "
+      "the array with SetInputArrayToProcess() unless it is the active one.");
+  }
+  const int components = depths->GetNumberOfComponents();
+  if ((components != 1 && components != 2 && components != 4) || !IsReal(depths))
+  {
+    return fail("the depths are " + std::to_string(components) + " component(s) of type " +
+      depths->GetDataTypeAsString() +
+      ". Give 1, 2 or 4 components of float or double: the first surface, or fronts and backs of "
+      "solid layers.");
+  }
+  vtkDataArray* ends = nullptr;
+  if (!this->EndArrayName.empty())
+  {
+    ends = image->GetPointData()->GetArray(this->EndArrayName.c_str());
+    if (!ends || ends->GetNumberOfComponents() != 1 || !IsReal(ends))
+    {
+      return fail("there is no array \"" + this->EndArrayName +
+        "\" of one component of float or double. Set EndArrayName to where view rays end, or to "
+        "nothing.");
+    }
   }
 
   int dimensions[3];
@@ -166,26 +194,35 @@ int vtkGodRaysCoverageFilter::RequestData(
   parameters.Center[0] = 0.5 * dimensions[0];
   parameters.Center[1] = 0.5 * dimensions[1];
   parameters.Parallel = view.Parallel;
+  double light[3];
   const double* axes[3] = { view.Right, view.Up, view.Forward };
   for (int i = 0; i < 3; ++i)
   {
-    parameters.Light[i] = vtkMath::Dot(this->Light, axes[i]);
+    light[i] = this->Light[i] - this->Light[3] * view.Position[i];
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    parameters.Light[i] = vtkMath::Dot(light, axes[i]);
   }
   parameters.Light[3] = this->Light[3];
   std::copy_n(this->LightColor, 3, parameters.LightColor);
   parameters.Medium = this->GetMedium(view);
   parameters.Layers = components / 2;
   parameters.Thickness = this->Thickness;
+  if (!Sweep::Supports(parameters))
+  {
+    return fail(
+      "a point light, or a medium that thins out, is not supported. Set the fourth number of "
+      "Light and the scale heights to 0, or take vtkGodRaysSingleScatteringReference.");
+  }
 
   const vtkIdType pixels = image->GetNumberOfPoints();
-  const Sweep::Planes planes = this->Sweep->PrepareInput(dimensions[0], dimensions[1], components);
-  if (depths->GetDataType() == VTK_FLOAT)
+  const Sweep::Planes planes =
+    this->Sweep->PrepareInput(dimensions[0], dimensions[1], components + (ends ? 1 : 0));
+  Load(depths, planes.Values);
+  if (ends)
   {
-    Load(static_cast<const float*>(depths->GetVoidPointer(0)), components, pixels, planes);
-  }
-  else
-  {
-    Load(static_cast<const double*>(depths->GetVoidPointer(0)), components, pixels, planes);
+    Load(ends, planes.Values + components);
   }
 
   vtkNew<vtkFloatArray> radiances;

@@ -63,6 +63,16 @@ public:
   vtkGetMacro(Thickness, double);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get the name of a second array of the input, of 1 component, that holds where view rays end, for
+   * things that are seen but cast no shadow, or the other way round. Default is "": where the nearest
+   * thing that casts a shadow is.
+   */
+  vtkSetMacro(EndArrayName, std::string);
+  vtkGetMacro(EndArrayName, std::string);
+  ///@}
+
   /**
    * What the last execution did: layers, channels, lines, and how many hidden intervals found no room
    * in their line's list of 16 and were joined to the nearest.
@@ -93,6 +103,7 @@ private:
   std::unique_ptr<vtkGodRaysCoverageSweep> Sweep;
 
   double Thickness = 0.01;
+  std::string EndArrayName;
 };
 
 #endif

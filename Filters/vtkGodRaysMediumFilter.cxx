@@ -13,6 +13,12 @@
 vtkGodRaysSetFiniteMacro(vtkGodRaysMediumFilter, ViewAngle, 1e-3, 170.0);
 vtkGodRaysSetFiniteMacro(vtkGodRaysMediumFilter, ParallelScale, 1e-9, 1e9);
 vtkGodRaysSetFiniteMacro(vtkGodRaysMediumFilter, Asymmetry, -0.99, 0.99);
+vtkGodRaysSetFiniteMacro(vtkGodRaysMediumFilter, SecondAsymmetry, -0.99, 0.99);
+vtkGodRaysSetFiniteMacro(vtkGodRaysMediumFilter, SecondWeight, 0.0, 1.0);
+vtkGodRaysSetFiniteMacro(vtkGodRaysMediumFilter, ScaleHeight, 0.0, 1e9);
+vtkGodRaysSetFiniteMacro(vtkGodRaysMediumFilter, GasAsymmetry, -0.99, 0.99);
+vtkGodRaysSetFiniteMacro(vtkGodRaysMediumFilter, GasScaleHeight, 0.0, 1e9);
+vtkGodRaysSetFiniteMacro(vtkGodRaysMediumFilter, GroundLevel, -1e15, 1e15);
 vtkGodRaysSetFiniteMacro(vtkGodRaysMediumFilter, FarLimit, 1e-6, 1e9);
 
 namespace
@@ -54,6 +60,17 @@ void vtkGodRaysMediumFilter::PrintSelf(ostream& os, vtkIndent indent)
   PrintNumbers(os, indent, "AbsorptionCoefficient", this->AbsorptionCoefficient, 3);
   os << indent << "PhaseFunction: " << this->PhaseFunction << "\n";
   os << indent << "Asymmetry: " << this->Asymmetry << "\n";
+  os << indent << "SecondPhaseFunction: " << this->SecondPhaseFunction << "\n";
+  os << indent << "SecondAsymmetry: " << this->SecondAsymmetry << "\n";
+  os << indent << "SecondWeight: " << this->SecondWeight << "\n";
+  os << indent << "ScaleHeight: " << this->ScaleHeight << "\n";
+  PrintNumbers(os, indent, "GasScatteringCoefficient", this->GasScatteringCoefficient, 3);
+  PrintNumbers(os, indent, "GasAbsorptionCoefficient", this->GasAbsorptionCoefficient, 3);
+  os << indent << "GasPhaseFunction: " << this->GasPhaseFunction << "\n";
+  os << indent << "GasAsymmetry: " << this->GasAsymmetry << "\n";
+  os << indent << "GasScaleHeight: " << this->GasScaleHeight << "\n";
+  PrintNumbers(os, indent, "MediumUp", this->MediumUp, 3);
+  os << indent << "GroundLevel: " << this->GroundLevel << "\n";
   os << indent << "FarLimit: " << this->FarLimit << "\n";
   PrintNumbers(os, indent, "Light", this->Light, 4);
   PrintNumbers(os, indent, "LightColor", this->LightColor, 3);
@@ -77,7 +94,7 @@ vtkGodRaysMediumFilter::View vtkGodRaysMediumFilter::GetView(int height) const
 }
 
 //------------------------------------------------------------------------------
-vtkGodRaysMedium vtkGodRaysMediumFilter::GetMedium(const View&) const
+vtkGodRaysMedium vtkGodRaysMediumFilter::GetMedium(const View& view) const
 {
   vtkGodRaysMedium medium;
   vtkGodRaysMedium::Component& component = medium.Components[0];
@@ -85,6 +102,28 @@ vtkGodRaysMedium vtkGodRaysMediumFilter::GetMedium(const View&) const
   std::copy_n(this->AbsorptionCoefficient, 3, component.Absorption);
   component.PhaseFunction = this->PhaseFunction;
   component.Asymmetry = this->Asymmetry;
+  component.SecondPhaseFunction = this->SecondPhaseFunction;
+  component.SecondAsymmetry = this->SecondAsymmetry;
+  component.SecondWeight = this->SecondWeight;
+  component.ScaleHeight = this->ScaleHeight;
+  if (!IsWithin(this->GasScatteringCoefficient, 3, 0.0, 0.0) ||
+    !IsWithin(this->GasAbsorptionCoefficient, 3, 0.0, 0.0))
+  {
+    vtkGodRaysMedium::Component& gas = medium.Components[1];
+    std::copy_n(this->GasScatteringCoefficient, 3, gas.Scattering);
+    std::copy_n(this->GasAbsorptionCoefficient, 3, gas.Absorption);
+    gas.PhaseFunction = this->GasPhaseFunction;
+    gas.Asymmetry = this->GasAsymmetry;
+    gas.ScaleHeight = this->GasScaleHeight;
+    medium.NumberOfComponents = 2;
+  }
+  double up[3];
+  vtkMath::Assign(this->MediumUp, up);
+  vtkMath::Normalize(up);
+  medium.Up[0] = vtkMath::Dot(up, view.Right);
+  medium.Up[1] = vtkMath::Dot(up, view.Up);
+  medium.Up[2] = vtkMath::Dot(up, view.Forward);
+  medium.EyeHeight = vtkMath::Dot(up, view.Position) - this->GroundLevel;
   medium.FarLimit = this->FarLimit;
   return medium;
 }
@@ -106,10 +145,17 @@ std::string vtkGodRaysMediumFilter::FindFault() const
            "CameraViewUp must not be along the direction of view.";
   }
   if (!IsWithin(this->ScatteringCoefficient, 3, 0.0, 1e3) ||
-    !IsWithin(this->AbsorptionCoefficient, 3, 0.0, 1e3))
+    !IsWithin(this->AbsorptionCoefficient, 3, 0.0, 1e3) ||
+    !IsWithin(this->GasScatteringCoefficient, 3, 0.0, 1e3) ||
+    !IsWithin(this->GasAbsorptionCoefficient, 3, 0.0, 1e3))
   {
-    return "a coefficient of the medium is out of range. Set ScatteringCoefficient and "
-           "AbsorptionCoefficient to numbers in [0, 1000].";
+    return "a coefficient of the medium is out of range. Set ScatteringCoefficient, "
+           "AbsorptionCoefficient and those of the gas to numbers in [0, 1000].";
+  }
+  if (!IsWithin(this->MediumUp, 3, -1e15, 1e15) || vtkMath::Norm(this->MediumUp) == 0.0)
+  {
+    return "the medium does not know what is up. Set MediumUp to three numbers within 1e15, not "
+           "all 0.";
   }
   if (!IsWithin(this->Light, 4, -1e15, 1e15) ||
     (this->Light[3] == 0.0 && vtkMath::Norm(this->Light) == 0.0))

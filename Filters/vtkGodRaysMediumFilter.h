@@ -4,16 +4,24 @@
  * @class   vtkGodRaysMediumFilter
  * @brief   what filters of physical single scattering share: camera, medium, light
  *
- * A homogeneous medium fills the space between the eye and FarLimit. Light of one source is scattered
- * once on its way to the eye:
+ * A medium fills the space between the eye and FarLimit. Light of one source is scattered once on its
+ * way to the eye:
  *
- *     L = integral of sigma_s p(cos a) E V e^(-sigma_t s) ds             directional light
- *     L = integral of sigma_s p(cos a) I V e^(-sigma_t (s + r))/r^2 ds   point light
+ *     L = integral of sigma_s p(cos a) E V e^-(tau(s) + tau_light) ds        directional light
+ *     L = integral of sigma_s p(cos a) I V e^-(tau(s) + tau(r))/r^2 ds       point light
  *
  * along the view ray from the eye to the first surface or FarLimit; s is the distance from the eye, r
- * from the light, V 1 where the light is seen and 0 in shadow, sigma_t = ScatteringCoefficient +
- * AbsorptionCoefficient, p the phase function. A directional light is not dimmed on its way to the
- * ray: LightColor is its irradiance there. The formulas are those of vtkGodRaysFunctions.glsl.
+ * from the light, V 1 where the light is seen and 0 in shadow, p the phase function, tau the optical
+ * depth of a way: sigma_t = ScatteringCoefficient + AbsorptionCoefficient times its length in a
+ * homogeneous medium, the default.
+ *
+ * With a ScaleHeight H, the medium thins out with the height above a plane, as e^(-height/H); its
+ * coefficients are those at GroundLevel. A second component of the medium, say the molecules of air among
+ * droplets, has the same parameters with names that begin with Gas; the two add up. A directional light
+ * comes from above through what thins out, which dims it (and hides one below the horizon altogether);
+ * by what is homogeneous, which has no end, it is not dimmed: LightColor is its irradiance there.
+ *
+ * The formulas are those of vtkGodRaysFunctions.glsl.
  *
  * All lengths are in the scene's unit, coefficients in its reciprocal. Pictures have rows from the
  * bottom up and square pixels; view rays go through their centres.
@@ -118,6 +126,58 @@ public:
 
   ///@{
   /**
+   * Set/Get a second phase function that is mixed with the first, say a peak to the back: the phase
+   * function is (1 - SecondWeight) first + SecondWeight second. Valid ranges: PhaseFunctionType,
+   * [-0.99, 0.99], [0, 1]. Defaults are HENYEY_GREENSTEIN, -0.3 and 0.
+   */
+  vtkSetClampMacro(SecondPhaseFunction, int, ISOTROPIC, SCHLICK);
+  vtkGetMacro(SecondPhaseFunction, int);
+  void SetSecondAsymmetry(double g);
+  vtkGetMacro(SecondAsymmetry, double);
+  void SetSecondWeight(double weight);
+  vtkGetMacro(SecondWeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get over which height the medium's density falls to 1/e [scene units]; 0: it is homogeneous.
+   * Valid range: [0, 1e9]. Default is 0.
+   */
+  void SetScaleHeight(double height);
+  vtkGetMacro(ScaleHeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the second component: what it scatters and absorbs, into which directions, and over which
+   * height it thins out, as above. Defaults are 0, 0, RAYLEIGH, 0 and 0.
+   */
+  vtkSetVector3Macro(GasScatteringCoefficient, double);
+  vtkGetVector3Macro(GasScatteringCoefficient, double);
+  vtkSetVector3Macro(GasAbsorptionCoefficient, double);
+  vtkGetVector3Macro(GasAbsorptionCoefficient, double);
+  vtkSetClampMacro(GasPhaseFunction, int, ISOTROPIC, SCHLICK);
+  vtkGetMacro(GasPhaseFunction, int);
+  void SetGasAsymmetry(double g);
+  vtkGetMacro(GasAsymmetry, double);
+  void SetGasScaleHeight(double height);
+  vtkGetMacro(GasScaleHeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the direction in which a medium with a scale height thins out, in world coordinates and of
+   * any length but 0, and how far along it the plane is where its coefficients are given [scene units].
+   * Valid range of the level: [-1e15, 1e15]. Defaults are (0, 1, 0) and 0.
+   */
+  vtkSetVector3Macro(MediumUp, double);
+  vtkGetVector3Macro(MediumUp, double);
+  void SetGroundLevel(double level);
+  vtkGetMacro(GroundLevel, double);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the view depth at which the medium ends [scene units]. Valid range: [1e-6, 1e9]. Default
    * is 100.
    */
@@ -165,7 +225,8 @@ protected:
   View GetView(int height) const;
 
   /**
-   * The medium, as a camera sees it.
+   * The medium as a camera sees it, in its view coordinates (x right, y up, z forwards). Components that
+   * neither scatter nor absorb are left out, but for the first.
    */
   vtkGodRaysMedium GetMedium(const View& view) const;
 
@@ -190,6 +251,17 @@ protected:
   double AbsorptionCoefficient[3] = { 0.0, 0.0, 0.0 };
   int PhaseFunction = HENYEY_GREENSTEIN;
   double Asymmetry = 0.6;
+  int SecondPhaseFunction = HENYEY_GREENSTEIN;
+  double SecondAsymmetry = -0.3;
+  double SecondWeight = 0.0;
+  double ScaleHeight = 0.0;
+  double GasScatteringCoefficient[3] = { 0.0, 0.0, 0.0 };
+  double GasAbsorptionCoefficient[3] = { 0.0, 0.0, 0.0 };
+  int GasPhaseFunction = RAYLEIGH;
+  double GasAsymmetry = 0.0;
+  double GasScaleHeight = 0.0;
+  double MediumUp[3] = { 0.0, 1.0, 0.0 };
+  double GroundLevel = 0.0;
   double FarLimit = 100.0;
   double Light[4] = { 0.0, 1.0, 0.0, 0.0 };
   double LightColor[3] = { 1.0, 1.0, 1.0 };

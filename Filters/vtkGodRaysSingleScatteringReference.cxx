@@ -6,6 +6,7 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkDoubleArray.h"
 #include "vtkGodRaysMath.h"
+#include "vtkGodRaysMedium.h"
 #include "vtkGodRaysSetGet.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -349,14 +350,21 @@ private:
 // The integrand along one ray: radiance per length, or per angle at a point light.
 struct Scatter
 {
-  vtkGodRays::PhaseFunction Phase;
-  Vec3 Scattering;
-  Vec3 Extinction;
+  vtkGodRaysMedium Medium;
   Vec3 Light;
   bool Directional;
-  double CosAngle; // of a directional light
-  double Foot;     // of a point light
-  double Height;
+  double CosAngle;   // of a directional light
+  double Foot;       // of a point light
+  double Height;     // of a point light, above the ray
+  double RayHeight;  // of the ray's origin, above the plane where densities are 1
+  double RaySlope;   // its rise
+  double LightLevel; // the height of a point light, the rise towards a directional one
+
+  bool IsLayered() const
+  {
+    return this->Medium.Components[0].ScaleHeight > 0.0 ||
+      (this->Medium.NumberOfComponents == 2 && this->Medium.Components[1].ScaleHeight > 0.0);
+  }
 
   // From a distance to the variable of integration.
   double ToVariable(double s) const
@@ -368,14 +376,56 @@ struct Scatter
   {
     if (this->Directional)
     {
-      return vtkGodRays::Phase(this->Phase, this->CosAngle) * this->Light * this->Scattering *
-        vtkGodRays::exp(-this->Extinction * v);
+      return this->Light * this->Evaluate(v, this->CosAngle, 0.0);
     }
-    const double beyond = this->Height * std::tan(v);
-    const double way = this->Foot + beyond + this->Height / std::cos(v);
-    return vtkGodRays::Phase(this->Phase, -std::sin(v)) / this->Height * this->Light *
-      this->Scattering * vtkGodRays::exp(-this->Extinction * std::max(way, 0.0));
+    const double s = std::max(this->Foot + this->Height * std::tan(v), 0.0);
+    return this->Light / this->Height * this->Evaluate(s, -std::sin(v), this->Height / std::cos(v));
   }
+
+private:
+  // What is scattered at a distance and reaches the eye, of light that has a way to go to there.
+  Vec3 Evaluate(double s, double cosAngle, double way) const
+  {
+    Vec3 scattered(0.0);
+    Vec3 depth(0.0);
+    const double height = this->RayHeight + this->RaySlope * s;
+    for (int k = 0; k < this->Medium.NumberOfComponents; ++k)
+    {
+      const vtkGodRaysMedium::Component& component = this->Medium.Components[k];
+      const Vec3 scattering = GetVector(component.Scattering);
+      const double scaleHeight = component.ScaleHeight;
+      const bool even = scaleHeight == 0.0;
+      const double phase = (1.0 - component.SecondWeight) *
+          vtkGodRays::Phase({ component.PhaseFunction, component.Asymmetry }, cosAngle) +
+        component.SecondWeight *
+          vtkGodRays::Phase({ component.SecondPhaseFunction, component.SecondAsymmetry }, cosAngle);
+      const auto measure = [&](double from, double slope, double length) {
+        return even ? length : vtkGodRays::ExponentialDepth(1.0, from, slope, scaleHeight, length);
+      };
+      double length = measure(this->RayHeight, this->RaySlope, s);
+      if (!this->Directional)
+      {
+        length += measure(height, way > 0.0 ? (this->LightLevel - height) / way : 0.0, way);
+      }
+      else if (!even)
+      {
+        length += this->LightLevel > 0.0
+          ? scaleHeight * vtkGodRays::ExponentialDensity(height, scaleHeight) / this->LightLevel
+          : Infinity;
+      }
+      const double density = even ? 1.0 : vtkGodRays::ExponentialDensity(height, scaleHeight);
+      scattered += phase * density * scattering;
+      // No extinction is none even over an infinite way.
+      const Vec3 extinction = scattering + GetVector(component.Absorption);
+      for (int c = 0; c < 3; ++c)
+      {
+        depth[c] += extinction[c] > 0.0 ? extinction[c] * length : 0.0;
+      }
+    }
+    return scattered * vtkGodRays::exp(-depth);
+  }
+
+  static Vec3 GetVector(const double* v) { return Vec3(v[0], v[1], v[2]); }
 };
 
 //------------------------------------------------------------------------------
@@ -425,6 +475,32 @@ Vec3 Integrate(const Scatter& f, double a, double b, double error, int depth)
   return Integrate(f, a, middle, 0.5 * error, depth - 1) +
     Integrate(f, middle, b, 0.5 * error, depth - 1);
 }
+
+// Between two distances. Where the medium thins out in parts that double, so that no layer near the
+// eye is overlooked.
+Vec3 IntegrateWay(const Scatter& f, double from, double to, double end, double error)
+{
+  constexpr int depth = 40;
+  const int parts = f.IsLayered() ? 25 : 1;
+  Vec3 sum(0.0);
+  double begin = from;
+  for (int i = parts - 1; i >= 0; --i)
+  {
+    const double next = std::min(std::ldexp(end, -i), to);
+    if (next > begin)
+    {
+      sum += Integrate(f, f.ToVariable(begin), f.ToVariable(next), error / parts, depth);
+      begin = next;
+    }
+  }
+  return sum;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysSingleScatteringReference::vtkGodRaysSingleScatteringReference()
+{
+  this->SetNumberOfInputPorts(2);
 }
 
 //------------------------------------------------------------------------------
@@ -491,8 +567,14 @@ int vtkGodRaysSingleScatteringReference::RequestData(
   depths->SetName("Depth");
   depths->SetNumberOfComponents(components);
   depths->SetNumberOfTuples(pixels);
+  vtkNew<vtkDoubleArray> ends;
+  ends->SetName("End");
+  ends->SetNumberOfTuples(pixels);
 
   const TriangleTree tree(GetTriangles(vtkPolyData::GetData(input[0])));
+  const bool endsElsewhere = input[1]->GetNumberOfInformationObjects() > 0;
+  const TriangleTree seen(
+    endsElsewhere ? GetTriangles(vtkPolyData::GetData(input[1])) : std::vector<Triangle>());
   const View view = this->GetView(height);
   const auto vector = [](const double* v) { return Vec3(v[0], v[1], v[2]); };
   const Vec3 right = vector(view.Right);
@@ -502,16 +584,18 @@ int vtkGodRaysSingleScatteringReference::RequestData(
   Vec3 light = vector(this->Light);
   light = light / (directional ? vtkGodRays::length(light) : this->Light[3]);
   Scatter ray;
-  ray.Phase = { this->PhaseFunction, this->Asymmetry };
-  ray.Scattering = vector(this->ScatteringCoefficient);
-  ray.Extinction = ray.Scattering + vector(this->AbsorptionCoefficient);
+  ray.Medium = this->GetMedium(view);
   ray.Light = vector(this->LightColor);
   ray.Directional = directional;
+  Vec3 upwards = vector(this->MediumUp);
+  upwards = upwards / vtkGodRays::length(upwards);
+  ray.LightLevel = vtkGodRays::dot(upwards, light) - (directional ? 0.0 : this->GroundLevel);
 
   const auto evaluateRow = [&](int y)
   {
     std::vector<Interval> hidden;
     std::vector<Crossing> crossings;
+    std::vector<Crossing> sights;
     for (int x = 0; x < width; ++x)
     {
       const double column = (x + 0.5 - 0.5 * width) * view.PixelSize;
@@ -527,11 +611,19 @@ int vtkGodRaysSingleScatteringReference::RequestData(
       slice.Cut(tree, farthest, hidden, crossings);
       std::sort(crossings.begin(), crossings.end(),
         [](const Crossing& a, const Crossing& b) { return a.Place < b.Place; });
-      double end = farthest;
-      if (!crossings.empty())
+      sights = crossings;
+      if (endsElsewhere)
       {
-        end = std::min(end, crossings.front().Place);
+        std::vector<Interval> unhidden;
+        sights.clear();
+        slice.Cut(seen, farthest, unhidden, sights);
       }
+      double sight = Infinity;
+      for (const Crossing& crossing : sights)
+      {
+        sight = std::min(sight, crossing.Place);
+      }
+      const double end = std::min(sight, farthest);
       if (slice.AlongLight && !crossings.empty())
       {
         // A point light hides behind what is before it; one behind the eye before all.
@@ -545,6 +637,20 @@ int vtkGodRaysSingleScatteringReference::RequestData(
           }
         }
         hidden.push_back({ 0.0, std::min(first, farthest) });
+        // And what is beyond hides behind what is between.
+        double last = Infinity;
+        for (const Crossing& crossing : crossings)
+        {
+          if (crossing.Place > (directional ? 0.0 : slice.Foot) &&
+            (!directional || slice.Foot < 0.0))
+          {
+            last = std::min(last, crossing.Place);
+          }
+        }
+        if (last < farthest)
+        {
+          hidden.push_back({ last, farthest });
+        }
       }
       std::sort(hidden.begin(), hidden.end(),
         [](const Interval& a, const Interval& b) { return a.Begin < b.Begin; });
@@ -554,9 +660,10 @@ int vtkGodRaysSingleScatteringReference::RequestData(
       f.Foot = slice.Foot;
       f.Height =
         directional ? 0.0 : vtkGodRays::PointLightHeight(slice.Foot, slice.Height, 0.0, end);
-      constexpr int depth = 40;
+      f.RayHeight = vtkGodRays::dot(upwards, origin) - this->GroundLevel;
+      f.RaySlope = vtkGodRays::dot(upwards, way) / length;
       const auto integrate = [&](double from, double to, double error)
-      { return Integrate(f, f.ToVariable(from), f.ToVariable(to), error, depth); };
+      { return IntegrateWay(f, from, to, end, error); };
       const Vec3 whole = integrate(0.0, end, 1e-3 * GetLargest(integrate(0.0, end, Infinity)));
       const double error = this->Tolerance * GetLargest(whole);
       Vec3 sum(0.0);
@@ -583,6 +690,7 @@ int vtkGodRaysSingleScatteringReference::RequestData(
       radiance[0] = sum.x;
       radiance[1] = sum.y;
       radiance[2] = sum.z;
+      ends->SetValue(pixel, sight / length);
       double* depthsHere = depths->GetPointer(components * pixel);
       std::fill_n(depthsHere, components, Infinity);
       if (this->NumberOfLayers == 0)
@@ -625,5 +733,6 @@ int vtkGodRaysSingleScatteringReference::RequestData(
   result->SetDimensions(width, height, 1);
   result->GetPointData()->SetScalars(radiances);
   result->GetPointData()->AddArray(depths);
+  result->GetPointData()->AddArray(ends);
   return 1;
 }

@@ -12,12 +12,18 @@
  * quadrature of 15 points in double precision, to Tolerance. A ray straight at or away from the light,
  * within 1e-9 radians, is lit beyond its last, or before its first, surface.
  *
+ * Here the light may also be a point light in a medium that thins out: nothing is left out.
+ *
  * Input: vtkPolyData, the occluders, in world coordinates: polygons, which are convex, and triangle
  * strips; both sides block. Without input nothing blocks. Cost: each ray looks at the triangles in its
  * plane, found by a tree of boxes: of the order of 10 us in scenes of 100 000 triangles.
  *
- * Output: vtkImageData of Size pixels with two arrays of doubles: "Radiance", the scalars, of red,
- * green and blue, and "Depth", the view depth of the first surface, infinity where there is none. With
+ * Second input, optional: vtkPolyData at which view rays end, in place of the occluders: what is seen
+ * but casts no shadow is in this one alone, what casts shadows unseen in the first alone.
+ *
+ * Output: vtkImageData of Size pixels with arrays of doubles: "Radiance", the scalars, of red,
+ * green and blue; "Depth", the view depth of the first occluder, infinity where there is none; and "End",
+ * that of what ends the view ray. With
  * NumberOfLayers n, "Depth" has 2 n components instead: the depths at which the ray enters and leaves
  * solid matter, n times, for closed surfaces with normals outwards by the order of their points.
  *
@@ -67,7 +73,7 @@ public:
   ///@}
 
 protected:
-  vtkGodRaysSingleScatteringReference() = default;
+  vtkGodRaysSingleScatteringReference();
   ~vtkGodRaysSingleScatteringReference() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;

@@ -198,6 +198,7 @@ inline Error Compare(vtkImageData* truth, vtkGodRaysCoverageFilter* filter)
 {
   filter->SetInputData(truth);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Depth");
+  filter->SetEndArrayName(truth->GetPointData()->HasArray("End") ? "End" : "");
   filter->Update();
   vtkDataArray* expected = truth->GetPointData()->GetArray("Radiance");
   vtkDataArray* actual = filter->GetOutput()->GetPointData()->GetScalars();

@@ -502,6 +502,76 @@ TEST(CoverageFilter, IsNearTheGroundTruthInParallelProjection)
 }
 
 //------------------------------------------------------------------------------
+// What is seen but casts no shadow, and what casts one but is not seen.
+TEST(CoverageFilter, RaysMayEndElsewhere)
+{
+  const auto scenes = MakeScenes(10);
+  const Scene& sphere = scenes[0];
+  const Scene& treeLine = scenes[3];
+  for (const NamedLight& light : Lights)
+  {
+    vtkNew<Reference> reference;
+    Prepare(reference, light, 0.1);
+    reference->SetInputData(0, sphere.Occluders);
+    reference->SetInputData(1, treeLine.Occluders);
+    reference->SetSize(240, 135);
+    reference->SetNumberOfLayers(1);
+    reference->Update();
+    vtkNew<Filter> filter;
+    Prepare(filter, light, 0.1);
+    const double rms = Compare(reference->GetOutput(), filter).Rms;
+    // Taken for the same, they are not.
+    vtkNew<vtkImageData> without;
+    without->ShallowCopy(reference->GetOutput());
+    without->GetPointData()->RemoveArray("End");
+    const double wrong = Compare(without, filter).Rms;
+    std::cout << light.Name << ": rms " << rms << ", with one for both " << wrong << "\n";
+    EXPECT_LE(rms, 0.005);
+    EXPECT_GT(wrong, 5.0 * rms);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Two components, one with two phase functions: sums of what each would be with the others' extinction.
+TEST(CoverageFilter, PhaseFunctionsAndComponentsAddUp)
+{
+  const Picture depths = MakeDepths(80, 60);
+  vtkNew<Filter> filter;
+  Prepare(filter, 0.2, 0.3, -1.0);
+  filter->SetAsymmetry(0.9);
+  filter->SetSecondAsymmetry(-0.8);
+  filter->SetSecondWeight(0.3);
+  filter->SetGasScatteringCoefficient(0.02, 0.03, 0.05);
+  const Picture whole = Scatter(filter, depths);
+  ASSERT_EQ(whole.Components, 3);
+  const double extinction[3] = { 0.12, 0.13, 0.15 };
+  const auto single = [&](int kind, double g, const double scattering[3])
+  {
+    vtkNew<Filter> one;
+    Prepare(one, 0.2, 0.3, -1.0);
+    one->SetPhaseFunction(kind);
+    one->SetAsymmetry(g);
+    one->SetScatteringCoefficient(scattering);
+    one->SetAbsorptionCoefficient(
+      extinction[0] - scattering[0], extinction[1] - scattering[1], extinction[2] - scattering[2]);
+    return Scatter(one, depths);
+  };
+  const double forward[3] = { 0.07, 0.07, 0.07 };
+  const double backward[3] = { 0.03, 0.03, 0.03 };
+  const double gas[3] = { 0.02, 0.03, 0.05 };
+  const Picture parts[3] = { single(Filter::HENYEY_GREENSTEIN, 0.9, forward),
+    single(Filter::HENYEY_GREENSTEIN, -0.8, backward), single(Filter::RAYLEIGH, 0.0, gas) };
+  double worst = 0.0;
+  for (std::size_t i = 0; i < whole.Values.size(); ++i)
+  {
+    const double sum = parts[0].Values[i] + parts[1].Values[i] + parts[2].Values[i];
+    worst = std::max(worst, std::abs(whole.Values[i] - sum));
+  }
+  std::cout << "largest difference " << worst / whole.GetMaximum() << "\n";
+  EXPECT_LE(worst, 1e-5 * whole.GetMaximum());
+}
+
+//------------------------------------------------------------------------------
 TEST(CoverageFilter, StopsWhenItIsTold)
 {
   vtkNew<Filter> filter;

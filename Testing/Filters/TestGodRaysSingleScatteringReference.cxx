@@ -242,6 +242,130 @@ TEST(SingleScatteringReference, AgreesWithShadowRays)
 }
 
 //------------------------------------------------------------------------------
+// Two components that thin out, each with a mix of phase functions, against a sum of 200 000 steps that
+// takes its optical depths from heights alone.
+TEST(SingleScatteringReference, MediaThatThinOut)
+{
+  const double scattering[2] = { 0.08, 0.05 };
+  const double absorption[2] = { 0.02, 0.01 };
+  const double scaleHeight[2] = { 1.2, 8.0 };
+  const auto depth = [&](double low, double high, double length)
+  {
+    double sum = 0.0;
+    for (int k = 0; k < 2; ++k)
+    {
+      const double rise = (high - low) / scaleHeight[k];
+      const double mean = std::abs(rise) < 1e-6
+        ? std::exp(-low / scaleHeight[k])
+        : (std::exp(-low / scaleHeight[k]) - std::exp(-high / scaleHeight[k])) / rise;
+      sum += (scattering[k] + absorption[k]) * mean * length;
+    }
+    return sum;
+  };
+  for (const double slope : { 0.4, 0.0, -0.2 })
+  {
+    for (const double w : { 0.0, 1.0 })
+    {
+      const double eye = 1.5;
+      const double far = 12.0;
+      vtkNew<Reference> reference;
+      reference->SetSize(1, 1);
+      reference->SetCameraPosition(0.0, 0.0, eye + 0.3);
+      reference->SetCameraFocalPoint(std::sqrt(1.0 - slope * slope), 0.0, eye + 0.3 + slope);
+      reference->SetCameraViewUp(0.0, 1.0, 0.0);
+      reference->SetMediumUp(0.0, 0.0, 5.0);
+      reference->SetGroundLevel(0.3);
+      reference->SetScatteringCoefficient(scattering[0], scattering[0], scattering[0]);
+      reference->SetAbsorptionCoefficient(absorption[0], absorption[0], absorption[0]);
+      reference->SetScaleHeight(scaleHeight[0]);
+      reference->SetSecondWeight(0.25);
+      reference->SetGasScatteringCoefficient(scattering[1], scattering[1], scattering[1]);
+      reference->SetGasAbsorptionCoefficient(absorption[1], absorption[1], absorption[1]);
+      reference->SetGasScaleHeight(scaleHeight[1]);
+      reference->SetFarLimit(far);
+      const Vec3 light = w == 0.0 ? Vec3(0.6, 0.0, 0.8) : Vec3(3.0, 1.0, 4.0);
+      reference->SetLight(light.x, light.y, light.z, w);
+      const Vec3 view(std::sqrt(1.0 - slope * slope), 0.0, slope);
+      constexpr int steps = 200000;
+      double expected = 0.0;
+      for (int i = 0; i < steps; ++i)
+      {
+        const double s = (i + 0.5) * far / steps;
+        const double height = eye + slope * s;
+        const Vec3 point = Vec3(0.0, 0.0, eye + 0.3) + s * view;
+        const Vec3 way = w == 0.0 ? light : light - point;
+        const double r = vtkGodRays::length(way);
+        const double cosine = vtkGodRays::dot(way, view) / r;
+        double value = 0.0;
+        for (int k = 0; k < 2; ++k)
+        {
+          const double phase = k == 1 ? vtkGodRays::PhaseRayleigh(cosine)
+                                      : 0.75 * vtkGodRays::PhaseHenyeyGreenstein(cosine, 0.6) +
+              0.25 * vtkGodRays::PhaseHenyeyGreenstein(cosine, -0.3);
+          value += phase * scattering[k] * std::exp(-height / scaleHeight[k]);
+        }
+        // From above, 200 scale heights up, or from the point.
+        const double rise = w == 0.0 ? 1600.0 : light.z - 0.3 - height;
+        const double length = w == 0.0 ? rise / light.z : r;
+        expected += far / steps * value / (w == 0.0 ? 1.0 : r * r) *
+          std::exp(-depth(eye, height, s) - depth(height, height + rise, length));
+      }
+      EXPECT_NEAR(GetRadiance(reference) / expected, 1.0, 1e-8) << slope << " " << w;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(SingleScatteringReference, ThereIsNoLightBelowTheHorizon)
+{
+  vtkNew<Reference> reference;
+  LookAlongX(reference, 0.3, 40.0);
+  reference->SetLight(1.0, -0.01, 0.0, 0.0);
+  EXPECT_GT(GetRadiance(reference), 0.0);
+  reference->SetScaleHeight(2.0);
+  EXPECT_EQ(GetRadiance(reference), 0.0);
+  reference->SetLight(1.0, 0.01, 0.0, 0.0);
+  EXPECT_GT(GetRadiance(reference), 0.0);
+}
+
+//------------------------------------------------------------------------------
+// A wall that is seen and casts no shadow, and a roof that casts one and is not seen.
+TEST(SingleScatteringReference, RaysMayEndElsewhere)
+{
+  Mesh roof;
+  roof.AddBox(2.0, 3.0, -1.0, 1.0, 4.0, 5.0);
+  Mesh wall;
+  wall.AddBox(20.0, 21.0, -1.0, 1.0, -1.0, 1.0);
+  Mesh both;
+  both.AddBox(2.0, 3.0, -1.0, 1.0, 4.0, 5.0);
+  both.AddBox(20.0, 21.0, -1.0, 1.0, -1.0, 1.0);
+  vtkNew<Reference> reference;
+  LookAlongX(reference, 0.3, 40.0);
+  reference->SetLight(0.0, 0.0, 1.0, 0.0);
+  const double factor = 0.02 * vtkGodRays::PhaseHenyeyGreenstein(0.0, 0.3);
+  const auto lit = [&](double from, double to)
+  { return factor * vtkGodRays::DirectionalAirlight(0.025, from, to, 0.0, 0.0); };
+  reference->SetInputData(0, roof.Get());
+  reference->SetInputData(1, wall.Get());
+  EXPECT_NEAR(GetRadiance(reference), lit(0.0, 2.0) + lit(3.0, 20.0), 1e-12);
+  EXPECT_EQ(reference->GetOutput()->GetPointData()->GetArray("End")->GetTuple1(0), 20.0);
+  EXPECT_TRUE(std::isinf(reference->GetOutput()->GetPointData()->GetArray("Depth")->GetTuple1(0)));
+  reference->SetInputData(0, both.Get());
+  EXPECT_NEAR(GetRadiance(reference), lit(0.0, 2.0) + lit(3.0, 20.0), 1e-12);
+  reference->SetInputData(1, roof.Get()); // the wall is not seen, its shadow is
+  EXPECT_NEAR(GetRadiance(reference), lit(0.0, 2.0) + lit(3.0, 20.0) + lit(21.0, 40.0), 1e-12);
+  // Straight at the light, and away from it: dark before the wall, or beyond it.
+  reference->SetLight(1.0, 0.0, 0.0, 0.0);
+  const double ahead =
+    vtkGodRays::PhaseHenyeyGreenstein(1.0, 0.3) / vtkGodRays::PhaseHenyeyGreenstein(0.0, 0.3);
+  EXPECT_NEAR(GetRadiance(reference), ahead * lit(21.0, 40.0), 1e-12);
+  reference->SetLight(-1.0, 0.0, 0.0, 0.0);
+  const double back =
+    vtkGodRays::PhaseHenyeyGreenstein(-1.0, 0.3) / vtkGodRays::PhaseHenyeyGreenstein(0.0, 0.3);
+  EXPECT_NEAR(GetRadiance(reference), back * lit(0.0, 20.0), 1e-12);
+}
+
+//------------------------------------------------------------------------------
 TEST(SingleScatteringReference, KeepsItsTolerance)
 {
   auto scenes = GodRaysMediumScenes::MakeScenes(8);

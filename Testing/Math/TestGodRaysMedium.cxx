@@ -194,6 +194,35 @@ TEST(Medium, PhaseFunctionsIntegrateToOne)
 }
 
 //------------------------------------------------------------------------------
+// A mix is as much light as its parts, in the mean direction of both.
+TEST(Medium, PhaseFunctionsMix)
+{
+  Random random;
+  double worst = 0.0;
+  for (int i = 0; i < 50; ++i)
+  {
+    const PhaseFunction first = { 2, random.Uniform(-0.9, 0.9) };
+    const PhaseFunction second = { 2, random.Uniform(-0.9, 0.9) };
+    const double weight = random.Uniform(0.0, 1.0);
+    const auto integral = [&](int power)
+    {
+      return static_cast<double>(Integrate(
+        [&](Long c)
+        {
+          return 2 * Long(pi) * PhaseMix(first, second, weight, static_cast<double>(c)) *
+            std::pow(1 + c, power);
+        },
+        -1, 1, { -0.99L, 0.99L }));
+    };
+    ExpectRatio(integral(0), 1, 1e-9, worst);
+    EXPECT_NEAR(
+      integral(1) - 1.0, (1.0 - weight) * first.Asymmetry + weight * second.Asymmetry, 1e-9);
+  }
+  EXPECT_DOUBLE_EQ(PhaseMix({ 1, 0.0 }, { 2, 0.5 }, 0.0, 0.3), PhaseRayleigh(0.3));
+  EXPECT_DOUBLE_EQ(PhaseMix({ 1, 0.0 }, { 2, 0.5 }, 1.0, 0.3), PhaseHenyeyGreenstein(0.3, 0.5));
+}
+
+//------------------------------------------------------------------------------
 // Worked examples, computed by others than this code.
 TEST(Medium, GoldenNumbers)
 {
