@@ -554,6 +554,153 @@ FUNCTION Real ExponentialAirlight(IN(Real) extinction, IN(Real) height, IN(Real)
   return column * MeanTransmittance(tau, extinction * column * (1.0 - slope / lightSlope));
 }
 
+// Where a directional light's airlight from the first part of a ray is a given fraction of that from
+// all of it, in a homogeneous medium: steps between such places carry equal light.
+// Formula: -ln(1 - fraction (1 - e^(-extinction distance)))/extinction, as a series where the optical
+// depth is below 0.01. [length]
+FUNCTION Real AirlightPlace(IN(Real) extinction, IN(Real) distance, IN(Real) fraction)
+{
+  Real tau = extinction * distance;
+  Real mean = MeanExponential(tau);
+  Real x = fraction * tau * mean;
+  return tau < 0.01 ? fraction * distance * mean * (1.0 + x * (0.5 + x * (1.0 / 3.0 + 0.25 * x)))
+                    : -log(max(1.0 - x, 1e-30)) / extinction;
+}
+
+// The depth at which something at view depth z hides a point light, or one that is infinitely far,
+// from a view ray. lightZ and lightW are of the light's view coordinates (x, y, z)/w, z forwards; m is
+// how far the thing is along the march from the ray's point of the picture towards the light's:
+// picture + m ((x, y) - picture z) at depth 1, or picture + m ((x, y) - picture w) in a parallel view.
+// 1e30 if it is beyond the light.
+// Formula: (1 - m lightZ)/(1/z - m lightW), or (z - m lightZ)/(1 - m lightW): a line is straight in the
+// picture and in 1/z, or z. [length]
+FUNCTION Real HiddenDepth(
+  IN(bool) parallel, IN(Real) lightZ, IN(Real) lightW, IN(Real) z, IN(Real) m)
+{
+  Real over = parallel ? z - m * lightZ : z * (1.0 - m * lightZ);
+  Real under = 1.0 - m * lightW * (parallel ? 1.0 : z);
+  return under > 1e-6 ? min(over / under, 1e30) : 1e30;
+}
+
+// A component of a medium, e.g. molecules or dust, in one channel of colour.
+struct MediumComponent
+{
+  Real Scattering;  // coefficient where the density is 1 [1/length]
+  Real Extinction;  // [1/length]
+  Real ScaleHeight; // 0: homogeneous [length]
+  PhaseFunction First;
+  PhaseFunction Second;
+  Real SecondWeight; // see PhaseMix()
+};
+
+// A view ray and a light, which is infinitely far or a point. Distances are from the eye.
+struct LitRay
+{
+  int Infinite;     // 1 or 0
+  Real Foot;        // cosine of the angle to the light, or where the ray is nearest to it [length]
+  Real Distance;    // of a point light from the ray [length]
+  Real Height;      // of the eye above the plane where densities are 1 [length]
+  Real Slope;       // rise of the ray for each unit of its length
+  Real LightHeight; // rise towards the light for each unit of length, or its height [length]
+};
+
+// Optical depth of the light's way to a point of the ray at a height, r from a point light. Only a
+// medium that thins out dims a light that is infinitely far, and hides one below the horizon.
+// Formula: see ExponentialAirlight() and MediumDepth(). [no unit]
+FUNCTION Real LightDepth(
+  IN(MediumComponent) component, IN(LitRay) ray, IN(Real) height, IN(Real) r)
+{
+  if (ray.Infinite == 0)
+  {
+    return component.Extinction *
+      MediumDepth(height, (ray.LightHeight - height) / r, component.ScaleHeight, r);
+  }
+  return component.ScaleHeight > 0.0
+    ? component.Extinction * component.ScaleHeight *
+      ExponentialDensity(height, component.ScaleHeight) / max(ray.LightHeight, 1e-6)
+    : 0.0;
+}
+
+// What a component scatters at a height, for each unit of length.
+// Formula: coefficient density phase. [1/(length sr)]
+FUNCTION Real ScatteredPart(
+  IN(MediumComponent) component, IN(Real) height, IN(Real) cosAngle)
+{
+  Real density =
+    component.ScaleHeight > 0.0 ? ExponentialDensity(height, component.ScaleHeight) : 1.0;
+  return component.Scattering * density *
+    PhaseMix(component.First, component.Second, component.SecondWeight, cosAngle);
+}
+
+// Light that reaches the eye from a point of a ray in a medium of two components, which may be
+// empty, for each unit of the ray's length and of the light's irradiance at the ray, or, times r^2,
+// of its intensity.
+// Formula: sum_k sigma_k density_k phase_k e^-(tau to the eye + tau to the light). [1/(length sr)]
+FUNCTION Real MediumIntegrand(
+  IN(MediumComponent) first, IN(MediumComponent) second, IN(LitRay) ray, IN(Real) s)
+{
+  Real beyond = s - ray.Foot;
+  Real r = max(sqrt(ray.Distance * ray.Distance + beyond * beyond), 1e-30);
+  Real cosAngle = ray.Infinite != 0 ? ray.Foot : -beyond / r;
+  Real height = ray.Height + ray.Slope * s;
+  Real tau = LightDepth(first, ray, height, r) + LightDepth(second, ray, height, r) +
+    first.Extinction * MediumDepth(ray.Height, ray.Slope, first.ScaleHeight, s) +
+    second.Extinction * MediumDepth(ray.Height, ray.Slope, second.ScaleHeight, s);
+  return exp(-tau) *
+    (ScatteredPart(first, height, cosAngle) + ScatteredPart(second, height, cosAngle));
+}
+
+// Where a fraction of the way between two places of a ray ends when it is counted in lengths or, for
+// a point light, in angles at the light, by which light comes evenly from all of the ray if nothing
+// dims it.
+// Formula: begin + t (end - begin), or Foot + h tan(a + t (b - a)), with a and b the angles of begin
+// and end. [length] [KullaFajardo2012]
+FUNCTION Real MediumPlace(
+  IN(LitRay) ray, IN(Real) begin, IN(Real) end, IN(Real) t)
+{
+  if (ray.Infinite != 0)
+  {
+    return begin + t * (end - begin);
+  }
+  Real h = PointLightHeight(ray.Foot, ray.Distance, begin, end);
+  Real angle = t * atan(h * (end - begin), h * h + (begin - ray.Foot) * (end - ray.Foot));
+  Real low = begin - ray.Foot;
+  // tan(a + angle) with tan(a) = low/h
+  Real place = ray.Foot + h * (low * cos(angle) + h * sin(angle)) / (h * cos(angle) - low * sin(angle));
+  return t < 1.0 ? clamp(place, begin, end) : end;
+}
+
+// Airlight of a part of a ray, for a light of irradiance or intensity 1. For a light that is
+// infinitely far, in a medium that is homogeneous or has one component, DirectionalAirlight() or
+// ExponentialAirlight(); otherwise Gauss-Legendre with 2 points, in lengths or, for a point light, in
+// angles: parts should be so small that light falls by no more than 1/e along them.
+// Formula: integral_begin^end MediumIntegrand ds, or MediumIntegrand/r^2 ds. [1/sr] or
+// [1/(length^2 sr)]
+FUNCTION Real MediumAirlight(IN(MediumComponent) first, IN(MediumComponent) second,
+  IN(LitRay) ray, IN(Real) begin, IN(Real) end)
+{
+  if (ray.Infinite != 0 && first.ScaleHeight == 0.0 && second.ScaleHeight == 0.0)
+  {
+    return (ScatteredPart(first, 0.0, ray.Foot) + ScatteredPart(second, 0.0, ray.Foot)) *
+      DirectionalAirlight(first.Extinction + second.Extinction, begin, end, 0.0, 0.0);
+  }
+  if (ray.Infinite != 0 && second.Extinction == 0.0)
+  {
+    return ScatteredPart(first, 0.0, ray.Foot) *
+      ExponentialAirlight(first.Extinction, ray.Height, ray.Slope, max(ray.LightHeight, 1e-6),
+        first.ScaleHeight, begin, end);
+  }
+  Real weight = end - begin;
+  if (ray.Infinite == 0)
+  {
+    weight = PointAirlight(ray.Foot, ray.Distance, begin, end);
+  }
+  Real low = MediumPlace(ray, begin, end, 0.2113248654051871);
+  Real high = MediumPlace(ray, begin, end, 0.7886751345948129);
+  return 0.5 * weight *
+    (MediumIntegrand(first, second, ray, low) + MediumIntegrand(first, second, ray, high));
+}
+
 // --- Safety --------------------------------------------------------------------------------------
 
 // A value that can be stored and summed: NaN and negative numbers become 0, others at most maximum.

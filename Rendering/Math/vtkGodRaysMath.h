@@ -31,6 +31,7 @@ using Vec3 = glm::dvec3;
 using glm::abs;
 using glm::atan;
 using glm::clamp;
+using glm::cos;
 using glm::cross;
 using glm::dot;
 using glm::exp;
@@ -40,6 +41,7 @@ using glm::log;
 using glm::max;
 using glm::min;
 using glm::pow;
+using glm::sin;
 using glm::sqrt;
 
 #define LAYER_TEMPLATE template <typename Layer>

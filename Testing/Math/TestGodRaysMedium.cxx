@@ -453,3 +453,74 @@ TEST(Medium, GivesNoMoreThanItTakes)
     EXPECT_NEAR(scattered + Transmittance(b, end), 1.0, 1e-12);
   }
 }
+
+TEST(Medium, AirlightPlacesAreWhereTheAirlightIsThatPart)
+{
+  for (const double extinction : { 1e-9, 1e-4, 0.0009, 0.0011, 0.1, 3.0 })
+  {
+    for (const double fraction : { 0.0, 0.01, 0.5, 0.9, 1.0 })
+    {
+      const double place = AirlightPlace(extinction, 10.0, fraction);
+      const double part = DirectionalAirlight(extinction, 0.0, place, 0.0, 0.0);
+      const double whole = DirectionalAirlight(extinction, 0.0, 10.0, 0.0, 0.0);
+      EXPECT_NEAR(part, fraction * whole, 1e-7 * whole) << extinction << " " << fraction;
+    }
+  }
+}
+
+// A thing on the segment from a point of the view ray to the light is seen where the march leads.
+TEST(Medium, ThingsHideTheDepthWhoseLightTheyBlock)
+{
+  const Vec3 lights[] = { { 2.0, 1.0, 5.0 }, { 2.0, 1.0, -5.0 }, { 2.0, 1.0, 0.0 } };
+  for (const Vec3& light : lights)
+  {
+    for (const double w : { 0.0, 0.3 })
+    {
+      for (const bool parallel : { false, true })
+      {
+        const Vec2 picture(0.3, -0.2);
+        const double depth = 3.0;
+        const Vec3 point = parallel ? Vec3(picture, depth) : depth * Vec3(picture, 1.0);
+        const Vec3 thing = point + 0.25 * (light - w * point);
+        const double m = parallel ? 0.25 : 0.25 / thing.z;
+        const double seen = thing.x / (parallel ? 1.0 : thing.z);
+        EXPECT_NEAR(seen, picture.x + m * (light.x - (parallel ? w : light.z) * picture.x), 1e-12);
+        EXPECT_NEAR(HiddenDepth(parallel, light.z, w, thing.z, m), depth, 1e-12);
+      }
+    }
+  }
+  EXPECT_EQ(HiddenDepth(false, 1.0, 1.0, 4.0, 0.5), 1e30); // beyond a lamp at depth 1
+}
+
+TEST(Medium, AirlightOfPartsIsTheClosedForm)
+{
+  const MediumComponent dust = { 0.04, 0.05, 0.0, { 2, 0.6 }, { 0, 0.0 }, 0.0 };
+  const MediumComponent none = { 0.0, 0.0, 0.0, { 0, 0.0 }, { 0, 0.0 }, 0.0 };
+  const MediumComponent thin = { 0.04, 0.05, 4.0, { 2, 0.6 }, { 0, 0.0 }, 0.0 };
+  const LitRay sun = { 1, 0.7, 0.0, 1.0, 0.2, 0.5 };
+  const LitRay lamp = { 0, 8.0, 0.5, 1.0, 0.2, 2.0 };
+  const auto sum = [](const MediumComponent& a, const MediumComponent& b, const LitRay& ray)
+  {
+    double all = 0.0;
+    for (int i = 0; i < 32; ++i)
+    {
+      all += MediumAirlight(a, b, ray, MediumPlace(ray, 0.0, 20.0, i / 32.0),
+        MediumPlace(ray, 0.0, 20.0, (i + 1) / 32.0));
+    }
+    return all;
+  };
+  const double phase = PhaseHenyeyGreenstein(0.7, 0.6);
+  EXPECT_NEAR(
+    sum(dust, none, sun) / (0.04 * phase * DirectionalAirlight(0.05, 0.0, 20.0, 0.0, 0.0)), 1.0,
+    1e-12);
+  EXPECT_NEAR(sum(thin, none, sun) /
+      (0.04 * phase * ExponentialAirlight(0.05, 1.0, 0.2, 0.5, 4.0, 0.0, 20.0)),
+    1.0, 1e-12);
+  EXPECT_NEAR(sum(dust, none, lamp) / (0.04 * PointAirlight(dust.First, 0.05, 8.0, 0.5, 0.0, 20.0)),
+    1.0, 1e-5);
+  // halves of a medium are the medium, by the quadrature
+  MediumComponent half = thin;
+  half.Scattering *= 0.5;
+  half.Extinction *= 0.5;
+  EXPECT_NEAR(sum(half, half, sun) / sum(thin, none, sun), 1.0, 1e-5);
+}
