@@ -3,6 +3,7 @@
 #include "vtkGodRaysQuad.h"
 
 #include "vtkGodRaysFunctions.h"
+#include "vtkGodRaysMediumRaysFS.h"
 #include "vtkGodRaysTypes.h"
 #include "vtkObject.h"
 #include "vtkOpenGLQuadHelper.h"
@@ -53,6 +54,7 @@ vtkShaderProgram* vtkGodRaysQuad::Begin(
     vtkShaderProgram::Substitute(source, "//VTK::GodRays::Terms", constants);
     vtkShaderProgram::Substitute(source, "//VTK::GodRays::Types", vtkGodRaysTypes);
     vtkShaderProgram::Substitute(source, "//VTK::GodRays::Functions", vtkGodRaysFunctions);
+    vtkShaderProgram::Substitute(source, "//VTK::GodRays::MediumRays", vtkGodRaysMediumRaysFS);
     helper = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, source.c_str(), nullptr);
   }
   else if (helper->Program)

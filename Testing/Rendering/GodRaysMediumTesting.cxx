@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GodRaysMediumTesting.h"
 
-#include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysSingleScatteringReference.h"
 
 #include "vtkAppendPolyData.h"
@@ -58,9 +57,10 @@ vtkSmartPointer<vtkImageData> GetTrueScattering(vtkRenderer* renderer,
   {
     double bounds[6];
     renderer->ComputeVisiblePropBounds(bounds);
-    power *= 0.25 *
-      (std::pow(bounds[1] - bounds[0], 2) + std::pow(bounds[3] - bounds[2], 2) +
-        std::pow(bounds[5] - bounds[4], 2));
+    power *= vtkMath::AreBoundsInitialized(bounds) ? 0.25 *
+        (std::pow(bounds[1] - bounds[0], 2) + std::pow(bounds[3] - bounds[2], 2) +
+          std::pow(bounds[5] - bounds[4], 2))
+                                                   : 625.0;
   }
   truth->SetLightColor(power, power, power);
   truth->SetSize(size[0], size[1]);
@@ -88,5 +88,57 @@ double GetErrorOfMedium(vtkRenderer* renderer, vtkGodRaysHomogeneousModel* model
     }
   }
   return std::sqrt(squares / (3.0 * size[0] * size[1])) / peak;
+}
+
+//------------------------------------------------------------------------------
+MediumTest::MediumTest()
+{
+  this->Model->SetScatteringCoefficient(0.05, 0.05, 0.05);
+  this->Model->SetFarLimit(30.0);
+  this->Rays->SetModel(this->Model);
+  this->Rays->SetPrecision(vtkGodRaysPass::SINGLE);
+  this->Rays->Attach(this->Renderer);
+}
+
+//------------------------------------------------------------------------------
+void MediumTest::AddPillars(double depth)
+{
+  for (int i = -3; i <= 3; ++i)
+  {
+    this->Renderer->AddActor(MakeBox({ 1.2 * i, 0.0, 0.0 }, { 0.5, 4.0, depth }));
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkLight> MediumTest::AddSun(
+  std::array<double, 3> towards, std::array<double, 3> color)
+{
+  auto sun = MakeSun(towards, color);
+  this->Rays->AddLight(sun);
+  return sun;
+}
+
+//------------------------------------------------------------------------------
+void MediumTest::SetLight(std::array<double, 4> light)
+{
+  this->Rays->RemoveAllLights();
+  this->Rays->AddLight(light[3] == 0.0 ? MakeSun({ light[0], light[1], light[2] })
+                                       : MakeLamplight({ light[0], light[1], light[2] }));
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> MediumTest::GetScattering()
+{
+  this->Scene.Window->Render();
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  EXPECT_TRUE(this->Rays->GetScatteringImage(image)) << this->Rays->GetPlan();
+  return image;
+}
+
+//------------------------------------------------------------------------------
+double MediumTest::GetError(std::array<double, 4> light)
+{
+  this->SetLight(light);
+  return GetErrorOfMedium(this->Renderer, this->Model, light, this->GetScattering());
 }
 }

@@ -21,50 +21,11 @@ using namespace GodRaysTesting;
 
 namespace
 {
-constexpr int Width = 256;
-constexpr int Height = 192;
+constexpr int Width = MediumTest::Width;
+constexpr int Height = MediumTest::Height;
 
-class GodRaysMedium : public ::testing::Test
+class GodRaysMedium : public MediumTest
 {
-protected:
-  Messages VTKMessages;
-  Stage Scene{ Width, Height };
-  vtkGodRaysPass* Rays = Scene.Rays;
-  vtkRenderer* Renderer = Scene.Renderer;
-  vtkNew<vtkGodRaysHomogeneousModel> Model;
-
-  GodRaysMedium()
-  {
-    this->Model->SetScatteringCoefficient(0.05, 0.05, 0.05);
-    this->Model->SetFarLimit(30.0);
-    this->Rays->SetModel(this->Model);
-    this->Rays->SetPrecision(vtkGodRaysPass::SINGLE);
-    this->Rays->Attach(this->Renderer);
-  }
-
-  void AddPillars(double depth = 0.5)
-  {
-    for (int i = -3; i <= 3; ++i)
-    {
-      this->Renderer->AddActor(MakeBox({ 1.2 * i, 0.0, 0.0 }, { 0.5, 4.0, depth }));
-    }
-  }
-
-  vtkSmartPointer<vtkLight> AddSun(
-    std::array<double, 3> towards, std::array<double, 3> color = { 1.0, 1.0, 1.0 })
-  {
-    auto sun = MakeSun(towards, color);
-    this->Rays->AddLight(sun);
-    return sun;
-  }
-
-  vtkSmartPointer<vtkImageData> GetScattering()
-  {
-    this->Scene.Window->Render();
-    auto image = vtkSmartPointer<vtkImageData>::New();
-    EXPECT_TRUE(this->Rays->GetScatteringImage(image)) << this->Rays->GetPlan();
-    return image;
-  }
 };
 }
 

@@ -3,8 +3,8 @@
 #include "vtkGodRaysEpipolarCoverageIntegrator.h"
 
 #include "vtkGodRaysCoverageSweep.h"
-#include "vtkGodRaysMedium.h"
 #include "vtkGodRaysMediumModel.h"
+#include "vtkGodRaysMediumRays.h"
 #include "vtkGodRaysSetGet.h"
 #include "vtkGodRaysSource.h"
 #include "vtkGodRaysSum.h"
@@ -83,21 +83,18 @@ bool vtkGodRaysEpipolarCoverageIntegrator::Integrate(const Request& request)
   const int size[2] = { depths.GetWidth(), depths.GetHeight() };
   const vtkGodRaysView& view = *request.View;
   const vtkGodRaysSource& source = *request.Source;
-  vtkGodRaysView::Pinhole pinhole;
-  view.GetPinhole(size, pinhole);
+  const vtkGodRaysMediumRays rays(request, size);
 
   vtkGodRaysCoverageSweep::Parameters parameters;
-  parameters.PixelSize = pinhole.PixelSize;
-  std::copy_n(pinhole.Center, 2, parameters.Center);
+  parameters.PixelSize = rays.GetPinhole().PixelSize;
+  std::copy_n(rays.GetPinhole().Center, 2, parameters.Center);
   parameters.Parallel = view.Parallel;
+  std::copy_n(rays.GetLight(), 4, parameters.Light);
   const bool grey = request.Medium->IsGrey(); // then one channel serves a light of any colour
   for (int i = 0; i < 3; ++i)
   {
-    const double place = source.Position[i] - (source.Infinite ? 0.0 : view.Eye[i]);
-    parameters.Light[i] = i == 2 ? -place : place;
     parameters.LightColor[i] = source.Power * (grey ? 1.0 : source.Color[i]);
   }
-  parameters.Light[3] = source.Infinite ? 0.0 : 1.0;
   parameters.Medium = *request.Medium;
   parameters.Thickness = this->Thickness;
   if (!vtkGodRaysCoverageSweep::Supports(parameters))
@@ -112,11 +109,11 @@ bool vtkGodRaysEpipolarCoverageIntegrator::Integrate(const Request& request)
   {
     return false;
   }
-  vtkGodRaysTarget& rays = self.Rays[grey ? 0 : 1];
-  rays.Prepare(request.Window, size[0], size[1],
+  vtkGodRaysTarget& sum = self.Rays[grey ? 0 : 1];
+  sum.Prepare(request.Window, size[0], size[1],
     { static_cast<unsigned int>(grey ? GL_R32F : GL_RGBA32F), 0 });
-  rays.Write(grey ? GL_RED : GL_RGB, GL_FLOAT, self.Sweep.GetResult());
-  return request.Result->Lend(rays, source.Color, view.ViewScale);
+  sum.Write(grey ? GL_RED : GL_RGB, GL_FLOAT, self.Sweep.GetResult());
+  return request.Result->Lend(sum, source.Color, view.ViewScale);
 }
 
 //------------------------------------------------------------------------------

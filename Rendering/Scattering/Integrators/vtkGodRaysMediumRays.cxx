@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysMediumRays.h"
+
+#include "vtkGodRaysMedium.h"
+#include "vtkGodRaysSum.h"
+#include "vtkShaderProgram.h"
+#include "vtk_glew.h"
+
+#include <algorithm>
+#include <string>
+
+namespace
+{
+/// Into which a ray is divided whose airlight has no closed form.
+constexpr int TotalParts = 32;
+
+void SetNumber(vtkShaderProgram* program, const std::string& name, double value)
+{
+  program->SetUniformf(name.c_str(), static_cast<float>(value));
+}
+
+void SetPair(vtkShaderProgram* program, const char* name, double x, double y)
+{
+  const float values[2] = { static_cast<float>(x), static_cast<float>(y) };
+  program->SetUniform2f(name, values);
+}
+
+void SetVector(vtkShaderProgram* program, const char* name, const double value[3])
+{
+  const float values[3] = { static_cast<float>(value[0]), static_cast<float>(value[1]),
+    static_cast<float>(value[2]) };
+  program->SetUniform3f(name, values);
+}
+
+void SetPhase(vtkShaderProgram* program, const std::string& name, int kind, double asymmetry)
+{
+  program->SetUniformi((name + ".Kind").c_str(), kind);
+  SetNumber(program, name + ".Asymmetry", asymmetry);
+}
+
+double Dot(const double* a, const double* b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysMediumRays::vtkGodRaysMediumRays(
+  const vtkGodRaysIntegrator::Request& request, const int layerSize[2])
+  : Request(request)
+  , LayerSize{ layerSize[0], layerSize[1] }
+{
+  request.View->GetPinhole(layerSize, this->Pinhole);
+  const vtkGodRaysSource& source = *request.Source;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double place = source.Position[i] - (source.Infinite ? 0.0 : request.View->Eye[i]);
+    this->Light[i] = i == 2 ? -place : place;
+  }
+  this->Light[3] = source.Infinite ? 0.0 : 1.0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysMediumRays::IsParallel() const
+{
+  return this->Request.View->Parallel;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysMediumRays::IsGrey() const
+{
+  return this->Request.Medium->IsGrey();
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysMediumRays::IsUniform() const
+{
+  return this->IsInfinite() && !this->Request.Medium->ThinsOut();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysMediumRays::Set(vtkShaderProgram* program) const
+{
+  const vtkGodRaysMedium& medium = *this->Request.Medium;
+  const vtkGodRaysSum& result = *this->Request.Result;
+  SetPair(program, "pictureSize", result.GetWidth(), result.GetHeight());
+  SetPair(program, "layerSize", this->LayerSize[0], this->LayerSize[1]);
+  SetNumber(program, "viewScale", this->Request.ViewScale);
+  SetPair(program, "viewCenter", this->Pinhole.Center[0], this->Pinhole.Center[1]);
+  SetNumber(program, "pixelSize", this->Pinhole.PixelSize);
+  SetNumber(program, "farLimit", medium.FarLimit);
+  const float light[4] = { static_cast<float>(this->Light[0]), static_cast<float>(this->Light[1]),
+    static_cast<float>(this->Light[2]), static_cast<float>(this->Light[3]) };
+  program->SetUniform4f("light", light);
+  const vtkGodRaysSource& source = *this->Request.Source;
+  const double color[3] = { source.Power * source.Color[0], source.Power * source.Color[1],
+    source.Power * source.Color[2] };
+  SetVector(program, "lightColor", color);
+  SetNumber(program, "lightHeight",
+    Dot(medium.Up, this->Light) + (this->IsInfinite() ? 0.0 : medium.EyeHeight));
+  SetVector(program, "mediumUp", medium.Up);
+  SetNumber(program, "eyeHeight", medium.EyeHeight);
+  const bool closed =
+    this->IsInfinite() && (medium.NumberOfComponents == 1 || !medium.ThinsOut());
+  program->SetUniformi("totalParts", closed ? 1 : TotalParts);
+  program->SetUniformf("maximum", result.GetFormat() == GL_RGBA16F ? 65504.0f : 1e30f);
+  this->SetComponents(program);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysMediumRays::SetComponents(vtkShaderProgram* program) const
+{
+  const vtkGodRaysMedium& medium = *this->Request.Medium;
+  const vtkGodRaysMedium::Component empty;
+  for (int channel = 0; channel < (this->IsGrey() ? 1 : 3); ++channel)
+  {
+    for (int k = 0; k < vtkGodRaysMedium::MaximumComponents; ++k)
+    {
+      const auto& component = k < medium.NumberOfComponents ? medium.Components[k] : empty;
+      const std::string name =
+        "components[" + std::to_string(vtkGodRaysMedium::MaximumComponents * channel + k) + "].";
+      const double scattering = component.Scattering[channel];
+      SetNumber(program, name + "Scattering", scattering);
+      SetNumber(program, name + "Extinction", scattering + component.Absorption[channel]);
+      SetNumber(program, name + "ScaleHeight", component.ScaleHeight);
+      SetPhase(program, name + "First", component.PhaseFunction, component.Asymmetry);
+      SetPhase(program, name + "Second", component.SecondPhaseFunction, component.SecondAsymmetry);
+      SetNumber(program, name + "SecondWeight", component.SecondWeight);
+    }
+  }
+}
