@@ -6,12 +6,14 @@
 #include "Failure.h"
 #include "Files.h"
 
+#include "vtkGodRaysSunPosition.h"
 #include "vtkNamedColors.h"
 #include "vtkNew.h"
 
 #include <CLI/CLI.hpp>
 
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 
 namespace
@@ -129,6 +131,11 @@ void AddLightOptions(Parser& parser, Options& options)
   parser.Add("--sun", options.Sun, "AZIMUTH,ELEVATION",
     "Where the sun is, in degrees: azimuth clockwise from north as on a map (0 north, 90 east), "
     "elevation above the horizon. Without --sun and --light a place is chosen that gives shafts");
+  parser.AddCall("--date", "ISO8601",
+    "Instead of --sun, with --place: date, time and zone there, as in 2024-06-21T19:30+02:00",
+    [&options](const std::string& text) { options.Date = text; });
+  parser.Add("--place", options.Place, "LAT,LON",
+    "Latitude and longitude of the scene in degrees, positive to the north and to the east");
   parser.Add("--light", options.Light, "X,Y,Z", "A lamp at this point instead of the sun");
   parser.AddCall("--light-color", "COLOR", "Colour of the sun or lamp: r,g,b, #rrggbb or a name",
     [&options](const std::string& text)
@@ -290,6 +297,46 @@ void AddOutputOptions(Parser& parser, Options& options)
 }
 
 //------------------------------------------------------------------------------
+std::string FormatClock(double hours)
+{
+  const int minutes = static_cast<int>(std::lround(60.0 * hours) + 1440) % 1440;
+  char text[16];
+  std::snprintf(text, sizeof(text), "%02d:%02d", minutes / 60, minutes % 60);
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 2> FindSun(const std::string& date, const std::array<double, 2>& place)
+{
+  if (std::abs(place[0]) > 90.0 || std::abs(place[1]) > 180.0)
+  {
+    throw Failure(
+      "--place: the latitude should be from -90 to 90 degrees, the longitude from -180 to 180");
+  }
+  vtkNew<vtkGodRaysSunPosition> sun;
+  vtkObject::GlobalWarningDisplayOff(); // it is told below
+  const bool read = sun->SetDateTime(date);
+  vtkObject::GlobalWarningDisplayOn();
+  if (!read)
+  {
+    throw Failure("--date: " + Quoted(date) +
+      " should be a date from 1900 to 2100, a time and a zone, as in 2024-06-21T19:30+02:00");
+  }
+  sun->SetLatitude(place[0]);
+  sun->SetLongitude(place[1]);
+  const double elevation = sun->GetElevation();
+  if (elevation < 0.0)
+  {
+    const bool rises = sun->GetDayType() == vtkGodRaysSunPosition::RISES_AND_SETS;
+    throw Failure("--date: the sun is below the horizon then" +
+      (rises ? "; that day it is up from " + FormatClock(sun->GetSunrise()) + " to " +
+            FormatClock(sun->GetSunset())
+             : std::string()));
+  }
+  return { sun->GetAzimuth(), elevation };
+}
+
+//------------------------------------------------------------------------------
 void CheckTogether(const Options& options)
 {
   if (options.ListPresets || options.ListColormaps)
@@ -304,6 +351,14 @@ void CheckTogether(const Options& options)
   if (options.Sun && options.Light)
   {
     throw Failure("--sun and --light are two places for one light; give one of them");
+  }
+  if (options.Date.empty() == options.Place.has_value())
+  {
+    throw Failure("--date and --place belong together; give both, or --sun");
+  }
+  if (options.Place && (options.Sun || options.Light))
+  {
+    throw Failure("--date and --place say where the sun is; leave out --sun and --light");
   }
   if (options.Sun && std::abs((*options.Sun)[1]) > 90.0)
   {
@@ -358,6 +413,10 @@ std::optional<Options> ParseCommandLine(int argc, char* argv[])
     throw Failure(line + "; see godrays --help");
   }
   CheckTogether(options);
+  if (options.Place)
+  {
+    options.Sun = FindSun(options.Date, *options.Place);
+  }
   return options;
 }
 

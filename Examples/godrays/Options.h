@@ -19,7 +19,9 @@ struct Options
   std::vector<std::string> Files;
 
   // Light. Azimuth and elevation are in degrees, azimuth clockwise from north as on a map.
-  std::optional<std::array<double, 2>> Sun;
+  std::optional<std::array<double, 2>> Sun; ///< as given, or of Date and Place
+  std::string Date;
+  std::optional<std::array<double, 2>> Place;
   std::optional<Vector3> Light;
   Vector3 LightColor = { 1.0, 0.85, 0.62 };
   std::optional<double> LightSize;

@@ -4,6 +4,7 @@
 
 #include "vtkActor.h"
 #include "vtkDataSet.h"
+#include "vtkGodRaysSunPosition.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -22,14 +23,9 @@ bool Scene::IsTerrain() const
 //------------------------------------------------------------------------------
 Vector3 Scene::GetDirection(double azimuth, double elevation) const
 {
-  const double a = vtkMath::RadiansFromDegrees(azimuth);
-  const double e = vtkMath::RadiansFromDegrees(elevation);
   Vector3 direction;
-  for (int i = 0; i < 3; ++i)
-  {
-    direction[i] = std::cos(e) * (std::sin(a) * this->East[i] + std::cos(a) * this->North[i]) +
-      std::sin(e) * this->Up[i];
-  }
+  vtkGodRaysSunPosition::ComputeDirection(
+    azimuth, elevation, this->Up.data(), this->North.data(), direction.data());
   return direction;
 }
 

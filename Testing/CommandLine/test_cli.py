@@ -206,6 +206,15 @@ class Arguments(ProgramTest):
             (["--sun", "10,95"], ["--sun", "-90 to 90"]),
             (["--sun", "nan,1"], ["--sun"]),
             (["--sun", "1,2", "--light", "1,2,3"], ["--sun", "--light"]),
+            (["--date", "2024-06-21T12:00Z"], ["--date", "--place"]),
+            (["--place", "48,11"], ["--date", "--place"]),
+            (["--date", "noon", "--place", "48,11"], ["--date", "'noon'", "2024-06-21T"]),
+            (["--date", "2024-06-21T12:00Z", "--place", "48,190"], ["--place", "-180 to 180"]),
+            (["--date", "2024-06-21T12:00Z", "--place", "48,11", "--sun", "1,2"], ["--sun"]),
+            # sunrise and sunset of Munich on that day: 05:13 and 21:17
+            (["--date", "2024-06-21T23:30+02:00", "--place", "48.137,11.575"],
+             ["below the horizon", "05:1", "21:1"]),
+            (["--date", "2024-12-21T12:00Z", "--place", "80,0"], ["below the horizon"]),
             (["--light", "1,2"], ["--light", "X,Y,Z"]),
             (["--light-color", "1,2,3"], ["--light-color", "r,g,b"]),
             (["--light-color", "nocolor"], ["--light-color"]),
@@ -312,6 +321,13 @@ class Pictures(ProgramTest):
             row, column = numpy.unravel_index(rays.argmax(), rays.shape)
             self.assertGreater(side * (column - WIDTH / 2), 10)
             self.assertGreater(row, HEIGHT / 2)  # above the middle: rows begin at the foot
+
+    def test_the_sun_of_a_date_and_place(self):
+        # the example of the solar position algorithm: azimuth 194.34, elevation 39.89 degrees
+        given = self.draw(
+            self.mesh, "--date", "2003-10-17T12:30:30-07:00", "--place", "39.742476,-105.1786")
+        self.assertLess(abs(given - self.draw(self.mesh, "--sun", "194.34,39.888")).max(), 4)
+        self.assertGreater(abs(given - self.draw(self.mesh, "--sun", "195.5,39.888")).max(), 8)
 
     def test_every_camera_and_sun_gives_a_picture(self):
         for arguments in (

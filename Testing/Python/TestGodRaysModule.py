@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The Python module godrays: enable, tag, disable, its errors, and that rays are seen."""
 
+import datetime
 import gc
+import math
 import types
 import unittest
 
@@ -64,6 +66,29 @@ class Enable(unittest.TestCase):
         godrays.disable(renderer)
         self.assertEqual(pixels(window), before)
         self.assertIsNone(renderer.GetPass())
+
+    def test_the_sun_of_a_date_and_place(self):
+        # the example of the solar position algorithm, [RedaAndreas2004]
+        zone = datetime.timezone(datetime.timedelta(hours=-7))
+        dates = ("2003-10-17T12:30:30-07:00", datetime.datetime(2003, 10, 17, 12, 30, 30, 0, zone))
+        for date in dates:
+            east, north, up = godrays.sun(date, 39.742476, -105.1786)
+            self.assertAlmostEqual(math.degrees(math.atan2(east, north)) % 360, 194.34, 2)
+            self.assertAlmostEqual(math.degrees(math.asin(up)), 39.888, delta=0.02)
+        turned = godrays.sun(dates[0], 39.742476, -105.1786, up=(0, 2, 0), north=(0, 1, -1))
+        self.assertAlmostEqual(math.dist(turned, (east, up, -north)), 0.0)
+        _, renderer, _ = make_scene()
+        rays = godrays.enable(renderer, light=turned)
+        self.assertEqual(rays.GetLight(0).GetPosition(), turned)
+        for wrong, words in (
+            (("noon", 0, 0), "noon"),
+            ((dates[0], 91, 0), "latitude 91"),
+            ((dates[0], math.nan, 0), "latitude nan"),
+            ((dates[0], 39.7, 105.2), "below the horizon"),
+            ((dates[0], 39.7, -105.2, (0, 0, 1), (0, 0, 2)), "parallel"),
+        ):
+            with self.assertRaisesRegex(ValueError, words):
+                godrays.sun(*wrong)
 
     def test_every_kind_of_target(self):
         window, renderer, _ = make_scene()

@@ -56,7 +56,7 @@ def enable(target, light=None, occluders=(), ignored=(), preset=None, **paramete
         ``renderer``, such as PyVista's and vedo's, or a render view of paraview.simple in built-in
         mode; representations and lights of ParaView can then be given as props and lights.
     light: what shines. A vtkLight; a prop, which shines in the colours in which it is drawn; three
-        numbers, the direction from which sunlight comes; or a list of these. None takes the props
+        numbers, the direction from which sunlight comes, such as sun() gives; or a list of these. None takes the props
         tagged "light", or else the renderer's own lights that stand in the scene.
     occluders, ignored: props to tag. Props without a tag block light unless
         untagged_props_occlude=False.
@@ -144,6 +144,41 @@ def tag(prop, role):
             raise ValueError(f"there is no role {role!r}; there are: {', '.join(_ROLES)}")
         role = _ROLES[role]
     vtkGodRaysPass.SetRole(_prop(prop), role)
+
+
+def sun(date, latitude, longitude, up=(0, 0, 1), north=(0, 1, 0)):
+    """The direction of the sun at a time and place, as a light of enable().
+
+    date: a datetime of the library with its time zone, or a text like 2024-06-21T19:30+02:00; without
+        a zone it is UTC.
+    latitude, longitude: positive to the north and to the east [degrees].
+    up, north: their directions in the scene. Defaults are those of a map.
+
+    ValueError: there is no such date or place, or the sun is below the horizon.
+    """
+    position = vtkGodRaysSunPosition()
+    text = date.isoformat() if hasattr(date, "isoformat") else date
+    position.AddObserver("ErrorEvent", lambda *_: None)  # told as exceptions
+    if not abs(latitude) <= 90 or not abs(longitude) <= 180:
+        raise ValueError(
+            f"there is no place at latitude {latitude} and longitude {longitude}: they are in "
+            "[-90, 90] and [-180, 180]"
+        )
+    if not position.SetDateTime(text):
+        raise ValueError(
+            f"{text!r} is no date with a time from 1900 to 2100, such as 2024-06-21T19:30+02:00"
+        )
+    position.SetLatitude(latitude)
+    position.SetLongitude(longitude)
+    direction = [0.0, 0.0, 0.0]
+    if not position.GetDirection(up, north, direction):
+        raise ValueError(f"up={up} and north={north} must be finite, not 0 and not parallel")
+    if position.GetElevation() < 0:
+        raise ValueError(
+            f"the sun is {-position.GetElevation():.1f} degrees below the horizon at {text}; it "
+            f"rises at {position.GetSunrise():.2f} h and sets at {position.GetSunset():.2f} h"
+        )
+    return tuple(direction)
 
 
 def _renderer(target):
