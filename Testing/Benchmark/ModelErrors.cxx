@@ -7,6 +7,7 @@
 #include "Rounds.h"
 #include "Statistics.h"
 
+#include "vtkGodRaysDepthWeightedTapsIntegrator.h"
 #include "vtkGodRaysEpipolarCoverageIntegrator.h"
 #include "vtkGodRaysEpipolarIntegrator.h"
 #include "vtkGodRaysHomogeneousModel.h"
@@ -74,6 +75,12 @@ std::vector<ModelMethod> MakeModelMethods()
   auto taps = vtkSmartPointer<vtkGodRaysTapsIntegrator>::New();
   taps->SetNumberOfTaps(100);
   add(CustomaryModel, "radial sum", taps);
+  for (const int count : { 32, 128 })
+  {
+    auto depths = vtkSmartPointer<vtkGodRaysDepthWeightedTapsIntegrator>::New();
+    depths->SetNumberOfTaps(count);
+    add(("depth-weighted taps, " + std::to_string(count)).c_str(), "depth-weighted taps", depths);
+  }
   add(BestModel, "coverage", vtkSmartPointer<vtkGodRaysEpipolarCoverageIntegrator>::New());
   return methods;
 }
