@@ -701,6 +701,349 @@ FUNCTION Real MediumAirlight(IN(MediumComponent) first, IN(MediumComponent) seco
     (MediumIntegrand(first, second, ray, low) + MediumIntegrand(first, second, ray, high));
 }
 
+// --- The sky -------------------------------------------------------------------------------------
+
+// A planet's atmosphere in spherical shells. Lengths and the reciprocals of coefficients have one unit,
+// e.g. metres. A way starts at a height above the ground; slope is its cosine with the vertical there, 1
+// straight up, 0 level. Distances from the planet's centre are never subtracted, so that metres count in
+// single precision, too. Ways stay above the ground and below the atmosphere's top.
+
+// How dense a constituent is at each height.
+struct SkyProfile
+{
+  int Kind;    // 0 exponential e^(-h/Height), 1 uniform up to Height, 2 layer 1 - |h - Height|/Width
+  Real Height; // the scale height, the top, or the height of the layer's middle [length]
+  Real Width;  // half that of a layer [length]
+};
+
+struct SkyAtmosphere
+{
+  Real GroundRadius;      // of the planet [length]
+  Real TopHeight;         // beyond is nothing [length]
+  SkyProfile Air;         // molecules
+  SkyProfile Aerosol;     // droplets and dust
+  SkyProfile Absorber;    // ozone
+  Vec3 AirScattering;     // where their density is 1, as all that follow [1/length]
+  Vec3 AerosolScattering; // [1/length]
+  Vec3 AerosolExtinction; // scattering and absorption [1/length]
+  Vec3 Absorption;        // [1/length]
+  PhaseFunction AirPhase;
+  PhaseFunction AerosolPhase;
+};
+
+// How much higher the end of a way is than its start, without cancellation.
+// Formula: d (2 r slope + d)/(r + sqrt(r^2 + d (2 r slope + d))), r the start's radius. [length]
+FUNCTION Real SkyRise(IN(Real) radius, IN(Real) slope, IN(Real) distance)
+{
+  Real more = distance * (2.0 * radius * slope + distance);
+  return more / (radius + sqrt(max(radius * radius + more, 0.0)));
+}
+
+// The part of a way, from distance x to distance y, that is below topHeight; x above y if there is none.
+// Formula: d^2 + 2 r slope d = (top - height) (2 GroundRadius + top + height). [length]
+FUNCTION Vec2 SkyBelow(
+  IN(Real) groundRadius, IN(Real) height, IN(Real) slope, IN(Real) topHeight)
+{
+  Real along = (groundRadius + height) * slope;
+  Real room = (topHeight - height) * (2.0 * groundRadius + topHeight + height);
+  Real square = along * along + room;
+  if (square < 0.0 || (room < 0.0 && along >= 0.0))
+  {
+    return Vec2(1.0, 0.0);
+  }
+  Real root = sqrt(square);
+  Real leave = along > 0.0 ? room / (along + root) : root - along;
+  return Vec2(room < 0.0 ? -room / (root - along) : 0.0, leave);
+}
+
+// The distance at which a way meets the ground; -1 if it does not.
+// Formula: height (2 GroundRadius + height)/(-r slope + sqrt(...)), as SkyBelow's entry. [length]
+FUNCTION Real SkyGroundDistance(IN(Real) groundRadius, IN(Real) height, IN(Real) slope)
+{
+  Real along = (groundRadius + height) * slope;
+  Real room = max(height, 0.0) * (2.0 * groundRadius + height);
+  Real square = along * along - room;
+  return slope < 0.0 && square >= 0.0 ? room / (sqrt(square) - along) : -1.0;
+}
+
+// e^(z^2) erfc(z) for z from 0 on, to 1.2e-7 of itself.
+// Formula: t e^P(t), t = 1/(1 + z/2), P a polynomial. [no unit] [Press1992] 6.2
+FUNCTION Real ScaledErfc(IN(Real) z)
+{
+  Real t = 1.0 / (1.0 + 0.5 * z);
+  return t *
+    exp(-1.26551223 + t * (1.00002368 + t * (0.37409196 + t * (0.09678418 +
+      t * (-0.18628806 + t * (0.27886807 + t * (-1.13520398 + t * (1.48851587 +
+      t * (-0.82215223 + t * 0.17087277)))))))));
+}
+
+// The column above a point along a way that does not descend, in an exponential density that is 1 there:
+// Chapman's grazing incidence integral in closed form. Error below 1e-6 for scaleHeight < radius/500; it
+// is of the second order in scaleHeight/radius, whatever the slope.
+// With s = sqrt(1 - slope^2) and q^2 = radius - s radius + rise, the way's element is
+// 2 (radius + rise)/sqrt((1 + s) radius + rise) dq; expanded to the first order in rise/radius, the
+// integral over e^(-rise/H) is sqrt(pi H radius/(1 + s)) e^(z^2) erfc(z) (1 + (m/radius) (1 - 1/(2 + 2 s))),
+// z = slope sqrt(radius/((1 + s) H)), m = H (1/2 - z^2 + z/(sqrt(pi) e^(z^2) erfc(z))) the mean rise.
+// [length] [Chapman1931] for the problem; level, it is his sqrt(pi H radius/2) (1 + 3 H/(8 radius)).
+FUNCTION Real ChapmanColumn(IN(Real) radius, IN(Real) slope, IN(Real) scaleHeight)
+{
+  Real side = 1.0 + sqrt(max(1.0 - slope * slope, 0.0));
+  Real z = slope * sqrt(radius / (side * scaleHeight));
+  Real tail = ScaledErfc(z);
+  Real meanRise = clamp(0.5 - z * z + z * 0.5641895835477563 / tail, 0.5, 1.0) * scaleHeight;
+  return 1.7724538509055160 * sqrt(scaleHeight * radius / side) * tail *
+    (1.0 + meanRise / radius * (1.0 - 0.5 / side));
+}
+
+// Column of an exponential density along a way: what is above its lower end less what is above its upper
+// end; with the lowest point between them, twice what is above that less what is above both.
+// Formula: e^(-h/H) ChapmanColumn. [length]
+FUNCTION Real SkyExponentialColumn(IN(Real) groundRadius, IN(Real) scaleHeight, IN(Real) height,
+  IN(Real) slope, IN(Real) distance)
+{
+  Real radius = groundRadius + height;
+  Real rise = SkyRise(radius, slope, distance);
+  Real endRadius = radius + rise;
+  Real endSlope = (radius * slope + distance) / endRadius;
+  Real start = ExponentialDensity(height, scaleHeight) *
+    ChapmanColumn(radius, min(abs(slope), 1.0), scaleHeight);
+  Real end = ExponentialDensity(height + rise, scaleHeight) *
+    ChapmanColumn(endRadius, min(abs(endSlope), 1.0), scaleHeight);
+  if (slope >= 0.0)
+  {
+    return max(start - end, 0.0);
+  }
+  if (endSlope <= 0.0)
+  {
+    return max(end - start, 0.0);
+  }
+  Real dip = SkyRise(radius, slope, -radius * slope);
+  Real lowest = ExponentialDensity(height + dip, scaleHeight) *
+    ChapmanColumn(radius + dip, 0.0, scaleHeight);
+  return max(2.0 * lowest - start - end, 0.0);
+}
+
+// The integral along a way of how far it is below topHeight. The height is nearly quadratic along it:
+// Gauss-Legendre of 3 points.
+// Formula: integral max(topHeight - h, 0) ds. [length^2]
+FUNCTION Real SkyRampColumn(IN(Real) groundRadius, IN(Real) topHeight, IN(Real) height,
+  IN(Real) slope, IN(Real) distance)
+{
+  Vec2 part = SkyBelow(groundRadius, height, slope, topHeight);
+  Real middle = 0.5 * (part.x + min(part.y, distance));
+  Real reach = min(part.y, distance) - middle;
+  if (reach <= 0.0)
+  {
+    return 0.0;
+  }
+  Real radius = groundRadius + height;
+  Real sides = SkyRise(radius, slope, middle - 0.7745966692414834 * reach) +
+    SkyRise(radius, slope, middle + 0.7745966692414834 * reach);
+  Real mean = (5.0 * sides + 8.0 * SkyRise(radius, slope, middle)) / 18.0;
+  return 2.0 * reach * max(topHeight - height - mean, 0.0);
+}
+
+// Density of a profile at a height. Formula: see SkyProfile. [no unit]
+FUNCTION Real SkyDensity(IN(SkyProfile) profile, IN(Real) height)
+{
+  if (profile.Kind == 0)
+  {
+    return ExponentialDensity(height, profile.Height);
+  }
+  if (profile.Kind == 1)
+  {
+    return height <= profile.Height ? 1.0 : 0.0;
+  }
+  return max(1.0 - abs(height - profile.Height) / profile.Width, 0.0);
+}
+
+// The integral of a profile's density along a way. A layer is the second difference of three ramps.
+// Formula: integral density ds. [length]
+FUNCTION Real SkyColumn(IN(SkyProfile) profile, IN(Real) groundRadius, IN(Real) height,
+  IN(Real) slope, IN(Real) distance)
+{
+  if (profile.Kind == 0)
+  {
+    return SkyExponentialColumn(groundRadius, profile.Height, height, slope, distance);
+  }
+  if (profile.Kind == 1)
+  {
+    Vec2 part = SkyBelow(groundRadius, height, slope, profile.Height);
+    return max(min(part.y, distance) - part.x, 0.0);
+  }
+  Real low = profile.Height - profile.Width;
+  Real high = profile.Height + profile.Width;
+  return (SkyRampColumn(groundRadius, low, height, slope, distance) -
+           2.0 * SkyRampColumn(groundRadius, profile.Height, height, slope, distance) +
+           SkyRampColumn(groundRadius, high, height, slope, distance)) /
+    profile.Width;
+}
+
+// Optical depth of a way. Formula: sum of extinction SkyColumn. [no unit]
+FUNCTION Vec3 SkyDepth(
+  IN(SkyAtmosphere) sky, IN(Real) height, IN(Real) slope, IN(Real) distance)
+{
+  Vec3 depth =
+    sky.AirScattering * SkyColumn(sky.Air, sky.GroundRadius, height, slope, distance) +
+    sky.AerosolExtinction * SkyColumn(sky.Aerosol, sky.GroundRadius, height, slope, distance);
+  if (dot(sky.Absorption, sky.Absorption) > 0.0)
+  {
+    depth += sky.Absorption * SkyColumn(sky.Absorber, sky.GroundRadius, height, slope, distance);
+  }
+  return depth;
+}
+
+// The part of a way, from distance x to y, that is in the planet's shadow, where there is no ground
+// between; x above y if there is none. sunSlope is the slope of the way to the sun from the start,
+// cosAngle the cosine of the angle between both. The sun is a point, infinitely far away.
+// Formula: |P|^2 - (P sun)^2 < GroundRadius^2 and P sun < 0 for P = start + d way. [length]
+FUNCTION Vec2 SkyShadow(IN(Real) groundRadius, IN(Real) height, IN(Real) slope,
+  IN(Real) sunSlope, IN(Real) cosAngle)
+{
+  Real radius = groundRadius + height;
+  Real towards = radius * sunSlope;
+  Real a = 1.0 - cosAngle * cosAngle;
+  Real b = radius * (slope - sunSlope * cosAngle);
+  Real c = height * (2.0 * groundRadius + height) - towards * towards;
+  Real root = b * b - a * c;
+  Vec2 part = Vec2(0.0, 1e30);
+  if (a > 1e-12)
+  {
+    if (root <= 0.0)
+    {
+      return Vec2(1.0, 0.0);
+    }
+    part = Vec2((-b - sqrt(root)) / a, (-b + sqrt(root)) / a);
+  }
+  else if (c >= 0.0)
+  {
+    return Vec2(1.0, 0.0);
+  }
+  Real terminator = abs(cosAngle) > 1e-12 ? -towards / cosAngle : (towards < 0.0 ? 1e30 : -1e30);
+  if (cosAngle >= 0.0)
+  {
+    part.y = min(part.y, terminator);
+  }
+  else
+  {
+    part.x = max(part.x, terminator);
+  }
+  return Vec2(max(part.x, 0.0), part.y);
+}
+
+// Light that reaches a point from the sun: what is left of it, apart from the planet's shadow.
+// Formula: e^-SkyDepth(to the top). [no unit]
+FUNCTION Vec3 SkySunTransmittance(IN(SkyAtmosphere) sky, IN(Real) height, IN(Real) sunSlope)
+{
+  Vec2 way = SkyBelow(sky.GroundRadius, height, sunSlope, sky.TopHeight);
+  return exp(-SkyDepth(sky, height, sunSlope, max(way.y, 0.0)));
+}
+
+// Light of the sun that is scattered once, on a unit of a way, into the way's start, for an irradiance of
+// 1; the point is not in the planet's shadow. Its integral along the way is the sky's radiance.
+// Formula: (beta_air density phase + beta_aerosol density phase) e^-(depth to the start + depth to the
+// sun). [1/(length sr)] [Nishita1993]
+FUNCTION Vec3 SkyInscatter(IN(SkyAtmosphere) sky, IN(Real) height, IN(Real) slope,
+  IN(Real) sunSlope, IN(Real) cosAngle, IN(Real) distance)
+{
+  Real radius = sky.GroundRadius + height;
+  Real rise = SkyRise(radius, slope, distance);
+  Real sunSlopeThere = clamp((radius * sunSlope + distance * cosAngle) / (radius + rise), -1.0, 1.0);
+  Vec3 scattered = sky.AirScattering * (SkyDensity(sky.Air, height + rise) * Phase(sky.AirPhase, cosAngle)) +
+    sky.AerosolScattering *
+      (SkyDensity(sky.Aerosol, height + rise) * Phase(sky.AerosolPhase, cosAngle));
+  return scattered * exp(-SkyDepth(sky, height, slope, distance)) *
+    SkySunTransmittance(sky, height + rise, sunSlopeThere);
+}
+
+// What a march of the first order makes of a homogeneous step of optical depth tau, of what it is.
+// Formula: 1/MeanExponential(tau). [no unit]
+FUNCTION Real FirstOrderStepBias(IN(Real) tau)
+{
+  return 1.0 / MeanExponential(tau);
+}
+
+// Pictures of all directions. Directions have length 1: x to the right (east), y up in the picture
+// (north), z to the zenith. Positions are -1 to 1 across the picture in both axes.
+//   kind 0 paraboloid: the zenith in the middle, the horizon a circle of radius 1
+//   kind 1 equirectangular: azimuth from north clockwise, 0 to 360 degrees from left to right, nadir to
+//          zenith from the bottom up
+//   kind 2 fisheye: as 0, with the distance from the middle proportional to the angle from the zenith
+
+// Formula: kind 0 (2 x, 2 y, 1 - r^2)/(1 + r^2). [no unit] [Heidrich1998] for the paraboloid
+FUNCTION Vec3 SkyMapDirection(IN(int) kind, IN(Vec2) position)
+{
+  if (kind == 0)
+  {
+    Real square = dot(position, position);
+    return Vec3(2.0 * position.x, 2.0 * position.y, 1.0 - square) / (1.0 + square);
+  }
+  if (kind == 1)
+  {
+    Real azimuth = 3.14159265358979324 * (position.x + 1.0);
+    Real elevation = 1.57079632679489662 * position.y;
+    return Vec3(cos(elevation) * sin(azimuth), cos(elevation) * cos(azimuth), sin(elevation));
+  }
+  Real reach = length(position);
+  Real angle = 1.57079632679489662 * reach;
+  Real scale = reach > 1e-6 ? sin(angle) / reach : 1.57079632679489662;
+  return Vec3(scale * position.x, scale * position.y, cos(angle));
+}
+
+// The inverse of SkyMapDirection. The nadir has no position in kind 0, and gets one far away.
+// Formula: kind 0 (x, y)/(1 + z). [no unit]
+FUNCTION Vec2 SkyMapPosition(IN(int) kind, IN(Vec3) direction)
+{
+  Vec2 level = Vec2(direction.x, direction.y);
+  Real reach = length(level);
+  if (kind == 0)
+  {
+    return level / max(1.0 + direction.z, 1e-12);
+  }
+  if (kind == 1)
+  {
+    Real turn = reach > 0.0 ? atan(direction.x, direction.y) / 3.14159265358979324 : 0.0;
+    return Vec2(turn < 0.0 ? turn + 1.0 : turn - 1.0,
+      atan(direction.z, reach) / 1.57079632679489662);
+  }
+  return level * (atan(reach, direction.z) / 1.57079632679489662 / max(reach, 1e-12));
+}
+
+// The solid angle of a unit of a picture's area about a position.
+// Formula: kind 0 4/(1 + r^2)^2, kind 1 pi^2/2 cos(elevation), kind 2 pi/2 sin(angle)/r. [sr]
+FUNCTION Real SkyMapSolidAngle(IN(int) kind, IN(Vec2) position)
+{
+  if (kind == 0)
+  {
+    Real width = 1.0 + dot(position, position);
+    return 4.0 / (width * width);
+  }
+  if (kind == 1)
+  {
+    return 4.93480220054467931 * cos(1.57079632679489662 * position.y);
+  }
+  Real reach = max(length(position), 1e-6);
+  return 1.57079632679489662 * sin(1.57079632679489662 * reach) / reach;
+}
+
+// A direction of a face of a cube map, as OpenGL numbers and turns them: +x, -x, +y, -y, +z, -z. Position
+// is -1 to 1 to the right and down in the face. Of length 1 or more; its solid angle is 1/length^3.
+// Formula: OpenGL 3.2 specification, table 3.19. [no unit]
+FUNCTION Vec3 CubeMapDirection(IN(int) face, IN(Vec2) position)
+{
+  Real s = position.x;
+  Real t = position.y;
+  if (face < 2)
+  {
+    return face == 0 ? Vec3(1.0, -t, -s) : Vec3(-1.0, -t, s);
+  }
+  if (face < 4)
+  {
+    return face == 2 ? Vec3(s, 1.0, t) : Vec3(s, -1.0, -t);
+  }
+  return face == 4 ? Vec3(s, -t, 1.0) : Vec3(-s, -t, -1.0);
+}
+
 // --- Safety --------------------------------------------------------------------------------------
 
 // A value that can be stored and summed: NaN and negative numbers become 0, others at most maximum.
@@ -714,4 +1057,48 @@ FUNCTION Vec3 Sanitize(IN(Vec3) value, IN(Real) maximum)
 {
   return Vec3(
     Sanitize(value.x, maximum), Sanitize(value.y, maximum), Sanitize(value.z, maximum));
+}
+
+// --- Shared exponents ----------------------------------------------------------------------------
+
+// A colour in four bytes: three mantissas and their exponent of 2. NaN, negative numbers and those below
+// 2^-127 become 0, others are at most 2^127 (255/256). The error of each channel is at most half a unit
+// of the mantissa: 0.39 % of the brightest channel or less.
+
+// The exponent for the brightest channel m. variant 0, as published: ceil(log2 m), a mantissa in (1/2, 1]
+// that is stored as 255 of itself. variant 1, of Radiance: that of frexp, a mantissa in [1/2, 1) that is
+// stored as 256 of itself; one higher if it rounds to 256.
+// Formula: ceil(log2 m); floor(log2 m) + 1. [no unit] [Lodato2015], [Ward1991]
+FUNCTION Real SharedExponent(IN(int) variant, IN(Real) brightest)
+{
+  Real exponent = ceil(log2(brightest));
+  // The logarithm may be rounded across a whole number.
+  exponent += brightest > exp2(exponent) ? 1.0 : (brightest <= exp2(exponent - 1.0) ? -1.0 : 0.0);
+  return variant == 1 && brightest * 256.0 >= 255.5 * exp2(exponent) ? exponent + 1.0 : exponent;
+}
+
+// Formula: mantissa = c/2^e, rounded to 1/255 (1/256); exponent e + 128. [bytes]
+FUNCTION Vec4 EncodeSharedExponent(IN(int) variant, IN(Vec3) colour)
+{
+  Vec3 light = Sanitize(colour, 1.69e38);
+  Real brightest = max(light.x, max(light.y, light.z));
+  if (brightest < 5.9e-39)
+  {
+    return Vec4(0.0, 0.0, 0.0, 0.0);
+  }
+  Real exponent = SharedExponent(variant, brightest);
+  Real scale = (variant == 1 ? 256.0 : 255.0) * exp2(-exponent);
+  return Vec4(floor(light.x * scale + 0.5), floor(light.y * scale + 0.5),
+    floor(light.z * scale + 0.5), exponent + 128.0);
+}
+
+// The inverse, for bytes. Formula: 2^(e - 128) mantissa. [the colour's unit]
+FUNCTION Vec3 DecodeSharedExponent(IN(int) variant, IN(Vec4) bytes)
+{
+  if (bytes.w == 0.0)
+  {
+    return Vec3(0.0);
+  }
+  return Vec3(bytes.x, bytes.y, bytes.z) *
+    (exp2(bytes.w - 128.0) / (variant == 1 ? 256.0 : 255.0));
 }

@@ -19,7 +19,9 @@
 #include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
+#include <cmath>
 #include <cstddef>
 
 namespace vtkGodRays
@@ -27,14 +29,17 @@ namespace vtkGodRays
 using Real = double;
 using Vec2 = glm::dvec2;
 using Vec3 = glm::dvec3;
+using Vec4 = glm::dvec4;
 
 using glm::abs;
 using glm::atan;
+using glm::ceil;
 using glm::clamp;
 using glm::cos;
 using glm::cross;
 using glm::dot;
 using glm::exp;
+using glm::floor;
 using glm::fract;
 using glm::length;
 using glm::log;
@@ -43,6 +48,8 @@ using glm::min;
 using glm::pow;
 using glm::sin;
 using glm::sqrt;
+using std::exp2; // GLM has them through e, inexactly
+using std::log2;
 
 #define LAYER_TEMPLATE template <typename Layer>
 #define FUNCTION inline

@@ -6,6 +6,7 @@
 #define Real float
 #define Vec2 vec2
 #define Vec3 vec3
+#define Vec4 vec4
 #define Layer sampler2D
 #define LAYER_TEMPLATE
 #define FUNCTION

@@ -12,20 +12,26 @@
 #include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <cmath>
 
 namespace vtkGodRaysSingle
 {
 using Real = float;
 using Vec2 = glm::vec2;
 using Vec3 = glm::vec3;
+using Vec4 = glm::vec4;
 
 using glm::abs;
 using glm::atan;
+using glm::ceil;
 using glm::clamp;
 using glm::cos;
 using glm::cross;
 using glm::dot;
 using glm::exp;
+using glm::floor;
 using glm::fract;
 using glm::length;
 using glm::log;
@@ -34,6 +40,8 @@ using glm::min;
 using glm::pow;
 using glm::sin;
 using glm::sqrt;
+using std::exp2; // GLM has them through e, inexactly
+using std::log2;
 
 #define LAYER_TEMPLATE template <typename Layer>
 #define FUNCTION inline

@@ -12,7 +12,7 @@
  * atmosphere have a shorter way. See vtkGodRaysMediumModel for what is computed and how much light there
  * is.
  *
- * Defaults are clear air over the Earth, [BrunetonNeyret2008]; red, green and blue stand for 680, 550
+ * Defaults are clear air over the Earth, [Bruneton2017]; red, green and blue stand for 680, 550
  * and 440 nm. In a scene of some kilometres that is what makes distant hills blue; for shafts, raise
  * MieScattering.
  *

@@ -75,8 +75,8 @@ public:
    *
    * | name       | scattering [1/m]       | absorption [1/m]  | phase function | source |
    * |------------|------------------------|-------------------|----------------|--------|
-   * | clear-air  | 5.802, 13.558, 33.1e-6 | 0                 | Rayleigh       | air at sea level without aerosols [BrunetonNeyret2008] |
-   * | haze       | 7.49e-4                | 0                 | HG 0.76        | a visibility of 4 km, 3.00/V [WMO8]; g as in [BrunetonNeyret2008] |
+   * | clear-air  | 5.802, 13.558, 33.1e-6 | 0                 | Rayleigh       | air at sea level without aerosols [Bruneton2017] |
+   * | haze       | 7.49e-4                | 0                 | HG 0.76        | a visibility of 4 km, 3.00/V [WMO8]; g as in [Bruneton2017] |
    * | fog        | 1.5e-2                 | 0                 | HG 0.85        | a visibility of 200 m; g of droplets [HansenTravis1974] |
    * | dust       | 6e-3                   | 0                 | HG 0.6         | 10 mg/m3, the limit for a workplace, times 0.6 m2/g of coarse dust [Pitchford2007]; g is a guess |
    * | sea-water  | 0.219                  | 0.61, 0.20, 0.151 | HG 0.924       | coastal [Petzold1972]: 0.219 and 0.179 at 514 nm; colours as pure water's [PopeFry1997] |
