@@ -171,21 +171,28 @@ class Properties(Case):
             available = {f"vtkGodRays{name}{prop}" for name, _ in choices(view, prop)}
             self.assertEqual(available, classes)
 
-    def test_filters(self):
-        classes = {
-            name
-            for name in dir(godrays)
-            if name.startswith("vtkGodRays")
-            and name.endswith("Filter")
-            and name not in NOT_OFFERED
-        }
-        self.assertGreaterEqual(len(classes), 2)
-        for name in sorted(classes):
-            image = simple.Wavelet(WholeExtent=[0, 7, 0, 7, 0, 0])
-            proxy = getattr(simple, name[3:])(Input=image)
-            self.check(proxy, proxy.GetClientSideObject())
-            hints = proxy.SMProxy.GetHints().FindNestedElementByName("ShowInMenu")
-            self.assertEqual(hints.GetAttribute("category"), "God Rays")
+    def test_filters_and_sources(self):
+        """Each class is in the menu God Rays, and follows its properties."""
+        manager = simple.servermanager.ProxyManager()
+        image = simple.Wavelet(WholeExtent=[0, 7, 0, 7, 0, 0])
+        for group, kind, inputs in (("filters", "Filter", {"Input": image}), ("sources", "Source", {})):
+            classes = {
+                name
+                for name in dir(godrays)
+                if name.startswith("vtkGodRays") and name.endswith(kind)
+                and name not in NOT_OFFERED
+            }  # fmt: skip
+            offered = set()
+            for entry in manager.NewDefinitionIterator(group):
+                name = entry["xml"].GetAttribute("class")
+                if name and name.startswith("vtkGodRays"):
+                    offered.add(name)
+                    label = entry["xml"].GetAttribute("label")
+                    proxy = getattr(simple, label.replace(" ", ""))(**inputs)
+                    self.check(proxy, proxy.GetClientSideObject())
+                    hints = proxy.SMProxy.GetHints().FindNestedElementByName("ShowInMenu")
+                    self.assertEqual(hints.GetAttribute("category"), "God Rays")
+            self.assertEqual(offered, classes)
 
     def test_presets(self):
         view = make_view(WorldUnitInMeters=3.0)
