@@ -18,7 +18,6 @@ foreach(program IN ITEMS paraview pvbatch pvserver mpirun Xvfb)
 endforeach()
 
 set(godrays_plugin_environment
-  "GODRAYS_PLUGIN=$<TARGET_FILE:GodRays>"
   "GODRAYS_PARAVIEW=${GODRAYS_PARAVIEW}"
   "GODRAYS_PVBATCH=${GODRAYS_PVBATCH}"
   "GODRAYS_PVSERVER=${GODRAYS_PVSERVER}"
@@ -27,22 +26,30 @@ set(godrays_plugin_environment
   "GODRAYS_BASELINES=${PROJECT_SOURCE_DIR}/Testing/Baseline"
   "GODRAYS_TEMPORARY=${CMAKE_BINARY_DIR}/Testing/Plugin")
 file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/Testing/Plugin")
-list(JOIN godrays_paraview_python ":" python_path)
-string(PREPEND python_path "${CMAKE_BINARY_DIR}/${godrays_python_destination}:"
-  "${PROJECT_SOURCE_DIR}/Testing/Plugin:")
-list(APPEND godrays_plugin_environment "PYTHONPATH=${python_path}")
+list(JOIN godrays_paraview_python ":" godrays_plugin_python)
+string(PREPEND godrays_plugin_python "${PROJECT_SOURCE_DIR}/Testing/Plugin:")
 
-# godrays_add_plugin_test(<name> FILE <file.py> [PROGRAM <program>])
+# godrays_add_plugin_test(<name> FILE <file.py> [PROGRAM <program>] [INSTALLED <prefix>])
 #
-# A Python file that pvbatch runs, or another program; see Testing/Plugin/plugin_testing.py.
+# A Python file that pvbatch runs, or another program; see Testing/Plugin/plugin_testing.py. The
+# plugin is that of the build tree, or of the tree that the fixture godrays_installed makes.
 function(godrays_add_plugin_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "FILE;PROGRAM" "")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "FILE;PROGRAM;INSTALLED" "")
   if(NOT arg_PROGRAM)
     set(arg_PROGRAM "${GODRAYS_PVBATCH}")
+  endif()
+  set(prefix "${CMAKE_BINARY_DIR}")
+  set(plugin "$<TARGET_FILE:GodRays>")
+  if(arg_INSTALLED)
+    set(prefix "${arg_INSTALLED}")
+    set(plugin "${prefix}/${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/GodRays/$<TARGET_FILE_NAME:GodRays>")
   endif()
   add_test(NAME ${name} COMMAND "${arg_PROGRAM}" "${CMAKE_CURRENT_SOURCE_DIR}/${arg_FILE}")
   set_tests_properties(${name} PROPERTIES
     LABELS      plugin
     TIMEOUT     600
-    ENVIRONMENT "${godrays_plugin_environment}")
+    ENVIRONMENT "${godrays_plugin_environment};GODRAYS_PLUGIN=${plugin};PYTHONPATH=${prefix}/${godrays_python_destination}:${godrays_plugin_python}")
+  if(arg_INSTALLED)
+    set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED godrays_installed)
+  endif()
 endfunction()

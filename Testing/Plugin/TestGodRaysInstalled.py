@@ -1,0 +1,29 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The plugin of the installed tree: it is complete, and draws."""
+
+import pathlib
+
+from plugin_testing import *
+
+
+class Installed(Case):
+    def test_it_draws(self):
+        view = make_view(size=(480, 360), SunAzimuth=4, SunElevation=9, SunColor=[1.0, 0.85, 0.6])
+        add_colonnade(view)
+        shown = pixels(view)
+        self.assert_alike(shown, baseline("Plugin-View"), 2)
+        view.UseGodRays = 0
+        self.assert_different(pixels(view), shown, 50)
+
+    def test_nothing_comes_from_elsewhere(self):
+        prefix = pathlib.Path(PLUGIN).resolve().parents[4]
+        self.assertTrue(pathlib.Path(godrays.__file__).resolve().is_relative_to(prefix))
+        lines = pathlib.Path("/proc/self/maps").read_text(encoding="utf-8").splitlines()
+        ours = {line.split()[-1] for line in lines if "GodRays" in line}
+        self.assertGreaterEqual(len(ours), 7)  # three libraries, their wrappings, the plugin
+        for library in ours:
+            self.assertTrue(pathlib.Path(library).is_relative_to(prefix), library)
+
+
+main()
