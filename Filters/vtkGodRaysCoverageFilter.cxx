@@ -212,8 +212,8 @@ int vtkGodRaysCoverageFilter::RequestData(
   if (!Sweep::Supports(parameters))
   {
     return fail(
-      "a point light, or a medium that thins out, is not supported. Set the fourth number of "
-      "Light and the scale heights to 0, or take vtkGodRaysSingleScatteringReference.");
+      "a point light in a medium that thins out is not supported. Set the fourth number of "
+      "Light or the scale heights to 0, or take vtkGodRaysSingleScatteringReference.");
   }
 
   const vtkIdType pixels = image->GetNumberOfPoints();

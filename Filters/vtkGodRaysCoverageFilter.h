@@ -4,12 +4,13 @@
  * @class   vtkGodRaysCoverageFilter
  * @brief   light that a medium scatters once, shadowed by what a depth image holds; fast
  *
- * Evaluates the integral of vtkGodRaysMediumFilter for a directional light, in closed form but for the
- * shadows, which are taken from the depth image by one sweep over it: an occluder of view depth z in a
- * pixel at the ratio u of this pixel's distance from the light hides the point of depth u z of its view
- * ray, for any pixel. So each line through the light carries a short list of hidden intervals, and a
- * pixel sums what is left of the airlight. See vtkGodRaysCoverageKernels.h. There is no step along the
- * ray; the cost does not depend on the length of shafts.
+ * Evaluates the integral of vtkGodRaysMediumFilter, in closed form or from a table but for the shadows,
+ * which are taken from the depth image by one sweep over it: for a directional light, an occluder of view
+ * depth z in a pixel at the ratio u of this pixel's distance from the light hides the point of depth u z
+ * of its view ray, for any pixel; other lights have a like rule. So each line through the light carries a
+ * short list of hidden intervals, and a pixel sums what is left of the airlight. See
+ * vtkGodRaysCoverageKernels.h. There is no step along the ray; the cost does not depend on the length of
+ * shafts.
  *
  * What a depth image does not hold cannot be seen: surfaces outside the picture, behind others, and how
  * thick they are. Thickness stands for the latter, or with components of fronts and backs the solid
@@ -25,9 +26,13 @@
  * are the same for red, green and blue, else 3. Bytes do not depend on the number of threads; on
  * processors with other vector instructions they differ by less than 1e-5 of the peak.
  *
- * Supported: directional lights anywhere (in the picture, beside it, behind the eye, across the view),
- * perspective and parallel projection, homogeneous media. Not supported: point lights, which are an
- * error, and media that change with height.
+ * Supported: directional and point lights anywhere (in the picture, beside it, behind the eye, across
+ * the view), perspective and parallel projection, one or two components, homogeneous or, in directional
+ * light, thinning out with height. A point light in a medium that thins out is an error. A view ray nearer
+ * to a point light than 0.28 pixels is taken to be so far from it: that is the mean over its pixel.
+ *
+ * Point lights and media that thin out use a table of airlight, made anew when the camera, the light or the
+ * medium change; what is read from it differs by less than 0.002 of the picture's peak.
  *
  * An input or parameter that cannot be used is one error that says what to do, and the output is empty;
  * so it is after AbortExecute, which is looked at whenever progress is told, 4 times, on the calling

@@ -106,10 +106,254 @@ HWY_INLINE hn::Vec<Tag> Absorbed(Tag d, hn::Vec<Tag> x)
 }
 
 //------------------------------------------------------------------------------
+// ln(1 + x) for x >= 0, to 3e-7 of itself.
+template <typename Tag>
+HWY_INLINE hn::Vec<Tag> LogOfOnePlus(Tag d, hn::Vec<Tag> x)
+{
+  const hn::RebindToSigned<Tag> di;
+  const auto one = hn::Set(d, 1.0f);
+  const auto y = hn::Add(one, hn::Min(x, hn::Set(d, 1e37f)));
+  // y = 2^k m, m about 1
+  const auto bits = hn::BitCast(di, y);
+  const auto exponent =
+    hn::ShiftRight<23>(hn::Sub(bits, hn::Set(di, 0x3f3504f3))); // the root of 1/2
+  const auto m = hn::BitCast(d, hn::Sub(bits, hn::ShiftLeft<23>(exponent)));
+  // What rounding took from y belongs to m - 1.
+  const auto lost = hn::Sub(hn::Min(x, hn::Set(d, 1e37f)), hn::Sub(y, one));
+  const auto rest = hn::Div(hn::Mul(lost, m), y);
+  const auto f = hn::Div(hn::Add(hn::Sub(m, one), rest), hn::Add(m, one));
+  const auto f2 = hn::Mul(f, f);
+  auto p = hn::Set(d, 2.0f / 9.0f);
+  p = hn::MulAdd(p, f2, hn::Set(d, 2.0f / 7.0f));
+  p = hn::MulAdd(p, f2, hn::Set(d, 2.0f / 5.0f));
+  p = hn::MulAdd(p, f2, hn::Set(d, 2.0f / 3.0f));
+  p = hn::MulAdd(p, f2, hn::Set(d, 2.0f));
+  return hn::MulAdd(hn::ConvertTo(d, exponent), hn::Set(d, 0.693147181f), hn::Mul(p, f));
+}
+
+//------------------------------------------------------------------------------
+// View rays, one in each lane: Length is of a unit of depth, Gain what the table's values are times.
+template <typename Tag>
+struct Rays
+{
+  using V = hn::Vec<Tag>;
+  V Length;
+  V Row;
+  V Foot;   // of a point light
+  V Square; // of its distance from the ray
+  V Start;  // its distance from the eye
+  V Way;    // Start - Foot, of which so much is left if they are nearly the same
+  V InverseWidth;
+  V Gain;
+};
+
+//------------------------------------------------------------------------------
+// s - foot + r, where r is the distance from the light.
+template <typename Tag>
+HWY_INLINE hn::Vec<Tag> WayFromFoot(Tag d, hn::Vec<Tag> beyond, hn::Vec<Tag> square, hn::Vec<Tag> r)
+{
+  const auto sum = hn::Add(r, hn::Abs(beyond));
+  return hn::IfThenElse(hn::Gt(beyond, hn::Zero(d)), sum, hn::Div(square, sum));
+}
+
+//------------------------------------------------------------------------------
+// The rays of pixels in units of PixelSize from the view axis.
+HWY_INLINE Rays<FloatTag> FindRays(const CoverageSettings& settings, Float column, float row)
+{
+  const FloatTag d;
+  const CoverageTable& table = *settings.Table;
+  const Float zero = hn::Zero(d);
+  const Float one = hn::Set(d, 1.0f);
+  const auto set = [&](double value) { return hn::Set(d, static_cast<float>(value)); };
+  Rays<FloatTag> rays;
+  rays.Length =
+    settings.Parallel ? one : hn::Sqrt(hn::MulAdd(column, column, hn::Set(d, 1.0f + row * row)));
+  rays.Row = rays.Foot = rays.Square = rays.Start = rays.Way = rays.InverseWidth = zero;
+  rays.Gain = one;
+  if (table.Kind == CoverageTable::NONE)
+  {
+    return rays;
+  }
+  Float place = zero;
+  const Float lightX = set(settings.Light[0]);
+  const Float lightY = set(settings.Light[1]);
+  const Float lightZ = set(settings.Light[2]);
+  if (table.Kind == CoverageTable::POINT)
+  {
+    Float height;
+    if (settings.Parallel)
+    {
+      const Float x = lightX - column;
+      const Float y = lightY - hn::Set(d, row);
+      height = hn::Max(hn::Sqrt(x * x + y * y), hn::Set(d, table.Nearest));
+      rays.Foot = lightZ;
+      place = LogOfOnePlus(d, height / hn::Set(d, table.RowUnit));
+    }
+    else
+    {
+      // Of light and ray, both of length 1.
+      const Float z = one / rays.Length;
+      const Float x = column * z;
+      const Float y = hn::Set(d, row) * z;
+      const Float far = hn::Set(d, 1.0f / table.Distance);
+      const Float lx = lightX * far;
+      const Float ly = lightY * far;
+      const Float lz = lightZ * far;
+      const Float cx = y * lz - z * ly;
+      const Float cy = z * lx - x * lz;
+      const Float cz = x * ly - y * lx;
+      const Float cosine = x * lx + y * ly + z * lz;
+      const Float sine = hn::Max(hn::Sqrt(cx * cx + cy * cy + cz * cz), hn::Set(d, table.Nearest));
+      height = sine * hn::Set(d, table.Distance);
+      rays.Foot = cosine * hn::Set(d, table.Distance);
+      const auto tangent =
+        hn::IfThenElse(hn::Gt(cosine, zero), sine / (one + cosine), (one - cosine) / sine);
+      place = LogOfOnePlus(d, tangent / hn::Set(d, table.RowUnit));
+    }
+    rays.Square = height * height;
+    rays.Start = hn::Sqrt(rays.Foot * rays.Foot + rays.Square);
+    rays.Way = WayFromFoot(d, hn::Neg(rays.Foot), rays.Square, rays.Start);
+    rays.Gain = one / height;
+  }
+  else
+  {
+    const Float rise = column * set(settings.Up[0]) + hn::Set(d, row) * set(settings.Up[1]);
+    if (settings.Parallel)
+    {
+      place = rise + set(settings.EyeHeight);
+    }
+    else
+    {
+      const Float x = (rise + set(settings.Up[2])) / (rays.Length * hn::Set(d, table.RowUnit));
+      const Float size = hn::Abs(x);
+      const Float more = size * size / (one + hn::Sqrt(one + size * size));
+      place = hn::CopySign(LogOfOnePlus(d, size + more), x);
+    }
+  }
+  const Float row2 = (place - hn::Set(d, table.FirstRow)) * hn::Set(d, table.RowsPerUnit);
+  rays.Row = hn::Min(hn::Max(row2, zero), hn::Set(d, table.Rows - 1.0f));
+  if (table.Kind == CoverageTable::LAYERS)
+  {
+    const IntTag di;
+    const auto index = hn::Min(hn::ConvertTo(di, rays.Row), hn::Set(di, table.Rows - 2));
+    const Float low = hn::GatherIndex(d, table.InverseWidths.data(), index);
+    const Float high = hn::GatherIndex(d, table.InverseWidths.data() + 1, index);
+    rays.InverseWidth = low + (rays.Row - hn::ConvertTo(d, index)) * (high - low);
+  }
+  return rays;
+}
+
+//------------------------------------------------------------------------------
+// The same in memory, to take single ones from.
+struct RayBuffer
+{
+  explicit RayBuffer(const Rays<FloatTag>& rays)
+  {
+    const FloatTag d;
+    const Float fields[] = { rays.Length, rays.Row, rays.Foot, rays.Square, rays.Start, rays.Way,
+      rays.InverseWidth };
+    for (int i = 0; i < 7; ++i)
+    {
+      hn::Store(fields[i], d, this->Values[i]);
+    }
+  }
+
+  // One ray in all lanes.
+  template <typename Tag>
+  HWY_INLINE Rays<Tag> Get(Tag d, int lane) const
+  {
+    const auto get = [&](int field) { return hn::Set(d, this->Values[field][lane]); };
+    return { get(0), get(1), get(2), get(3), get(4), get(5), get(6), hn::Zero(d) };
+  }
+
+  HWY_ALIGN float Values[7][8];
+};
+
+//------------------------------------------------------------------------------
+// Where in a table a distance from the eye is found.
+template <typename Tag>
+struct Place
+{
+  hn::Vec<hn::RebindToSigned<Tag>> Index;
+  hn::Vec<Tag> Across; // from the row before, [0, 1]
+  hn::Vec<Tag> Along;  // from the column before
+};
+
+template <typename Tag>
+HWY_INLINE Place<Tag> Find(
+  Tag d, const CoverageTable& table, const Rays<Tag>& rays, hn::Vec<Tag> distance)
+{
+  const hn::RebindToSigned<Tag> di;
+  hn::Vec<Tag> x;
+  if (table.Kind == CoverageTable::POINT)
+  {
+    const auto beyond = hn::Sub(distance, rays.Foot);
+    const auto r = hn::Sqrt(hn::MulAdd(beyond, beyond, rays.Square));
+    const auto way = WayFromFoot(d, beyond, rays.Square, r);
+    const auto ratio =
+      hn::Div(hn::Mul(distance, hn::Add(way, rays.Way)), hn::Mul(hn::Add(r, rays.Start), rays.Way));
+    const auto depth = hn::Mul(distance, hn::Set(d, table.Extinction));
+    x = hn::MulAdd(depth, hn::Add(ratio, hn::Set(d, 1.0f)), ratio);
+  }
+  else
+  {
+    x = hn::Mul(distance, rays.InverseWidth);
+  }
+  const auto column = hn::Min(hn::Mul(LogOfOnePlus(d, x), hn::Set(d, table.ColumnsPerUnit)),
+    hn::Set(d, table.Columns - 1.0f));
+  const auto j = hn::Min(hn::ConvertTo(di, column), hn::Set(di, table.Columns - 2));
+  const auto i = hn::Min(hn::ConvertTo(di, rays.Row), hn::Set(di, table.Rows - 2));
+  Place<Tag> place;
+  place.Index = hn::ShiftLeft<1>(hn::Add(hn::Mul(i, hn::Set(di, table.Columns)), j));
+  place.Across = hn::Sub(rays.Row, hn::ConvertTo(d, i));
+  place.Along = hn::Sub(column, hn::ConvertTo(d, j));
+  return place;
+}
+
+//------------------------------------------------------------------------------
+template <typename Tag>
+HWY_INLINE hn::Vec<Tag> Read(
+  Tag d, const CoverageTable& table, const std::vector<float>& plane, const Place<Tag>& place)
+{
+  const float* values = plane.data();
+  const int next = 2 * table.Columns;
+  const auto read = [&](int k)
+  {
+    const auto before = hn::GatherIndex(d, values + k, place.Index);
+    const auto after = hn::GatherIndex(d, values + k + next, place.Index);
+    return hn::MulAdd(place.Across, hn::Sub(after, before), before);
+  };
+  const auto first = read(0);
+  const auto slope = read(1);
+  const auto change = hn::Sub(read(2), first);
+  const auto slopes = hn::Add(slope, read(3));
+  const auto t = place.Along;
+  const auto two = hn::Set(d, 2.0f);
+  auto sum = hn::NegMulAdd(two, change, slopes);
+  sum = hn::MulAdd(t, sum, hn::Sub(hn::Mul(hn::Set(d, 3.0f), change), hn::Add(slopes, slope)));
+  sum = hn::MulAdd(t, sum, slope);
+  return hn::MulAdd(t, sum, first);
+}
+
+//------------------------------------------------------------------------------
+// The light from the first parts of rays, to a distance of the eye each.
+HWY_INLINE Float MeasureRays(
+  const CoverageSettings& settings, const Rays<FloatTag>& rays, Float distance, int plane)
+{
+  const FloatTag d;
+  const CoverageTable& table = *settings.Table;
+  return table.Kind == CoverageTable::NONE
+    ? Absorbed(d, distance * hn::Set(d, static_cast<float>(settings.Extinction[plane])))
+    : Read(d, table, table.Values[plane], Find(d, table, rays, distance));
+}
+
+//------------------------------------------------------------------------------
 // The lines of a band.
 class Lines
 {
 public:
+  static constexpr float Nowhere = 3e38f;
+
   Lines(CoverageLines& lines, int count, float farthest)
     : Intervals(lines.Intervals.get())
     , Counts(lines.Counts)
@@ -159,39 +403,41 @@ public:
     this->Join(index, touched, a, b);
   }
 
-  // The part of the light along a ray that is hidden up to h = last; rate h is optical depth.
-  HWY_INLINE float Sum(int index, float rate, float start, float last) const
+  // The sums over a line's intervals of what lies between their ends, for each plane: prepare makes of a
+  // tag and ends what measure takes with the plane.
+  template <typename Prepare, typename Measure>
+  HWY_INLINE void Sum(
+    int index, int planes, const Prepare& prepare, const Measure& measure, float* sums) const
   {
     const CoverageLine& line = this->Intervals[index];
     const int count = this->Counts[index];
 #if HWY_TARGET == HWY_SCALAR
     const FloatTag d;
-    float sum = 0.0f;
     for (int i = 0; i < count; ++i)
     {
-      const float low = std::max(std::min(line.Low[i], last), start) - start;
-      const float high = std::max(std::min(line.High[i], last), start) - start;
-      sum += hn::GetLane(Absorbed(d, hn::Set(d, rate * high))) -
-        hn::GetLane(Absorbed(d, hn::Set(d, rate * low)));
+      const auto low = prepare(d, hn::Set(d, line.Low[i]));
+      const auto high = prepare(d, hn::Set(d, line.High[i]));
+      for (int p = 0; p < planes; ++p)
+      {
+        sums[p] += std::abs(hn::GetLane(measure(d, high, p)) - hn::GetLane(measure(d, low, p)));
+      }
     }
-    return sum;
 #else
     // Low ends in the lower half of a register, high ones in the upper.
     const HWY_CAPPED(float, 16) d;
     const hn::Half<decltype(d)> half;
     const int lanes = static_cast<int>(hn::Lanes(half));
-    const auto begin = hn::Set(d, start);
-    const auto end = hn::Set(d, last);
-    const auto r = hn::Set(d, rate);
-    auto sum = hn::Zero(half);
     for (int i = 0; i < count; i += lanes)
     {
       const auto ends = hn::Combine(d, hn::Load(half, line.High + i), hn::Load(half, line.Low + i));
-      const auto inside = hn::Sub(hn::Max(hn::Min(ends, end), begin), begin);
-      const auto absorbed = Absorbed(d, hn::Mul(r, inside));
-      sum = hn::Add(sum, hn::Sub(hn::UpperHalf(half, absorbed), hn::LowerHalf(half, absorbed)));
+      const auto prepared = prepare(d, ends);
+      for (int p = 0; p < planes; ++p)
+      {
+        const auto measured = measure(d, prepared, p);
+        sums[p] += hn::GetLane(hn::SumOfLanes(
+          half, hn::Abs(hn::Sub(hn::UpperHalf(half, measured), hn::LowerHalf(half, measured)))));
+      }
     }
-    return hn::GetLane(hn::SumOfLanes(half, sum));
 #endif
   }
 
@@ -253,20 +499,25 @@ private:
     line.High[nearest] = std::max(b, line.High[nearest]);
   }
 
-  static constexpr float Nowhere = 3e38f;
-
   CoverageLine* const Intervals;
   int* const Counts;
   const float Farthest;
 };
 
 //------------------------------------------------------------------------------
-// From depth to h in a row, and half a row before it.
+// From depth to h in a row, and back.
 struct Rate
 {
   float Scale;
   float Shift;
-  float operator()(float z) const { return this->Scale * z + this->Shift; }
+  bool Reciprocal; // of depth
+  double Gain;     // of the way back
+  double Offset;
+
+  float operator()(float z) const
+  {
+    return this->Scale * (this->Reciprocal ? 1.0f / z : z) + this->Shift;
+  }
 };
 
 //------------------------------------------------------------------------------
@@ -281,7 +532,7 @@ public:
     , Begin(band * CoverageBandLines)
     , End(std::min(wedge.Lines, (band + 1) * CoverageBandLines))
     , IsLast(band == wedge.Bands - 1)
-    , Recession(settings.Parallel ? settings.Light[2] * settings.PixelSize / wedge.AlongLight : 0.0)
+    , ShadesItself(settings.Point || settings.Light[2] < 0.0)
     , Covered(FindIfCovered(image, wedge))
     , Hidden(lines, End - Begin, this->FindFarthest())
     , Before(lines.Before)
@@ -298,6 +549,11 @@ public:
       const int row = this->Wedge.First + n * this->Wedge.Direction;
       this->TakeSamples(n, row);
       this->WritePixels(n, row);
+      if (this->Settings.Layers > 0 && this->ShadesItself)
+      {
+        const Rate here = this->GetRate(n);
+        this->TakeLayers(row, here, here, this->GetRate(n + 0.5));
+      }
     }
     return this->Hidden.Overflows;
   }
@@ -305,12 +561,28 @@ public:
 private:
   double GetFlow(double row) const { return this->Wedge.W * row - this->Wedge.B; }
 
+  // n rows from the first one.
   Rate GetRate(double n) const
   {
+    const double widest = this->GetFlow(this->Wedge.Widest);
     const double row = this->Wedge.First + n * this->Wedge.Direction;
-    const double scale = this->GetFlow(row) / this->GetFlow(this->Wedge.Widest);
-    return { static_cast<float>(this->Settings.Parallel ? 1.0 : std::max(0.0, scale)),
-      static_cast<float>(this->Recession * n) };
+    const double scale = this->GetFlow(row) / widest;
+    double gain = 1.0 / std::max(scale, 1e-30);
+    double offset = 0.0;
+    if (this->Settings.Point)
+    {
+      gain = std::max(scale, 1e-6);
+      offset = (this->Wedge.Widest - row) / widest *
+        (this->Settings.Parallel ? this->Settings.Light[2] : 1.0);
+      return { static_cast<float>(1.0 / gain), static_cast<float>(-offset / gain),
+        !this->Settings.Parallel, gain, offset };
+    }
+    if (this->Settings.Parallel)
+    {
+      const double shift = this->Wedge.Recession * n;
+      return { 1.0f, static_cast<float>(shift), false, 1.0, -shift };
+    }
+    return { static_cast<float>(std::max(0.0, scale)), 0.0f, false, gain, 0.0 };
   }
 
   // Whether the light is seen, but for a surface before it.
@@ -323,12 +595,27 @@ private:
 
   float FindFarthest() const
   {
-    const double last = this->Recession * (this->Wedge.Rows + 1.0);
-    return static_cast<float>(1.01 * this->Settings.FarLimit + std::max(0.0, last));
+    const double last = this->Wedge.Recession * (this->Wedge.Rows + 1.0);
+    return this->Settings.Point
+      ? Lines::Nowhere
+      : static_cast<float>(1.01 * this->Settings.FarLimit + std::max(0.0, last));
   }
 
-  // The row's samples of the lines change what is hidden.
-  void TakeSamples(int n, int row)
+  // The samples of the lines in a row: the places of the first and of others after it.
+  struct Samples
+  {
+    int First;
+    int Last;
+    float Start;
+    float Step;
+    int Rightmost;
+    int GetColumn(int line) const
+    {
+      return std::min(
+        static_cast<int>(this->Start + this->Step * (line - this->First)), this->Rightmost);
+    }
+  };
+  Samples FindSamples(int row) const
   {
     const double scale = this->GetFlow(row) / this->GetFlow(this->Wedge.Widest);
     const double step = CoverageSpacing * scale;
@@ -340,51 +627,67 @@ private:
       std::min<double>(this->End - 1, std::floor((this->Image.Width - 0.501 - x0) / step));
     if (!(least <= most))
     {
-      return;
+      return { 0, -1, 0.0f, 0.0f, 0 };
     }
-    const int first = static_cast<int>(least);
-    const int last = static_cast<int>(most);
+    return { static_cast<int>(least), static_cast<int>(most),
+      static_cast<float>(x0 + least * step + 0.5), static_cast<float>(step),
+      this->Image.Width - 1 };
+  }
+
+  // The rate of half a row before, or at the light if that is behind a surface of the first row.
+  Rate GetEntrance(int n) const
+  {
+    return this->GetRate(n == 0 && this->Covered
+        ? (this->Wedge.B / this->Wedge.W - this->Wedge.First) * this->Wedge.Direction
+        : n - 0.5);
+  }
+
+  // What solid layers hide between two places of their row.
+  void TakeLayers(int row, const Rate& enter, const Rate& from, const Rate& to)
+  {
+    const Samples samples = this->FindSamples(row);
     const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(row) * this->Image.Width;
-    const Rate here = this->GetRate(n);
-    const Rate half = this->GetRate(n - 0.5);
-    const double start = x0 + first * step + 0.5;
-    const float fstart = static_cast<float>(start);
-    const float fstep = static_cast<float>(step);
-    const int rightmost = this->Image.Width - 1;
-    if (this->Settings.Layers > 0)
+    const float thicker = static_cast<float>(1.0 + this->Settings.Thickness);
+    for (int l = samples.First; l <= samples.Last; ++l)
     {
-      const Rate beyond = this->GetRate(n + 0.5);
-      for (int l = first; l <= last; ++l)
+      const std::ptrdiff_t pixel = offset + samples.GetColumn(l);
+      for (int layer = 0; layer < this->Settings.Layers; ++layer)
       {
-        const int x = std::min(static_cast<int>(fstart + fstep * (l - first)), rightmost);
-        for (int layer = 0; layer < this->Settings.Layers; ++layer)
+        const float front = this->Image.Depths[2 * layer][pixel];
+        const float back = this->Image.Depths[2 * layer + 1][pixel];
+        if (front < CoverageSky)
         {
-          const float front = this->Image.Depths[2 * layer][offset + x];
-          const float back = this->Image.Depths[2 * layer + 1][offset + x];
-          if (front < CoverageSky)
-          {
-            const float far = back < CoverageSky && back > front
-              ? back
-              : front * static_cast<float>(1.0 + this->Settings.Thickness);
-            const float low = n == 0 && this->Covered ? 0.0f : half(front);
-            this->Hidden.Insert(
-              l - this->Begin, std::min(low, beyond(front)), std::max(half(far), beyond(far)));
-          }
+          const float far = back < CoverageSky && back > front ? back : front * thicker;
+          const float ends[] = { enter(front), to(front), from(far), to(far) };
+          this->Hidden.Insert(
+            l - this->Begin, *std::min_element(ends, ends + 4), *std::max_element(ends, ends + 4));
         }
       }
+    }
+  }
+
+  // The row's samples of the lines change what is hidden.
+  void TakeSamples(int n, int row)
+  {
+    const Rate half = this->GetRate(n - 0.5);
+    const Rate enter = this->GetEntrance(n);
+    if (this->Settings.Layers > 0)
+    {
+      this->TakeLayers(row, enter, half, this->GetRate(this->ShadesItself ? n : n + 0.5));
       return;
     }
+    const Samples samples = this->FindSamples(row);
+    const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(row) * this->Image.Width;
+    const Rate here = this->GetRate(n);
     const float* depths = this->Image.Depths[0] + offset;
     const Rate before = this->GetRate(n - 1.0);
-    const Rate enter = n == 0 && this->Covered ? Rate{ 0.0f, 0.0f } : half;
     const float thickness = static_cast<float>(this->Settings.Thickness);
     const float jump = static_cast<float>(this->Settings.Jump);
     const float bend = static_cast<float>(this->Settings.Bend);
     const bool parallel = this->Settings.Parallel;
-    for (int l = first; l <= last; ++l)
+    for (int l = samples.First; l <= samples.Last; ++l)
     {
-      const int x = std::min(static_cast<int>(fstart + fstep * (l - first)), rightmost);
-      const float z = depths[x];
+      const float z = depths[samples.GetColumn(l)];
       const int i = l - this->Begin;
       const float previous = this->Before[i];
       const bool solid = z < CoverageSky;
@@ -408,21 +711,30 @@ private:
       }
       if (wasSolid && !linked)
       {
-        this->InsertBetween(
-          i, before(previous), half(previous), before.Scale * thickness * previous);
+        this->InsertBetween(i, before(previous), half(previous), before, thickness, previous);
       }
       if (solid)
       {
-        this->InsertBetween(
-          i, linked ? before(previous) : enter(z), here(z), here.Scale * thickness * z);
+        this->InsertBetween(i, linked ? before(previous) : enter(z), here(z), here, thickness, z);
       }
       this->Before[i] = z;
     }
   }
 
-  HWY_INLINE void InsertBetween(int line, float a, float b, float thickness)
+  // Made thicker behind a depth.
+  HWY_INLINE void InsertBetween(
+    int line, float a, float b, const Rate& rate, float thickness, float z)
   {
-    this->Hidden.Insert(line, std::min(a, b), std::max(a, b) + thickness);
+    const float low = std::min(a, b);
+    const float high = std::max(a, b);
+    if (rate.Reciprocal)
+    {
+      this->Hidden.Insert(line, low - rate.Scale * thickness / ((1.0f + thickness) * z), high);
+    }
+    else
+    {
+      this->Hidden.Insert(line, low, high + rate.Scale * thickness * z);
+    }
   }
 
   // The row's pixels that are nearest to the band's lines.
@@ -447,39 +759,74 @@ private:
     {
       return;
     }
-    const Rate rate = this->GetRate(n);
+    const FloatTag d;
+    const int lanes = GetLanes();
     const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(row) * this->Image.Width;
     const float* ends = this->Image.Ends + offset;
     const float farLimit = static_cast<float>(this->Settings.FarLimit);
     const float pixel = static_cast<float>(this->Settings.PixelSize);
-    const double middle = this->Image.Center[0];
-    const float y = static_cast<float>((row - this->Image.Center[1]) * pixel);
-    const float y2 = 1.0f + y * y;
-    const float inverse = 1.0f / std::max(rate.Scale, 1e-30f);
+    const float middle = static_cast<float>(this->Image.Center[0]);
+    const float y = static_cast<float>((row - this->Image.Center[1]) * this->Settings.PixelSize);
     const float position = static_cast<float>(begin * gain + bias - this->Begin) + 0.5f;
     const float fgain = static_cast<float>(gain);
     const int most = this->End - this->Begin - 1;
-    for (int x = begin; x < end; ++x)
+    const Rate rate = this->GetRate(n);
+    for (int x0 = begin; x0 < end; x0 += lanes)
     {
-      const int line =
-        std::min(std::max(static_cast<int>(position + fgain * (x - begin)), 0), most);
-      if (this->Hidden.GetCount(line) == 0)
+      const Float columns =
+        (hn::Iota(d, static_cast<float>(x0)) - hn::Set(d, middle)) * hn::Set(d, pixel);
+      const RayBuffer rays(FindRays(this->Settings, columns, y));
+      for (int x = x0; x < std::min(x0 + lanes, end); ++x)
       {
-        for (int c = 0; c < this->Settings.Channels; ++c)
+        const int line =
+          std::min(std::max(static_cast<int>(position + fgain * (x - begin)), 0), most);
+        float sums[CoverageMaximumPlanes] = {};
+        if (this->Hidden.GetCount(line) > 0)
         {
-          this->Image.Hidden[c][offset + x] = 0.0f;
+          this->SumPixel(line, rate, rays, x - x0, std::min(ends[x], farLimit), sums);
         }
-        continue;
-      }
-      const float column = static_cast<float>((x - middle) * pixel);
-      const float length = this->Settings.Parallel ? 1.0f : std::sqrt(column * column + y2);
-      const float last = rate(std::min(ends[x], farLimit));
-      for (int c = 0; c < this->Settings.Channels; ++c)
-      {
-        this->Image.Hidden[c][offset + x] = this->Hidden.Sum(line,
-          static_cast<float>(this->Settings.Extinction[c]) * length * inverse, rate.Shift, last);
+        for (int p = 0; p < this->Settings.Planes; ++p)
+        {
+          this->Image.Hidden[p][offset + x] = sums[p];
+        }
       }
     }
+  }
+
+  // What is hidden of a pixel's ray up to a depth.
+  HWY_INLINE void SumPixel(
+    int line, const Rate& rate, const RayBuffer& rays, int i, float last, float* sums) const
+  {
+    const CoverageTable& table = *this->Settings.Table;
+    const float length = rays.Values[0][i];
+    const float gain = static_cast<float>(rate.Gain);
+    const float start = static_cast<float>(rate.Offset);
+    const int planes = this->Settings.Planes;
+    const auto toDistance = [&](auto tag, auto ends)
+    {
+      auto z = hn::MulAdd(ends, hn::Set(tag, gain), hn::Set(tag, start));
+      if (rate.Reciprocal)
+      {
+        z = hn::Div(hn::Set(tag, 1.0f), hn::Max(z, hn::Set(tag, 1e-30f)));
+      }
+      z = hn::Max(hn::Min(z, hn::Set(tag, last)), hn::Zero(tag));
+      return hn::Mul(z, hn::Set(tag, length));
+    };
+    if (table.Kind == CoverageTable::NONE)
+    {
+      const auto measure = [&](auto tag, auto distance, int plane)
+      {
+        return Absorbed(tag,
+          hn::Mul(distance, hn::Set(tag, static_cast<float>(this->Settings.Extinction[plane]))));
+      };
+      this->Hidden.Sum(line, planes, toDistance, measure, sums);
+      return;
+    }
+    const auto toPlace = [&](auto tag, auto ends)
+    { return Find(tag, table, rays.Get(tag, i), toDistance(tag, ends)); };
+    const auto measure = [&](auto tag, const auto& place, int plane)
+    { return Read(tag, table, table.Values[plane], place); };
+    this->Hidden.Sum(line, planes, toPlace, measure, sums);
   }
 
   const CoverageSettings& Settings;
@@ -488,7 +835,7 @@ private:
   const int Begin;
   const int End;
   const bool IsLast;
-  const double Recession; // by which a light ray comes nearer from row to row
+  const bool ShadesItself; // the later half of a sample the part of its own ray before it
   const bool Covered;
   Lines Hidden;
   float* const Before;
@@ -504,21 +851,61 @@ long long RunCoverageBand(const CoverageSettings& settings, const CoverageImage&
 
 //------------------------------------------------------------------------------
 void RunCoverageInterval(const CoverageSettings& settings, const CoverageImage& image,
-  std::ptrdiff_t pixel, float begin, float end)
+  std::ptrdiff_t pixel, float before, float from)
 {
   const FloatTag d;
   const double column = (pixel % image.Width - image.Center[0]) * settings.PixelSize;
   const double row = (pixel / image.Width - image.Center[1]) * settings.PixelSize;
-  const double length = settings.Parallel ? 1.0 : std::sqrt(column * column + row * row + 1.0);
+  const auto rays =
+    FindRays(settings, hn::Set(d, static_cast<float>(column)), static_cast<float>(row));
   const float last = std::min(image.Ends[pixel], static_cast<float>(settings.FarLimit));
-  for (int c = 0; c < settings.Channels; ++c)
+  for (int p = 0; p < settings.Planes; ++p)
   {
-    const float rate = static_cast<float>(settings.Extinction[c] * length);
-    const auto absorbed = [&](float z)
-    { return hn::GetLane(Absorbed(d, hn::Set(d, rate * std::min(z, last)))); };
+    const auto measure = [&](float z)
+    {
+      const Float distance = hn::Set(d, std::min(z, last)) * rays.Length;
+      return hn::GetLane(MeasureRays(settings, rays, distance, p));
+    };
     // All of the ray is all, whatever rounding makes of its length.
-    image.Hidden[c][pixel] =
-      begin <= 0.0f && end >= last ? 2.0f : std::max(absorbed(end) - absorbed(begin), 0.0f);
+    image.Hidden[p][pixel] = before >= std::min(from, last)
+      ? CoverageSky
+      : measure(before) + std::max(measure(last) - measure(from), 0.0f);
+  }
+}
+
+//------------------------------------------------------------------------------
+// The phase functions at rays of a directional light.
+HWY_INLINE void FindPhases(const CoverageSettings& settings, const CoverageShade& shade,
+  Float column, float row, Float length, Float* scattered)
+{
+  const FloatTag d;
+  const IntTag di;
+  const Float zero = hn::Zero(d);
+  const Float lightX = hn::Set(d, static_cast<float>(settings.Light[0]));
+  const Float lightY = hn::Set(d, static_cast<float>(settings.Light[1]));
+  const Float lightZ = hn::Set(d, static_cast<float>(settings.Light[2]));
+  const Float vz = hn::Set(d, 1.0f) / length;
+  const Float vx = settings.Parallel ? zero : column * vz;
+  const Float vy = settings.Parallel ? zero : hn::Set(d, row) * vz;
+  // Half the chord between the directions of view and light is sin(a/2); between view and the opposite
+  // of the light it is cos(a/2).
+  const auto back = hn::Lt(vx * lightX + vy * lightY + vz * lightZ, zero);
+  const Float sign = hn::IfThenElse(back, hn::Set(d, -1.0f), hn::Set(d, 1.0f));
+  const Float dx = vx - sign * lightX;
+  const Float dy = vy - sign * lightY;
+  const Float dz = vz - sign * lightZ;
+  const Float chord = hn::Sqrt(dx * dx + dy * dy + dz * dz);
+  for (int p = 0; p < shade.Phases; ++p)
+  {
+    const int intervals = static_cast<int>(shade.Table[p].size()) - 1;
+    const float half = 0.5f * intervals;
+    const Float way = chord * hn::Set(d, 0.707106781f * half);
+    const Float place = hn::IfThenElse(back, hn::Set(d, 2.0f * half) - way, way);
+    const auto index = hn::Min(hn::ConvertTo(di, place), hn::Set(di, intervals - 1));
+    const Float t = place - hn::ConvertTo(d, index);
+    const Float left = hn::GatherIndex(d, shade.Table[p].data(), index);
+    const Float right = hn::GatherIndex(d, shade.Table[p].data() + 1, index);
+    scattered[p] = left + t * (right - left);
   }
 }
 
@@ -527,16 +914,12 @@ void RunCoverageRow(const CoverageSettings& settings, const CoverageImage& image
   const CoverageShade& shade, int y, float* row)
 {
   const FloatTag d;
-  const IntTag di;
   const int lanes = GetLanes();
   const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(y) * image.Width;
   const Float pixel = hn::Set(d, static_cast<float>(settings.PixelSize));
   const float height = static_cast<float>((y - image.Center[1]) * settings.PixelSize);
   const Float middle = hn::Set(d, static_cast<float>(image.Center[0]));
   const Float farLimit = hn::Set(d, static_cast<float>(settings.FarLimit));
-  const Float lightX = hn::Set(d, static_cast<float>(settings.Light[0]));
-  const Float lightY = hn::Set(d, static_cast<float>(settings.Light[1]));
-  const Float lightZ = hn::Set(d, static_cast<float>(settings.Light[2]));
   const Float zero = hn::Zero(d);
   for (int x = 0; x < image.Width; x += lanes)
   {
@@ -553,54 +936,31 @@ void RunCoverageRow(const CoverageSettings& settings, const CoverageImage& image
       return hn::Load(d, buffer);
     };
     const Float column = (hn::Iota(d, static_cast<float>(x)) - middle) * pixel;
-    Float length = hn::Set(d, 1.0f);
-    Float vx = zero;
-    Float vy = zero;
-    Float vz = length;
-    if (!settings.Parallel)
+    const Rays<FloatTag> rays = FindRays(settings, column, height);
+    const Float distance = hn::Min(load(image.Ends), farLimit) * rays.Length;
+    Float lit[CoverageMaximumPlanes];
+    for (int p = 0; p < settings.Planes; ++p)
     {
-      length = hn::Sqrt(column * column + hn::Set(d, 1.0f + height * height));
-      vz = hn::Set(d, 1.0f) / length;
-      vx = column * vz;
-      vy = hn::Set(d, height) * vz;
+      const Float hidden = hn::Max(load(image.Hidden[p]), zero);
+      lit[p] = hn::Max(MeasureRays(settings, rays, distance, p) - hidden, zero) * rays.Gain;
     }
-    // Half the chord between the directions of view and light is sin(a/2); between view and the
-    // opposite of the light it is cos(a/2).
-    const auto back = hn::Lt(vx * lightX + vy * lightY + vz * lightZ, zero);
-    const Float sign = hn::IfThenElse(back, hn::Set(d, -1.0f), hn::Set(d, 1.0f));
-    const Float dx = vx - sign * lightX;
-    const Float dy = vy - sign * lightY;
-    const Float dz = vz - sign * lightZ;
-    const Float chord = hn::Sqrt(dx * dx + dy * dy + dz * dz);
-    Float scattered[2] = { zero, zero };
-    for (int p = 0; p < shade.Phases; ++p)
+    Float scattered[2] = { hn::Set(d, 1.0f), zero };
+    if (!settings.Point)
     {
-      const int intervals = static_cast<int>(shade.Table[p].size()) - 1;
-      const float half = 0.5f * intervals;
-      const Float way = chord * hn::Set(d, 0.707106781f * half);
-      const Float place = hn::IfThenElse(back, hn::Set(d, 2.0f * half) - way, way);
-      const auto index = hn::Min(hn::ConvertTo(di, place), hn::Set(di, intervals - 1));
-      const Float t = place - hn::ConvertTo(d, index);
-      const Float left = hn::GatherIndex(d, shade.Table[p].data(), index);
-      const Float right = hn::GatherIndex(d, shade.Table[p].data() + 1, index);
-      scattered[p] = left + t * (right - left);
+      FindPhases(settings, shade, column, height, rays.Length, scattered);
     }
-    const Float depth = hn::Min(load(image.Ends), farLimit);
-    Float lit[3];
-    for (int c = 0; c < settings.Channels; ++c)
-    {
-      const Float rate = hn::Set(d, static_cast<float>(settings.Extinction[c])) * length;
-      const Float hidden = hn::Max(load(image.Hidden[c]), zero);
-      lit[c] = hn::Max(Absorbed(d, rate * depth) - hidden, zero);
-    }
+    const bool isShared = settings.Planes == settings.Channels; // by the phases
     for (int c = 0; c < shade.Components; ++c)
     {
-      Float sum = hn::Set(d, shade.Factors[0][c]) * scattered[0];
+      const int plane = settings.Channels == 1 ? 0 : c;
+      Float sum = hn::Set(d, shade.Factors[0][c]) * scattered[0] * lit[plane];
       if (shade.Phases == 2)
       {
-        sum = sum + hn::Set(d, shade.Factors[1][c]) * scattered[1];
+        sum = sum +
+          hn::Set(d, shade.Factors[1][c]) * scattered[1] *
+            lit[isShared ? plane : plane + settings.Channels];
       }
-      sum = sum * lit[settings.Channels == 1 ? 0 : c];
+      sum = hn::Min(sum, hn::Set(d, 3e38f));
       if (shade.Components == 1 && count == lanes)
       {
         hn::StoreU(sum, d, row + x);
@@ -617,7 +977,6 @@ void RunCoverageRow(const CoverageSettings& settings, const CoverageImage& image
 }
 }
 HWY_AFTER_NAMESPACE();
-
 #if HWY_ONCE
 namespace vtkGodRays
 {
@@ -627,15 +986,16 @@ HWY_EXPORT(RunCoverageRow);
 
 //------------------------------------------------------------------------------
 CoverageWedge MakeCoverageWedge(
-  const CoverageSettings& settings, const CoverageImage& image, bool transposed, int direction)
+  const CoverageSettings& settings, const CoverageImage& image, int direction)
 {
-  const double across = settings.Light[transposed ? 1 : 0] / settings.PixelSize;
-  const double along = settings.Light[transposed ? 0 : 1] / settings.PixelSize;
+  const double across = settings.Light[0] / settings.PixelSize;
+  const double along = settings.Light[1] / settings.PixelSize;
   CoverageWedge wedge = {};
-  wedge.W = settings.Parallel ? 0.0 : settings.Light[2];
+  wedge.W = settings.Parallel ? (settings.Point ? 1.0 : 0.0) : settings.Light[2];
   wedge.A = across + wedge.W * image.Center[0];
   wedge.B = along + wedge.W * image.Center[1];
-  wedge.AlongLight = std::abs(along * settings.PixelSize);
+  wedge.Recession =
+    settings.Parallel && !settings.Point ? settings.Light[2] / std::abs(along) : 0.0;
   wedge.Direction = direction;
 
   int low = image.Height;
@@ -725,9 +1085,9 @@ long long SweepCoverageBand(const CoverageSettings& settings, const CoverageImag
 
 //------------------------------------------------------------------------------
 void HideCoverageInterval(const CoverageSettings& settings, const CoverageImage& image,
-  std::ptrdiff_t pixel, float begin, float end)
+  std::ptrdiff_t pixel, float before, float from)
 {
-  HWY_DYNAMIC_DISPATCH(RunCoverageInterval)(settings, image, pixel, begin, end);
+  HWY_DYNAMIC_DISPATCH(RunCoverageInterval)(settings, image, pixel, before, from);
 }
 
 //------------------------------------------------------------------------------

@@ -4,17 +4,23 @@
  * @file    vtkGodRaysCoverageKernels.h
  * @brief   what surfaces hide of each view ray, swept along lines through the light
  *
- * Private. A directional light in view coordinates (x right, y up, z forwards) is seen at the pixel
- * (A, B)/W, and light flows through the pixel p along d(p) = W p - (A, B). A light ray passes the pixels
- * of a line along d, and there
+ * Private. A light at (x, y, z, w) in view coordinates (x right, y up, z forwards) is seen at the pixel
+ * (A, B)/W, and light flows through the pixel p along d(p) = W p - (A, B); W is z, but w where view rays
+ * are parallel. A light ray passes the pixels of a line along d, and there an affine function of the view
+ * depth Z is constant; with g = |d|/|d at the line's widest place| and n rows to there:
  *
- *     h = scale z + shift
+ *                  perspective             parallel
+ *     directional  h = g Z                 h = Z + (what the light ray recedes from row to row) rows
+ *     point        h = (1/Z - n/d)/g       h = (Z - z n/d)/g
  *
- * is constant, z being the view depth: scale = |d|/|d at the line's widest place| in perspective and
- * 1 in a parallel projection, whose shift grows along the line by what the light ray recedes. So a
- * sample of a surface hides the light ray h from all that is farther along the line: a line carries the
- * union of hidden intervals of h, the same for each of its pixels, and a pixel sums what the medium
- * sends from them, up to its own depth.
+ * (from 1/Z - 1/z and Z - z, which grow in proportion to the distance from the light; z n/d may be 0/0 no
+ * more). So a sample of a surface hides the light ray h from all that is farther along the line: a line
+ * carries the union of hidden intervals of h, the same for each of its pixels, and a pixel sums what the
+ * medium sends from them, up to its own depth.
+ *
+ * What the medium sends from the first part of a view ray, were there no shadows, is a closed form for a
+ * directional light in a homogeneous medium; else it is read from a table. It may: for given light and
+ * medium, a view ray is told from others by one number. See CoverageTable.
  *
  * The picture is divided into four wedges about the light, each swept row by row in the direction in
  * which light flows, along y or (transposed) along x; lines are 2 pixels apart where they are widest,
@@ -33,18 +39,58 @@ namespace vtkGodRays
 /// Depth of what is nowhere.
 constexpr float CoverageSky = 1e30f;
 
+constexpr int CoverageMaximumPlanes = 6; // colours and components of the medium that differ
+
+/// The light from the first part of a view ray, without its phase function unless the light is near: a
+/// cubic between columns, linear between rows. A row belongs to
+///  - a point light, in perspective: ln(1 + tan(a/2)/RowUnit), a being the angle of view ray and light,
+///  - a point light and parallel rays: ln(1 + the light's distance from the view ray/RowUnit),
+///  - layers, in perspective: asinh(rise of the view ray/RowUnit),
+///  - layers and parallel rays: the height at which the view ray begins;
+/// a column to ln((1 + d) (1 + Extinction s)) for point lights, where s is the distance from the eye and
+/// ln(1 + d) = asinh((s - foot)/height) - asinh(-foot/height), and to ln(1 + s/width) for layers.
+struct CoverageTable
+{
+  enum KindType
+  {
+    NONE, // the closed form
+    POINT,
+    LAYERS
+  };
+  KindType Kind = NONE;
+  int Rows = 0;
+  int Columns = 0;
+  float FirstRow = 0.0f;
+  float RowsPerUnit = 0.0f;
+  float RowUnit = 1.0f;
+  float ColumnsPerUnit = 0.0f;
+  float Extinction = 0.0f;
+  float Nearest =
+    0.0f; // sine of a point light's angle, or its distance if rays are parallel: at least
+  float Distance = 0.0f;                            // of a point light
+  std::vector<float> InverseWidths;                 // of rows
+  std::vector<float> Values[CoverageMaximumPlanes]; // by rows: value and slope, of each column
+  double Largest[CoverageMaximumPlanes] = {};       // light of a whole ray
+};
+
+/// Of a picture; for its transpose, x and y of vectors change places.
 struct CoverageSettings
 {
   double PixelSize; // at depth 1, or of a parallel projection [scene units]
   bool Parallel;
-  double Light[3];         // view coordinates, length 1
+  bool Point;
+  double Light[3];         // view coordinates: position, or direction of length 1
   double FarLimit;         // [scene units]
   int Channels;            // extinctions that differ: 1 or 3
-  double Extinction[3];    // [1/scene unit], above 0
+  double Extinction[3];    // [1/scene unit], above 0; of the closed form
+  int Planes;              // of what is hidden: Channels times components, if these differ
+  double Up[3];            // of layers
+  double EyeHeight;        // in layers
   int Layers;              // 0: depths of the first surfaces; else fronts and backs, up to 2 times
   double Thickness = 0.01; // of what is seen from before, without layers [fraction of its depth]
   double Jump = 0.1;       // of depth between samples of one surface [fraction of the lesser]
   double Bend = 0.01;      // of 1/depth (parallel: depth) from a plane [fraction]
+  const CoverageTable* Table;
 };
 
 /// A picture or its transpose, by planes. Depths are positive, CoverageSky at most.
@@ -52,17 +98,17 @@ struct CoverageImage
 {
   int Width;
   int Height;
-  double Center[2];       // the view axis, whole numbers being the centres of pixels
-  const float* Depths[4]; // front, back, front, back
-  const float* Ends;      // of view rays
-  float* Hidden[3];       // result: the part of the light along the ray that is hidden, [0, 1]
+  double Center[2];                     // the view axis, whole numbers being the centres of pixels
+  const float* Depths[4];               // front, back, front, back
+  const float* Ends;                    // of view rays
+  float* Hidden[CoverageMaximumPlanes]; // result: of the light along the ray, what is hidden
 };
 
 /// A wedge of rows through which light flows up (Direction 1) or down (-1).
 struct CoverageWedge
 {
   double A, B, W;
-  double AlongLight; // the light's component along rows, for the shift of parallel projections
+  double Recession; // of a directional light's rays, from row to row of a parallel projection
   int Direction;
   int First; // row
   int Rows;
@@ -77,7 +123,7 @@ constexpr double CoverageSpacing = 2.0; // [pixels]
 
 /// The wedge of one direction; no Rows if there is none. Depends on the image's size and centre alone.
 CoverageWedge MakeCoverageWedge(
-  const CoverageSettings& settings, const CoverageImage& image, bool transposed, int direction);
+  const CoverageSettings& settings, const CoverageImage& image, int direction);
 
 /// Index of the pixel in which the light is seen, -1 if that is none; isCentred tells whether it is in
 /// the pixel's very centre.
@@ -97,9 +143,9 @@ CoverageLinesPointer MakeCoverageLines();
 long long SweepCoverageBand(const CoverageSettings& settings, const CoverageImage& image,
   const CoverageWedge& wedge, int band, CoverageLines& lines);
 
-/// Write to a pixel what is hidden between two view depths.
+/// Write to a pixel what is hidden before a view depth, and from another one on.
 void HideCoverageInterval(const CoverageSettings& settings, const CoverageImage& image,
-  std::ptrdiff_t pixel, float begin, float end);
+  std::ptrdiff_t pixel, float before, float from);
 
 /// A phase function, linear between the entries of a table: the first half is over sin(a/2), a being
 /// the scattering angle, from 0 to sin(45 degrees), the second over cos(a/2) back to 0.
@@ -108,9 +154,9 @@ using CoveragePhase = std::vector<float>;
 /// How pixels shine: the sum over phases of phase x factor x light, for each component.
 struct CoverageShade
 {
-  int Components; // 1 or 3
-  int Phases;     // 1 or 2
-  CoveragePhase Table[2];
+  int Components;         // 1 or 3
+  int Phases;             // 1 or 2
+  CoveragePhase Table[2]; // not of point lights
   float Factors[2][3];
 };
 

@@ -3,6 +3,7 @@
 #include "vtkGodRaysCoverageSweep.h"
 
 #include "vtkGodRaysCoverageKernels.h"
+#include "vtkGodRaysCoverageTable.h"
 #include "vtkGodRaysMath.h"
 #include "vtkSMPTools.h"
 
@@ -94,6 +95,34 @@ bool IsGrey(const double* color)
 {
   return color[0] == color[1] && color[1] == color[2];
 }
+
+//------------------------------------------------------------------------------
+bool IsLayered(const vtkGodRaysMedium& medium)
+{
+  return std::any_of(medium.Components, medium.Components + medium.NumberOfComponents,
+    [](const Component& component) { return component.ScaleHeight > 0.0; });
+}
+
+//------------------------------------------------------------------------------
+// What a table depends on, in the order of the members.
+using TableKey = std::vector<double>;
+void MakeTableKey(const Parameters& parameters, int width, int height, TableKey& key)
+{
+  const vtkGodRaysMedium& medium = parameters.Medium;
+  key.assign({ width + 0.0, height + 0.0, parameters.PixelSize, parameters.Center[0],
+    parameters.Center[1], parameters.Parallel + 0.0, parameters.Light[0], parameters.Light[1],
+    parameters.Light[2], parameters.Light[3], medium.Up[0], medium.Up[1], medium.Up[2],
+    medium.EyeHeight, medium.FarLimit });
+  for (int k = 0; k < medium.NumberOfComponents; ++k)
+  {
+    const Component& component = medium.Components[k];
+    key.insert(key.end(), component.Scattering, component.Scattering + 3);
+    key.insert(key.end(), component.Absorption, component.Absorption + 3);
+    const auto phase = GetPhaseKey(component);
+    key.insert(key.end(), phase.begin(), phase.end());
+    key.push_back(component.ScaleHeight);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -113,9 +142,9 @@ public:
       result = this->OwnResult.data();
     }
     this->LastResult = result;
-    if (this->IsAlongView())
+    if (this->HasNoLines())
     {
-      this->HideAlongView();
+      this->HidePixels();
     }
     else
     {
@@ -123,8 +152,8 @@ public:
       {
         return false;
       }
-      this->Sweep(this->Image, 2);
-      this->Sweep(this->Image, 3);
+      this->Sweep(this->Settings, this->Image, 2);
+      this->Sweep(this->Settings, this->Image, 3);
     }
     if (monitor && !monitor(0.75))
     {
@@ -151,11 +180,15 @@ public:
     return (this->Settings.Layers > 0 ? std::to_string(this->Settings.Layers) + " solid layer(s)"
                                       : std::string("depths of the first surface")) +
       ", " + std::to_string(this->Settings.Channels) + " extinction(s), " +
-      std::to_string(this->Shade.Components) +
-      " component(s), directional light, homogeneous medium, " +
+      std::to_string(this->Shade.Components) + " component(s), " +
+      (this->Settings.Point ? "point light, " : "directional light, ") +
+      (this->Table.Kind == CoverageTable::LAYERS ? "layered" : "homogeneous") + " medium, " +
       (this->Settings.Parallel ? "parallel projection, " : "perspective, ") +
-      (this->IsAlongView() ? std::string("the light is along the direction of view")
-                           : std::to_string(this->Lines) + " lines through the light") +
+      (this->Table.Kind == CoverageTable::NONE ? std::string()
+                                               : "table of " + std::to_string(this->Table.Rows) +
+            " x " + std::to_string(this->Table.Columns) + ", ") +
+      (this->HasNoLines() ? std::string("the light is along the direction of view")
+                          : std::to_string(this->Lines) + " lines through the light") +
       ", " + std::to_string(this->Overflows) + " overflows";
   }
 
@@ -176,54 +209,121 @@ private:
     CoverageSettings& settings = this->Settings;
     settings.PixelSize = parameters.PixelSize;
     settings.Parallel = parameters.Parallel;
-    const double norm = std::hypot(parameters.Light[0], parameters.Light[1], parameters.Light[2]);
+    settings.Point = parameters.Light[3] != 0.0;
+    const double norm = settings.Point
+      ? parameters.Light[3]
+      : std::hypot(parameters.Light[0], parameters.Light[1], parameters.Light[2]);
     for (int i = 0; i < 3; ++i)
     {
       settings.Light[i] = parameters.Light[i] / norm;
+      settings.Up[i] = medium.Up[i];
     }
+    settings.EyeHeight = medium.EyeHeight;
     settings.FarLimit = medium.FarLimit;
     settings.Layers = parameters.Layers;
     settings.Thickness = parameters.Thickness;
-    for (int c = 0; c < 3; ++c)
+    const bool layered = IsLayered(medium);
+    bool grey = true;
+    bool alike = true; // whether components scatter all colours in one proportion
+    for (int k = 0; k < medium.NumberOfComponents; ++k)
     {
-      double extinction = 0.0;
-      for (int k = 0; k < medium.NumberOfComponents; ++k)
+      const Component& component = medium.Components[k];
+      alike = alike && (IsGrey(component.Scattering) || medium.NumberOfComponents == 1);
+      double extinction[3];
+      for (int c = 0; c < 3; ++c)
       {
-        extinction += medium.Components[k].Scattering[c] + medium.Components[k].Absorption[c];
+        extinction[c] = component.Scattering[c] + component.Absorption[c];
+        settings.Extinction[c] = extinction[c] + (k > 0 ? settings.Extinction[c] : 0.0);
       }
-      // So clear a medium cannot be told from none, and the quotient stays defined.
-      settings.Extinction[c] = std::max(extinction, 1e-9 / medium.FarLimit);
+      grey = grey && IsGrey(extinction);
     }
-    settings.Channels = IsGrey(settings.Extinction) ? 1 : 3;
-    this->PrepareShade(parameters);
+    settings.Channels =
+      (layered ? grey : IsGrey(settings.Extinction) && (alike || !settings.Point)) ? 1 : 3;
+    settings.Planes = settings.Channels * (layered ? medium.NumberOfComponents : 1);
+    settings.Table = &this->Table;
+    if (!layered && !settings.Point)
+    {
+      this->Table.Kind = CoverageTable::NONE;
+      for (double& extinction : settings.Extinction)
+      {
+        // So clear a medium cannot be told from none, and the quotient stays defined.
+        extinction = std::max(extinction, 1e-9 / medium.FarLimit);
+      }
+    }
     this->PrepareImages(parameters);
+    this->PrepareTable(parameters);
+    this->PrepareShade(parameters);
+    this->TurnedSettings = settings;
+    std::swap(this->TurnedSettings.Light[0], this->TurnedSettings.Light[1]);
+    std::swap(this->TurnedSettings.Up[0], this->TurnedSettings.Up[1]);
+    this->PrepareWedges();
+  }
+
+  void PrepareTable(const Parameters& parameters)
+  {
+    if (!this->Settings.Point && !IsLayered(parameters.Medium))
+    {
+      this->TableKeys[0].clear();
+      return;
+    }
+    MakeTableKey(parameters, this->Image.Width, this->Image.Height, this->TableKeys[1]);
+    if (this->TableKeys[0] != this->TableKeys[1])
+    {
+      MakeCoverageTable(this->Settings, this->Image, parameters.Medium, this->Table);
+      this->TableKeys[0].swap(this->TableKeys[1]);
+    }
   }
 
   void PrepareShade(const Parameters& parameters)
   {
     const vtkGodRaysMedium& medium = parameters.Medium;
     this->Shade.Components = CountComponents(parameters);
-    this->Shade.Phases = medium.NumberOfComponents;
+    this->Shade.Phases = this->Settings.Point ? 1 : medium.NumberOfComponents;
+    std::fill_n(&this->Shade.Factors[0][0], 6, 0.0f);
     double bounds[3] = {};
     for (int k = 0; k < medium.NumberOfComponents; ++k)
     {
       const Component& component = medium.Components[k];
-      CoveragePhase& table = this->Shade.Table[k];
-      if (table.empty() || this->PhaseKeys[k] != GetPhaseKey(component))
-      {
-        MakeTable(component, table);
-        this->PhaseKeys[k] = GetPhaseKey(component);
-        this->PhasePeaks[k] = *std::max_element(table.begin(), table.end());
-      }
+      const int phase = this->Settings.Point ? 0 : k;
+      const double peak = this->Settings.Point ? 1.0 : this->PreparePhase(component, k);
       for (int c = 0; c < 3; ++c)
       {
-        const double factor = std::min(
-          parameters.LightColor[c] * component.Scattering[c] / this->Settings.Extinction[c], 1e36);
-        this->Shade.Factors[k][c] = static_cast<float>(factor);
-        bounds[c] += 1.000001 * factor * this->PhasePeaks[k];
+        const double factor =
+          std::min(parameters.LightColor[c] * component.Scattering[c] * this->GetUnit(c), 1e36);
+        this->Shade.Factors[phase][c] += static_cast<float>(factor);
+        bounds[c] += 1.001 * factor * peak * this->GetLargest(k, c);
       }
     }
-    this->Bound = *std::max_element(bounds, bounds + 3);
+    this->Bound = std::min(*std::max_element(bounds, bounds + 3), 3e38);
+  }
+
+  // The table of a component's phase function; returns its peak.
+  double PreparePhase(const Component& component, int k)
+  {
+    CoveragePhase& table = this->Shade.Table[k];
+    if (table.empty() || this->PhaseKeys[k] != GetPhaseKey(component))
+    {
+      MakeTable(component, table);
+      this->PhaseKeys[k] = GetPhaseKey(component);
+      this->PhasePeaks[k] = *std::max_element(table.begin(), table.end());
+    }
+    return this->PhasePeaks[k];
+  }
+
+  // What the kernels measure light in: the closed form in parts of an infinite ray's.
+  double GetUnit(int color) const
+  {
+    return this->Table.Kind == CoverageTable::NONE ? 1.0 / this->Settings.Extinction[color] : 1.0;
+  }
+
+  // In that unit, the most light of any ray.
+  double GetLargest(int component, int color) const
+  {
+    const int channel = this->Settings.Channels == 1 ? 0 : color;
+    const bool isShared = this->Settings.Planes == this->Settings.Channels;
+    return this->Table.Kind == CoverageTable::NONE
+      ? 1.0
+      : this->Table.Largest[isShared ? channel : component * this->Settings.Channels + channel];
   }
 
   void PrepareImages(const Parameters& parameters)
@@ -255,16 +355,21 @@ private:
     }
     image.Ends = this->Input[ends].data();
     turned.Ends = this->TurnedInput[ends].data();
-    for (int c = 0; c < this->Settings.Channels; ++c)
+    for (int p = 0; p < this->Settings.Planes; ++p)
     {
-      image.Hidden[c] = place(this->Hidden[c]);
-      turned.Hidden[c] = place(this->TurnedHidden[c]);
+      image.Hidden[p] = place(this->Hidden[p]);
+      turned.Hidden[p] = place(this->TurnedHidden[p]);
     }
+  }
 
-    const std::array<double, 9> key = { image.Width + 0.0, image.Height + 0.0, image.Center[0],
+  void PrepareWedges()
+  {
+    const CoverageImage& image = this->Image;
+    const std::array<double, 10> key = { image.Width + 0.0, image.Height + 0.0, image.Center[0],
       image.Center[1], this->Settings.PixelSize, this->Settings.Parallel + 0.0,
-      this->Settings.Light[0], this->Settings.Light[1], this->Settings.Light[2] };
-    if (key == this->WedgeKey || this->IsAlongView())
+      this->Settings.Point + 0.0, this->Settings.Light[0], this->Settings.Light[1],
+      this->Settings.Light[2] };
+    if (key == this->WedgeKey || this->HasNoLines())
     {
       return;
     }
@@ -272,8 +377,8 @@ private:
     std::size_t bands = 0;
     for (int i = 0; i < 4; ++i)
     {
-      this->Wedges[i] =
-        MakeCoverageWedge(this->Settings, i < 2 ? turned : image, i < 2, i % 2 == 0 ? 1 : -1);
+      this->Wedges[i] = MakeCoverageWedge(i < 2 ? this->TurnedSettings : this->Settings,
+        i < 2 ? this->Turned : image, i % 2 == 0 ? 1 : -1);
       bands = std::max(bands, static_cast<std::size_t>(this->Wedges[i].Bands));
     }
     while (this->BandLines.size() < bands)
@@ -283,33 +388,44 @@ private:
     this->BandOverflows.resize(bands);
   }
 
-  // Whether every view ray is a light ray.
-  bool IsAlongView() const
+  // Whether every view ray is a light ray: of a light along parallel view rays, or in the eye.
+  bool HasNoLines() const
   {
-    return this->Settings.Parallel &&
-      std::hypot(this->Settings.Light[0], this->Settings.Light[1]) < 1e-7;
+    const double* light = this->Settings.Light;
+    const double aside = std::hypot(light[0], light[1]);
+    if (this->Settings.Point)
+    {
+      return !this->Settings.Parallel &&
+        std::hypot(aside, light[2]) <= 1e-9 * this->Settings.FarLimit;
+    }
+    return this->Settings.Parallel && aside < 1e-7;
   }
 
-  // From in front it is dark before the last thing, from behind it is beyond the first.
-  void HidePixel(const CoverageImage& image, std::ptrdiff_t pixel, bool isInFront)
+  // A view ray along light rays: before the light all is dark that has a thing between, beyond it what
+  // is behind the first thing.
+  void HidePixel(const CoverageSettings& settings, const CoverageImage& image, std::ptrdiff_t pixel)
   {
-    float begin = CoverageSky;
+    const float light = !settings.Point ? (settings.Light[2] > 0.0 ? CoverageSky : 0.0f)
+                                        : static_cast<float>(std::max(settings.Light[2], 0.0));
     float end = 0.0f;
-    for (int layer = 0; layer < std::max(1, this->Settings.Layers); ++layer)
+    float begin = CoverageSky;
+    for (int layer = 0; layer < std::max(1, settings.Layers); ++layer)
     {
       const float front = image.Depths[2 * layer][pixel];
-      if (front < CoverageSky)
+      const float back = settings.Layers > 0 ? image.Depths[2 * layer + 1][pixel] : front;
+      if (front < light)
       {
-        begin = std::min(begin, front);
-        const float back = this->Settings.Layers > 0 ? image.Depths[2 * layer + 1][pixel] : front;
         end = std::max(end, back > front && back < CoverageSky ? back : front);
       }
+      else if (front < CoverageSky)
+      {
+        begin = std::min(begin, front);
+      }
     }
-    HideCoverageInterval(
-      this->Settings, image, pixel, isInFront ? 0.0f : begin, isInFront ? end : CoverageSky);
+    HideCoverageInterval(settings, image, pixel, end, begin);
   }
 
-  void HideAlongView()
+  void HidePixels()
   {
     const std::ptrdiff_t width = this->Image.Width;
     vtkSMPTools::For(0, this->Image.Height, 16,
@@ -317,12 +433,12 @@ private:
       {
         for (std::ptrdiff_t pixel = begin * width; pixel < end * width; ++pixel)
         {
-          this->HidePixel(this->Image, pixel, this->Settings.Light[2] > 0.0);
+          this->HidePixel(this->Settings, this->Image, pixel);
         }
       });
   }
 
-  void Sweep(const CoverageImage& image, int index)
+  void Sweep(const CoverageSettings& settings, const CoverageImage& image, int index)
   {
     const CoverageWedge& wedge = this->Wedges[index];
     if (wedge.Rows == 0)
@@ -336,7 +452,7 @@ private:
         for (vtkIdType band = begin; band < end; ++band)
         {
           this->BandOverflows[band] = SweepCoverageBand(
-            this->Settings, image, wedge, static_cast<int>(band), *this->BandLines[band]);
+            settings, image, wedge, static_cast<int>(band), *this->BandLines[band]);
         }
       });
     for (int band = 0; band < wedge.Bands; ++band)
@@ -357,14 +473,14 @@ private:
     {
       return false;
     }
-    this->Sweep(this->Turned, 0);
-    this->Sweep(this->Turned, 1);
+    this->Sweep(this->TurnedSettings, this->Turned, 0);
+    this->Sweep(this->TurnedSettings, this->Turned, 1);
     // The pixel in whose centre the light is belongs to no wedge.
     bool isCentred;
     const std::ptrdiff_t pixel = FindCoverageLight(this->Wedges[0], this->Turned, isCentred);
     if (pixel >= 0 && isCentred)
     {
-      this->HidePixel(this->Turned, pixel, this->Wedges[0].W > 0.0);
+      this->HidePixel(this->TurnedSettings, this->Turned, pixel);
     }
     for (int c = 0; c < this->Settings.Channels; ++c)
     {
@@ -375,14 +491,17 @@ private:
   }
 
   CoverageSettings Settings = {};
+  CoverageSettings TurnedSettings = {};
   CoverageImage Turned = {};
   Plane OwnResult;
   Plane TurnedInput[MaximumPlanes];
-  Plane Hidden[3];
-  Plane TurnedHidden[3];
+  Plane Hidden[CoverageMaximumPlanes];
+  Plane TurnedHidden[CoverageMaximumPlanes];
+  CoverageTable Table;
+  TableKey TableKeys[2]; // of the table, and of what is asked for
   std::array<double, 5> PhaseKeys[vtkGodRaysMedium::MaximumComponents];
   double PhasePeaks[vtkGodRaysMedium::MaximumComponents];
-  std::array<double, 9> WedgeKey = {};
+  std::array<double, 10> WedgeKey = {};
   CoverageWedge Wedges[4]; // of the transpose, then of the picture; each up and down
   std::vector<CoverageLinesPointer> BandLines;
   std::vector<long long> BandOverflows;
@@ -434,12 +553,7 @@ bool vtkGodRaysCoverageSweep::Execute(const Parameters& parameters, const Monito
 //------------------------------------------------------------------------------
 bool vtkGodRaysCoverageSweep::Supports(const Parameters& parameters)
 {
-  bool isHomogeneous = true;
-  for (int k = 0; k < parameters.Medium.NumberOfComponents; ++k)
-  {
-    isHomogeneous = isHomogeneous && parameters.Medium.Components[k].ScaleHeight == 0.0;
-  }
-  return isHomogeneous && parameters.Light[3] == 0.0;
+  return parameters.Light[3] == 0.0 || !IsLayered(parameters.Medium);
 }
 
 //------------------------------------------------------------------------------

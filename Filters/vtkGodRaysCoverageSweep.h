@@ -94,12 +94,12 @@ public:
 
   /**
    * Compute the result of the input; false if there is none or not what Layers takes, if the
-   * parameters are not Supported(), or if the monitor stopped it: then the result is of no use.
+   * parameters are not what it Supports(), or if the monitor stopped it: then the result is of no use.
    */
   bool Execute(const Parameters& parameters, const Monitor& monitor = nullptr);
 
   /**
-   * Whether it can be computed: a directional light in a homogeneous medium.
+   * Whether it can be computed: all but a point light in a medium that thins out.
    */
   static bool Supports(const Parameters& parameters);
 

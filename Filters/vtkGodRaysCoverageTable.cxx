@@ -1,0 +1,497 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysCoverageTable.h"
+
+#include "vtkGodRaysCoverageKernels.h"
+#include "vtkGodRaysMath.h"
+#include "vtkGodRaysMedium.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace
+{
+using namespace vtkGodRays;
+using Component = vtkGodRaysMedium::Component;
+
+// Steps of rows and columns, in the units of CoverageTable; bounds of their numbers.
+constexpr double PointRowStep = 0.03;
+constexpr double PointRowStepOfDepth = 0.1; // [mean free paths]
+constexpr double PointColumnStep = 0.2;
+constexpr double LayerRowStep = 0.025;
+constexpr double LayerColumnStep = 0.12;
+constexpr double LayerColumnStepOfHeight = 0.3; // [scale heights]
+constexpr int FewestRows = 96;
+constexpr int MostRows = 1024;
+constexpr int MostColumns = 2048;
+constexpr int FewestColumns = 8;
+
+// The mean of 1/distance over a pixel is that at this distance from its centre [pixels].
+constexpr double NearestOfPixel = 0.28;
+
+struct Range
+{
+  double Low = 1e300;
+  double High = -1e300;
+  void Add(double value)
+  {
+    this->Low = std::min(this->Low, value);
+    this->High = std::max(this->High, value);
+  }
+};
+
+//------------------------------------------------------------------------------
+// The view ray, for each unit of depth, of a place in pixels.
+Vec3 GetRay(const CoverageSettings& settings, const CoverageImage& image, double x, double y)
+{
+  return Vec3(
+    (x - image.Center[0]) * settings.PixelSize, (y - image.Center[1]) * settings.PixelSize, 1.0);
+}
+
+//------------------------------------------------------------------------------
+// What visits the pixels at the picture's edge finds the ends of what has none inside.
+void VisitEdge(const CoverageImage& image, const std::function<void(double, double)>& visit)
+{
+  for (int x = 0; x < image.Width; ++x)
+  {
+    visit(x, 0.0);
+    visit(x, image.Height - 1.0);
+  }
+  for (int y = 0; y < image.Height; ++y)
+  {
+    visit(0.0, y);
+    visit(image.Width - 1.0, y);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Whether the picture shows what is in a direction or its opposite, or, of parallel rays, at a place.
+bool Shows(const CoverageSettings& settings, const CoverageImage& image, const Vec3& direction)
+{
+  const double z = settings.Parallel ? 1.0 : direction.z;
+  const double x = direction.x / (z * settings.PixelSize) + image.Center[0];
+  const double y = direction.y / (z * settings.PixelSize) + image.Center[1];
+  return x > -1.0 && y > -1.0 && x < image.Width && y < image.Height; // false for NaN
+}
+
+//------------------------------------------------------------------------------
+double GetLongest(const CoverageSettings& settings, const CoverageImage& image)
+{
+  double longest = 1.0;
+  if (!settings.Parallel)
+  {
+    VisitEdge(image,
+      [&](double x, double y)
+      { longest = std::max(longest, length(GetRay(settings, image, x, y))); });
+  }
+  return longest * settings.FarLimit;
+}
+
+//------------------------------------------------------------------------------
+// steps: so many at least.
+void SetRows(const Range& range, double steps, CoverageTable& table)
+{
+  table.FirstRow = static_cast<float>(range.Low);
+  const double size = range.High - range.Low;
+  table.Rows = static_cast<int>(
+    std::ceil(std::min(std::max<double>(steps, FewestRows), static_cast<double>(MostRows))));
+  table.RowsPerUnit = static_cast<float>((table.Rows - 1.0) / std::max(size, 1e-6));
+}
+
+//------------------------------------------------------------------------------
+void SetColumns(double end, double step, int planes, CoverageTable& table)
+{
+  table.Columns =
+    std::min(std::max(static_cast<int>(std::ceil(end / step)) + 1, FewestColumns), MostColumns);
+  table.ColumnsPerUnit = static_cast<float>((table.Columns - 1.0) / end);
+  for (int p = 0; p < planes; ++p)
+  {
+    table.Values[p].resize(static_cast<std::size_t>(2 * table.Columns) * table.Rows);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Of a row, as the kernels have it.
+double GetRowUnits(const CoverageTable& table, vtkIdType row)
+{
+  return table.FirstRow + row / static_cast<double>(table.RowsPerUnit);
+}
+
+//------------------------------------------------------------------------------
+// A view ray beside a point light.
+struct PointRay
+{
+  double Foot;
+  double Height;
+  double Extinction;
+
+  double GetDistance(double s) const { return std::hypot(this->Height, s - this->Foot); }
+
+  // The units of columns.
+  double ToUnits(double s) const
+  {
+    const double start = PointLightWay(-this->Foot, this->Height);
+    const double way = PointLightWay(s - this->Foot, this->Height);
+    return std::log1p(
+             s * (way + start) / ((this->GetDistance(s) + this->GetDistance(0.0)) * start)) +
+      std::log1p(this->Extinction * s);
+  }
+
+  double GetUnitsPerLength(double s) const
+  {
+    return 1.0 / this->GetDistance(s) + this->Extinction / (1.0 + this->Extinction * s);
+  }
+
+  // From there to so many units, by Newton's method with steps that are exact where nothing is dimmed.
+  double Invert(double s, double units) const
+  {
+    for (int i = 0; i < 20; ++i)
+    {
+      const double missing = units - this->ToUnits(s);
+      const double r = this->GetDistance(s);
+      const double step = missing / (r * this->GetUnitsPerLength(s));
+      s = std::max(
+        s + r * std::sinh(step) + (s - this->Foot) * 2.0 * std::pow(std::sinh(0.5 * step), 2), 0.0);
+      if (std::abs(missing) < 1e-9)
+      {
+        break;
+      }
+    }
+    return s;
+  }
+};
+
+//------------------------------------------------------------------------------
+PointRay GetPointRay(const CoverageSettings& settings, const CoverageTable& table, double units)
+{
+  const double place = table.RowUnit * std::expm1(units);
+  const double nearest = table.Nearest;
+  if (settings.Parallel)
+  {
+    return { settings.Light[2], std::max(place, nearest), table.Extinction };
+  }
+  const double angle = 2.0 * std::atan(place);
+  return { table.Distance * std::cos(angle), table.Distance * std::max(std::sin(angle), nearest),
+    table.Extinction };
+}
+
+//------------------------------------------------------------------------------
+void SetPointRows(
+  const CoverageSettings& settings, const CoverageImage& image, CoverageTable& table)
+{
+  const Vec3 light(settings.Light[0], settings.Light[1], settings.Light[2]);
+  table.Distance = static_cast<float>(std::max(length(light), 1e-9 * settings.FarLimit));
+  const bool isShown = Shows(settings, image, light);
+  Range range;
+  if (settings.Parallel)
+  {
+    table.Nearest = static_cast<float>(NearestOfPixel * settings.PixelSize);
+    VisitEdge(image,
+      [&](double x, double y)
+      {
+        const Vec3 ray = GetRay(settings, image, x, y);
+        range.Add(std::hypot(ray.x - light.x, ray.y - light.y));
+      });
+  }
+  else
+  {
+    const double cosine = std::abs(light.z) / table.Distance;
+    table.Nearest =
+      static_cast<float>(NearestOfPixel * settings.PixelSize * std::max(cosine * cosine, 1e-3));
+    VisitEdge(image,
+      [&](double x, double y)
+      { range.Add(std::tan(0.5 * AngleBetween(GetRay(settings, image, x, y), light))); });
+  }
+  const double least = settings.Parallel ? table.Nearest : 0.5 * table.Nearest;
+  if (isShown && (settings.Parallel || light.z >= 0.0))
+  {
+    range.Low = least;
+  }
+  if (isShown && !settings.Parallel && light.z <= 0.0)
+  {
+    range.High = 1.0 / least;
+  }
+  range.Low = std::max(range.Low, least);
+  range.High =
+    std::max(settings.Parallel ? range.High : std::min(range.High, 1.0 / least), range.Low);
+  table.RowUnit = static_cast<float>(range.Low);
+  const double steps = std::log(0.5 + 0.5 * range.High / range.Low) / PointRowStep;
+  const double width = settings.Parallel
+    ? range.High - range.Low
+    : 2.0 * table.Distance * (std::atan(range.High) - std::atan(range.Low));
+  const double depth = table.Extinction * width;
+  SetRows({ std::log1p(range.Low / table.RowUnit), std::log1p(range.High / table.RowUnit) },
+    std::max(steps, depth / PointRowStepOfDepth), table);
+}
+
+//------------------------------------------------------------------------------
+void MakePointTable(const CoverageSettings& settings, const CoverageImage& image,
+  const vtkGodRaysMedium& medium, CoverageTable& table)
+{
+  table.Extinction =
+    static_cast<float>(*std::max_element(settings.Extinction, settings.Extinction + 3));
+  SetPointRows(settings, image, table);
+  const double longest = GetLongest(settings, image);
+  double end = 0.0;
+  for (int row = 0; row < table.Rows; ++row)
+  {
+    end = std::max(end, GetPointRay(settings, table, GetRowUnits(table, row)).ToUnits(longest));
+  }
+  SetColumns(end, PointColumnStep, settings.Planes, table);
+
+  vtkSMPTools::For(0, table.Rows, 1,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType row = first; row < last; ++row)
+      {
+        const PointRay ray = GetPointRay(settings, table, GetRowUnits(table, row));
+        double sums[CoverageMaximumPlanes] = {};
+        double before = 0.0;
+        for (int column = 0; column < table.Columns; ++column)
+        {
+          const double s = ray.Invert(before, column / static_cast<double>(table.ColumnsPerUnit));
+          const double r = ray.GetDistance(s);
+          for (int p = 0; p < settings.Planes; ++p)
+          {
+            double slope = 0.0;
+            double whole = 0.0;
+            for (int k = 0; k < medium.NumberOfComponents; ++k)
+            {
+              whole += medium.Components[k].Scattering[p];
+            }
+            for (int k = 0; k < medium.NumberOfComponents; ++k)
+            {
+              const Component& component = medium.Components[k];
+              const PhaseFunction phases[2] = { { component.PhaseFunction, component.Asymmetry },
+                { component.SecondPhaseFunction, component.SecondAsymmetry } };
+              const double part = whole > 0.0 ? component.Scattering[p] / whole : 0.0;
+              for (int i = 0; i < 2; ++i)
+              {
+                const double weight =
+                  part * (i == 0 ? 1.0 - component.SecondWeight : component.SecondWeight);
+                if (weight > 0.0)
+                {
+                  sums[p] += weight *
+                    PointAirlight(
+                      phases[i], settings.Extinction[p], ray.Foot, ray.Height, before, s);
+                  slope += weight * Phase(phases[i], (ray.Foot - s) / r);
+                }
+              }
+            }
+            slope *= std::exp(-settings.Extinction[p] * (s + r)) / (r * r) /
+              (ray.GetUnitsPerLength(s) * table.ColumnsPerUnit);
+            float* values = table.Values[p].data() + 2 * (row * table.Columns + column);
+            values[0] = static_cast<float>(ray.Height * sums[p]);
+            values[1] = static_cast<float>(ray.Height * slope);
+          }
+          before = s;
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+// A view ray through layers, lit from above.
+struct LayeredRay
+{
+  const vtkGodRaysMedium& Medium;
+  double Height; // of its origin
+  double Slope;
+  double LightSlope;
+
+  // What of the light is scattered by each component and reaches the eye, for each length.
+  void Evaluate(double s, int channels, double* results) const
+  {
+    const int components = this->Medium.NumberOfComponents;
+    double depths[3] = {};
+    double densities[vtkGodRaysMedium::MaximumComponents];
+    for (int k = 0; k < components; ++k)
+    {
+      const Component& component = this->Medium.Components[k];
+      const double scale = component.ScaleHeight;
+      double way = s;
+      densities[k] = 1.0;
+      if (scale > 0.0)
+      {
+        densities[k] = ExponentialDensity(this->Height + this->Slope * s, scale);
+        way = ExponentialDepth(1.0, this->Height, this->Slope, scale, s) +
+          scale * densities[k] / this->LightSlope;
+      }
+      for (int c = 0; c < channels; ++c)
+      {
+        depths[c] += (component.Scattering[c] + component.Absorption[c]) * way;
+      }
+    }
+    for (int c = 0; c < channels; ++c)
+    {
+      const double left = std::exp(-depths[c]);
+      for (int k = 0; k < components; ++k)
+      {
+        results[k * channels + c] = left * densities[k];
+      }
+    }
+  }
+};
+
+//------------------------------------------------------------------------------
+void MakeLayeredTable(const CoverageSettings& settings, const CoverageImage& image,
+  const vtkGodRaysMedium& medium, CoverageTable& table)
+{
+  const Vec3 up(settings.Up[0], settings.Up[1], settings.Up[2]);
+  const Vec3 light(settings.Light[0], settings.Light[1], settings.Light[2]);
+  const double lightSlope = dot(light, up);
+  const double longest = GetLongest(settings, image);
+  double scale = 1e300;
+  for (int k = 0; k < medium.NumberOfComponents; ++k)
+  {
+    const double height = medium.Components[k].ScaleHeight;
+    scale = height > 0.0 ? std::min(scale, height) : scale;
+  }
+
+  // Rows
+  Range range;
+  double step = LayerRowStep;
+  table.RowUnit = static_cast<float>(std::min(std::max(scale / longest, 1e-5), 1.0));
+  if (settings.Parallel)
+  {
+    VisitEdge(image,
+      [&](double x, double y)
+      {
+        const Vec3 ray = GetRay(settings, image, x, y);
+        range.Add(settings.EyeHeight + ray.x * up.x + ray.y * up.y);
+      });
+    step *= scale;
+  }
+  else
+  {
+    const auto add = [&](double slope) { range.Add(std::asinh(slope / table.RowUnit)); };
+    VisitEdge(image,
+      [&](double x, double y)
+      {
+        const Vec3 ray = GetRay(settings, image, x, y);
+        add(dot(ray, up) / length(ray));
+      });
+    if (Shows(settings, image, up))
+    {
+      add(up.z > 0.0 ? 1.0 : -1.0);
+    }
+  }
+  SetRows(range, (range.High - range.Low) / step, table);
+  const auto getRay = [&](vtkIdType row) -> LayeredRay
+  {
+    const double units = GetRowUnits(table, row);
+    if (settings.Parallel)
+    {
+      return { medium, units, up.z, lightSlope };
+    }
+    const double slope = table.RowUnit * std::sinh(units);
+    return { medium, settings.EyeHeight, std::min(std::max(slope, -1.0), 1.0), lightSlope };
+  };
+
+  // Columns: the widths are where the light changes from the eye on.
+  table.InverseWidths.resize(table.Rows);
+  double end = 0.0;
+  double drop = 1.0; // of a ray until no light is left [scale heights]
+  for (int row = 0; row < table.Rows; ++row)
+  {
+    const LayeredRay ray = getRay(row);
+    double rate = 0.0;
+    double ground = 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      double extinction = 0.0;
+      for (int k = 0; k < medium.NumberOfComponents; ++k)
+      {
+        const Component& component = medium.Components[k];
+        const double most = component.Scattering[c] + component.Absorption[c];
+        extinction += most *
+          (component.ScaleHeight > 0.0 ? ExponentialDensity(ray.Height, component.ScaleHeight)
+                                       : 1.0);
+        ground = std::max(ground, most);
+      }
+      rate = std::max(rate, extinction);
+    }
+    rate += std::hypot(ray.Slope, table.RowUnit) / scale + 1.0 / longest;
+    table.InverseWidths[row] = static_cast<float>(std::min(rate, 1e20));
+    end = std::max(end, std::log1p(longest * table.InverseWidths[row]));
+    const double most = -ray.Slope * longest / scale;
+    drop = std::max(
+      drop, std::min(most, ray.Height / scale - std::log(std::min(ground * scale, 1.0) + 1e-30)));
+  }
+  SetColumns(
+    end, std::min(LayerColumnStep, LayerColumnStepOfHeight / drop), settings.Planes, table);
+
+  vtkSMPTools::For(0, table.Rows, 1,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType row = first; row < last; ++row)
+      {
+        const LayeredRay ray = getRay(row);
+        const double width = 1.0 / table.InverseWidths[row];
+        double sums[CoverageMaximumPlanes] = {};
+        double here[CoverageMaximumPlanes] = {};
+        double before = 0.0;
+        for (int column = 0; column < table.Columns; ++column)
+        {
+          const double s = width * std::expm1(column / static_cast<double>(table.ColumnsPerUnit));
+          if (lightSlope > 0.0)
+          {
+            // Gauss-Legendre of 4 points
+            const double places[4] = { -0.8611363115940526, -0.3399810435848563, 0.3399810435848563,
+              0.8611363115940526 };
+            const double weights[4] = { 0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
+              0.3478548451374538 };
+            for (int i = 0; i < 4; ++i)
+            {
+              ray.Evaluate(
+                0.5 * (before + s) + 0.5 * (s - before) * places[i], settings.Channels, here);
+              for (int p = 0; p < settings.Planes; ++p)
+              {
+                sums[p] += 0.5 * (s - before) * weights[i] * here[p];
+              }
+            }
+            ray.Evaluate(s, settings.Channels, here);
+          }
+          for (int p = 0; p < settings.Planes; ++p)
+          {
+            float* values = table.Values[p].data() + 2 * (row * table.Columns + column);
+            values[0] = static_cast<float>(sums[p]);
+            values[1] = static_cast<float>(here[p] * (s + width) / table.ColumnsPerUnit);
+          }
+          before = s;
+        }
+      }
+    });
+}
+}
+
+namespace vtkGodRays
+{
+//------------------------------------------------------------------------------
+void MakeCoverageTable(const CoverageSettings& settings, const CoverageImage& image,
+  const vtkGodRaysMedium& medium, CoverageTable& table)
+{
+  table.Kind = settings.Point ? CoverageTable::POINT : CoverageTable::LAYERS;
+  if (settings.Point)
+  {
+    MakePointTable(settings, image, medium, table);
+  }
+  else
+  {
+    MakeLayeredTable(settings, image, medium, table);
+  }
+  for (int p = 0; p < settings.Planes; ++p)
+  {
+    table.Largest[p] = 0.0;
+    for (int row = 0; row < table.Rows; ++row)
+    {
+      const double gain =
+        settings.Point ? 1.0 / GetPointRay(settings, table, GetRowUnits(table, row)).Height : 1.0;
+      const double value = table.Values[p][2 * (row * table.Columns + table.Columns - 1)];
+      table.Largest[p] = std::max(table.Largest[p], gain * value);
+    }
+  }
+}
+}

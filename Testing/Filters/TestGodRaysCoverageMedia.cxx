@@ -1,0 +1,330 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Shadows from depth images where airlight comes from a table: point lights, media that thin out.
+
+#include "GodRaysFiltersTesting.h"
+#include "GodRaysMediumScenes.h"
+#include "vtkGodRaysCoverageFilter.h"
+#include "vtkGodRaysMath.h"
+#include "vtkGodRaysSingleScatteringReference.h"
+
+#include "vtkDoubleArray.h"
+
+#include <functional>
+#include <limits>
+
+using namespace GodRaysFiltersTesting;
+using namespace GodRaysMediumScenes;
+using vtkGodRays::Vec3;
+
+namespace
+{
+using Filter = vtkGodRaysCoverageFilter;
+using Reference = vtkGodRaysSingleScatteringReference;
+
+constexpr int Width = 64;
+constexpr int Height = 36;
+const double sky = std::numeric_limits<double>::infinity();
+
+class Random
+{
+public:
+  explicit Random(unsigned int seed)
+    : Generator(MakeGenerator(seed))
+  {
+  }
+  double Uniform(double low, double high)
+  {
+    return low + (high - low) * (this->Generator() / 4294967296.0);
+  }
+  double Log(double low, double high)
+  {
+    return std::exp(this->Uniform(std::log(low), std::log(high)));
+  }
+  Vec3 Direction()
+  {
+    Vec3 v;
+    do
+    {
+      v = Vec3(this->Uniform(-1, 1), this->Uniform(-1, 1), this->Uniform(-1, 1));
+    } while (vtkGodRays::length(v) > 1.0 || vtkGodRays::length(v) < 0.1);
+    return v / vtkGodRays::length(v);
+  }
+
+private:
+  std::mt19937 Generator;
+};
+
+// Nothing but where view rays end.
+vtkSmartPointer<vtkImageData> MakeEnds(const std::function<double(int, int)>& getEnd)
+{
+  auto image = MakeImage(MakePicture(Width, Height, [](int, int) { return sky; }));
+  vtkNew<vtkDoubleArray> ends;
+  ends->SetName("End");
+  ends->SetNumberOfTuples(Width * Height);
+  for (int i = 0; i < Width * Height; ++i)
+  {
+    ends->SetValue(i, getEnd(i % Width, i / Width));
+  }
+  image->GetPointData()->AddArray(ends);
+  return image;
+}
+
+// The view ray of a pixel: where it begins, and a step of it for each unit of depth.
+struct Ray
+{
+  Vec3 Origin;
+  Vec3 Step;
+};
+double GetPixelSize(vtkGodRaysMediumFilter* filter)
+{
+  return 2.0 / Height *
+    (filter->GetParallelProjection()
+        ? filter->GetParallelScale()
+        : std::tan(0.5 * vtkMath::RadiansFromDegrees(filter->GetViewAngle())));
+}
+Ray GetRay(vtkGodRaysMediumFilter* filter, int x, int y)
+{
+  const bool parallel = filter->GetParallelProjection();
+  const double pixel = GetPixelSize(filter);
+  const Vec3 offset((x + 0.5 - 0.5 * Width) * pixel, (y + 0.5 - 0.5 * Height) * pixel, 0.0);
+  const Vec3 eye(
+    filter->GetCameraPosition()[0], filter->GetCameraPosition()[1], filter->GetCameraPosition()[2]);
+  const Vec3 ahead(0.0, 0.0, -1.0);
+  return parallel ? Ray{ eye + offset, ahead } : Ray{ eye, ahead + offset };
+}
+
+// The largest difference from what is expected of a pixel and an end, as a fraction of the peak.
+double CompareEnds(Filter* filter, const std::function<double(int, int)>& getEnd,
+  const std::function<double(const Ray&, double)>& expect)
+{
+  filter->SetInputData(MakeEnds(getEnd));
+  filter->SetEndArrayName("End");
+  filter->Update();
+  const Picture picture = FromImage(filter->GetOutput());
+  double peak = 0.0;
+  double worst = 0.0;
+  for (int y = 0; y < Height; ++y)
+  {
+    for (int x = 0; x < Width; ++x)
+    {
+      const double end = std::min(getEnd(x, y), filter->GetFarLimit());
+      const double expected = expect(GetRay(filter, x, y), end);
+      EXPECT_TRUE(picture.Get(x, y) >= 0.0);
+      peak = std::max(peak, expected);
+      worst = std::max(worst, std::abs(picture.Get(x, y) - expected));
+    }
+  }
+  return peak > 0.0 ? worst / peak : worst;
+}
+}
+
+//------------------------------------------------------------------------------
+// To the far limit, and to nearer ends, against the integral; media, lights and scales of any kind.
+TEST(CoverageMedia, PointLightsShineAsTheIntegral)
+{
+  Random random(41);
+  double worst = 0.0;
+  for (int i = 0; i < 120; ++i)
+  {
+    vtkNew<Filter> filter;
+    const double scale = random.Log(1e-3, 1e3);
+    filter->SetFarLimit(20.0 * scale);
+    filter->SetViewAngle(random.Uniform(10.0, 90.0));
+    filter->SetParallelProjection(i % 2 == 1);
+    filter->SetParallelScale(random.Uniform(1.0, 8.0) * scale);
+    const double b = random.Log(1e-5, 1.0) / scale;
+    filter->SetScatteringCoefficient(b, b, b);
+    filter->SetPhaseFunction(i % 5);
+    const double g = random.Uniform(-0.9, 0.9);
+    filter->SetAsymmetry(g);
+    // Not so far that only darkness comes from it.
+    const double distance = std::min(random.Log(0.01, 1e4) * scale, 20.0 / b);
+    const Vec3 light = distance * random.Direction();
+    filter->SetLight(light.x, light.y, light.z, 1.0);
+    const double most = random.Uniform(0.05, 1.0);
+    const double error = CompareEnds(
+      filter, [&](int x, int y) { return most * 20.0 * scale * (1 + (x + y) % 7) / 7.0; },
+      [&](const Ray& ray, double end)
+      {
+        const double length = vtkGodRays::length(ray.Step);
+        const Vec3 along = ray.Step / length;
+        const double foot = vtkGodRays::dot(light - ray.Origin, along);
+        // Next to the light it is the mean over the pixel.
+        const double nearest = filter->GetParallelProjection()
+          ? 0.28 * GetPixelSize(filter)
+          : 0.28 * GetPixelSize(filter) * light.z * light.z / vtkGodRays::length(light);
+        const double height =
+          std::max(nearest, vtkGodRays::length(vtkGodRays::cross(light - ray.Origin, along)));
+        return b * vtkGodRays::PointAirlight({ i % 5, g }, b, foot, height, 0.0, end * length);
+      });
+    EXPECT_LE(error, 2e-3) << i << " " << filter->GetPlan() << " light " << light.x / scale << " "
+                           << light.y / scale << " " << light.z / scale << " optical depth "
+                           << b * scale * 20.0;
+    worst = std::max(worst, error);
+  }
+  std::cout << "largest difference " << worst << " of the peak\n";
+}
+
+//------------------------------------------------------------------------------
+// One component that thins out, against its closed form.
+TEST(CoverageMedia, LayersShineAsTheIntegral)
+{
+  Random random(42);
+  double worst = 0.0;
+  for (int i = 0; i < 120; ++i)
+  {
+    vtkNew<Filter> filter;
+    const double scale = random.Log(1e-2, 1e3);
+    const double far = random.Log(1.0, 1e3) * scale;
+    filter->SetFarLimit(far);
+    filter->SetViewAngle(random.Uniform(10.0, 90.0));
+    filter->SetParallelProjection(i % 2 == 1);
+    filter->SetParallelScale(random.Uniform(0.1, 8.0) * scale);
+    const double b = random.Log(1e-3, 3.0) / scale;
+    filter->SetScatteringCoefficient(b, b, b);
+    filter->SetPhaseFunction(Filter::ISOTROPIC);
+    filter->SetScaleHeight(scale);
+    const Vec3 up = i % 3 == 0 ? Vec3(0.0, 1.0, 0.0) : random.Direction();
+    filter->SetMediumUp(up.x, up.y, up.z);
+    const double eye = random.Uniform(-1.0, i % 4 == 0 ? 20.0 : 3.0) * scale;
+    filter->SetGroundLevel(-eye);
+    Vec3 light;
+    do // not where it is night
+    {
+      light = random.Direction();
+    } while (b * scale * std::exp(-eye / scale) > 10.0 * vtkGodRays::dot(light, up));
+    filter->SetLight(light.x, light.y, light.z, 0.0);
+    const double most = random.Uniform(0.05, 1.0);
+    const double error = CompareEnds(
+      filter, [&](int x, int y) { return most * far * (1 + (x + y) % 7) / 7.0; },
+      [&](const Ray& ray, double end)
+      {
+        const double length = vtkGodRays::length(ray.Step);
+        return b / (4.0 * vtkMath::Pi()) *
+          vtkGodRays::ExponentialAirlight(b, eye + vtkGodRays::dot(up, ray.Origin),
+            vtkGodRays::dot(up, ray.Step) / length, vtkGodRays::dot(up, light), scale, 0.0,
+            end * length);
+      });
+    EXPECT_LE(error, 2e-3) << i << " " << filter->GetPlan() << " eye " << eye / scale << " far "
+                           << far / scale << " b " << b * scale << " light "
+                           << vtkGodRays::dot(up, light);
+    worst = std::max(worst, error);
+  }
+  std::cout << "largest difference " << worst << " of the peak\n";
+}
+
+//------------------------------------------------------------------------------
+// Shadows of point lights before, beside, above and behind things, and behind the eye: the ground truth.
+// Without shadows it would be far off.
+TEST(CoverageMedia, PointLightsCastShadows)
+{
+  const double lights[][3] = { { 0.3, 0.5, -12.0 }, { 2.0, 1.0, -7.0 }, { -3.0, 4.0, -6.0 },
+    { 1.5, 2.0, 0.0 }, { 0.7, 0.9, 3.0 }, { 6.0, 1.0, -3.0 } };
+  for (const Scene& scene : MakeScenes(10))
+  {
+    if (scene.Name != "sphere" && scene.Name != "slats")
+    {
+      continue;
+    }
+    for (const double* light : lights)
+    {
+      for (const bool parallel : { false, true })
+      {
+        vtkNew<Reference> reference;
+        vtkNew<Filter> filter;
+        for (vtkGodRaysMediumFilter* either : { static_cast<vtkGodRaysMediumFilter*>(reference),
+               static_cast<vtkGodRaysMediumFilter*>(filter) })
+        {
+          Prepare(either, Lights[0], 0.1);
+          either->SetLight(light[0], light[1], light[2], 1.0);
+          either->SetParallelProjection(parallel);
+          either->SetParallelScale(3.5);
+        }
+        reference->SetInputData(scene.Occluders);
+        reference->SetSize(240, 135);
+        reference->SetTolerance(1e-5);
+        reference->SetNumberOfLayers(1);
+        reference->Update();
+        const Picture truth = FromImage(reference->GetOutput());
+        Compare(reference->GetOutput(), filter);
+        const Picture shadowed = FromImage(filter->GetOutput());
+        // The same ends of rays, and nothing that casts a shadow.
+        auto open = MakeImage(MakePicture(240, 135, [](int, int) { return sky; }));
+        open->GetPointData()->AddArray(reference->GetOutput()->GetPointData()->GetArray("End"));
+        filter->SetInputData(open);
+        filter->SetInputArrayToProcess(
+          0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "ImageScalars");
+        filter->Update();
+        const Picture unshadowed = FromImage(filter->GetOutput());
+        // Next to the light one pixel is as bright as all others: each by its own unshadowed light.
+        double squares = 0.0;
+        double without = 0.0;
+        for (std::size_t i = 0; i < shadowed.Values.size(); ++i)
+        {
+          const double all = unshadowed.Values[i];
+          const double expected = std::min(truth.Values[3 * i], all);
+          squares += std::pow((shadowed.Values[i] - expected) / all, 2);
+          without += std::pow((all - expected) / all, 2);
+        }
+        const double rms = std::sqrt(squares / shadowed.Values.size());
+        const double wrong = std::sqrt(without / shadowed.Values.size());
+        std::cout << scene.Name << " " << light[0] << " " << light[1] << " " << light[2]
+                  << (parallel ? " parallel" : "") << ": rms " << rms << ", without shadows "
+                  << wrong << "\n";
+        // Slats are a few pixels wide, and known to half a pixel.
+        EXPECT_LE(rms, scene.Name == "slats" ? 0.04 : 0.025);
+        EXPECT_GT(wrong, 3.0 * rms);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Air and dust, each of its own scale height and colour, over a scene: the ground truth.
+TEST(CoverageMedia, LayersAreShadowed)
+{
+  const auto scenes = MakeScenes(10);
+  for (const int index : { 0, 2, 4 })
+  {
+    const NamedLight& light = Lights[index];
+    for (const bool parallel : { false, true })
+    {
+      vtkNew<Reference> reference;
+      vtkNew<Filter> filter;
+      for (vtkGodRaysMediumFilter* either : { static_cast<vtkGodRaysMediumFilter*>(reference),
+             static_cast<vtkGodRaysMediumFilter*>(filter) })
+      {
+        Prepare(either, light, 0.1);
+        either->SetParallelProjection(parallel);
+        either->SetParallelScale(3.5);
+        either->SetScaleHeight(1.2);
+        either->SetGroundLevel(-1.5);
+        either->SetSecondWeight(0.2);
+        either->SetGasScatteringCoefficient(0.01, 0.02, 0.05);
+        either->SetGasScaleHeight(8.0);
+      }
+      reference->SetInputData(scenes[0].Occluders);
+      reference->SetSize(112, 63);
+      reference->SetTolerance(1e-4);
+      reference->SetNumberOfLayers(1);
+      reference->Update();
+      const Picture truth = FromImage(reference->GetOutput());
+      const double red = Compare(reference->GetOutput(), filter).Rms;
+      const Picture actual = FromImage(filter->GetOutput());
+      ASSERT_EQ(actual.Components, 3);
+      double squares = 0.0;
+      for (std::size_t i = 0; i < truth.Values.size(); ++i)
+      {
+        squares += std::pow(actual.Values[i] - truth.Values[i], 2);
+      }
+      const double rms = std::sqrt(squares / truth.Values.size()) / truth.GetMaximum();
+      std::cout << light.Name << (parallel ? " parallel" : "") << ": rms " << rms << ", red " << red
+                << "\n";
+      // Half a pixel of an edge is more of so small a picture than of others.
+      EXPECT_LE(rms, 0.02);
+      EXPECT_LE(red, 0.02);
+    }
+  }
+}
