@@ -612,10 +612,10 @@ bool vtkGodRaysPass::RenderRays(
     {
       return false;
     }
-    if (this->Output != OCCLUSION && isRoot)
+    if (this->Output != OCCLUSION)
     {
       self.Timers.Start(vtkGodRaysTimers::SCATTERING);
-      if (!this->Scatter(view, source))
+      if (!this->Scatter(s->GetRenderer(), view, source))
       {
         return false;
       }
@@ -739,7 +739,8 @@ bool vtkGodRaysPass::ComposeLayer(const vtkGodRaysSource& source,
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysPass::Scatter(const vtkGodRaysView& view, const vtkGodRaysSource& source)
+bool vtkGodRaysPass::Scatter(
+  vtkRenderer* renderer, const vtkGodRaysView& view, const vtkGodRaysSource& source)
 {
   Internals& self = *this->Internal;
   vtkGodRaysIntegrator::Request request;
@@ -751,6 +752,9 @@ bool vtkGodRaysPass::Scatter(const vtkGodRaysView& view, const vtkGodRaysSource&
     request.View = &view;
     request.Source = &source;
     request.Depths = &self.Depths;
+    request.Renderer = renderer;
+    request.Blocking = &self.Occlusion->GetBlocking();
+    request.Compositor = self.Compositor;
   }
   else
   {
@@ -766,6 +770,11 @@ bool vtkGodRaysPass::Scatter(const vtkGodRaysView& view, const vtkGodRaysSource&
   request.ErrorTolerance = interactive
     ? std::max(this->ErrorTolerance, this->InteractiveErrorTolerance)
     : this->ErrorTolerance;
+  if (self.Compositor && !self.Compositor->IsRoot())
+  {
+    request.Depths = nullptr;
+    return self.Integrator->Contribute(request);
+  }
   request.Result = &self.Scattering;
   return self.Integrator->Integrate(request);
 }

@@ -371,7 +371,7 @@ private:
     const vtkGodRaysFramebuffer& bound, const int viewport[4], unsigned int precision);
   bool ComposeLayer(const vtkGodRaysSource& source, const std::vector<vtkGodRaysSource>& sources,
     unsigned int precision);
-  bool Scatter(const vtkGodRaysView& view, const vtkGodRaysSource& source);
+  bool Scatter(vtkRenderer* renderer, const vtkGodRaysView& view, const vtkGodRaysSource& source);
   bool DimsScene() const;
   bool DrawOutput(const int viewport[4], const vtkGodRaysView& view);
   void ShowNoLight(const vtkRenderState* s, vtkOpenGLState* state);

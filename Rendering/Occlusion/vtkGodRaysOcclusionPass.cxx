@@ -7,10 +7,10 @@
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysOcclusionFS.h"
 #include "vtkGodRaysPass.h"
+#include "vtkGodRaysProjection.h"
 #include "vtkGodRaysQuad.h"
 #include "vtkGodRaysSource.h"
 #include "vtkGodRaysTarget.h"
-#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -81,43 +81,14 @@ Sorted Sort(const vtkGodRaysOcclusionPass::Request& request)
   return sorted;
 }
 
-/// While it lives, the renderer looks through a camera whose picture includes the margin.
-class MarginCamera
+/// While it lives, the renderer looks through a camera whose picture includes the margin, if any.
+std::unique_ptr<vtkGodRaysProjection> IncludeMargin(
+  vtkRenderer* renderer, const vtkGodRaysView& view, vtkSmartPointer<vtkCamera>& wide)
 {
-public:
-  MarginCamera(vtkRenderer* renderer, const vtkGodRaysView& view, vtkSmartPointer<vtkCamera>& wide)
-    : Renderer(view.ViewScale < 1.0 ? renderer : nullptr)
-  {
-    if (this->Renderer)
-    {
-      if (!wide)
-      {
-        wide = vtkSmartPointer<vtkCamera>::New();
-      }
-      this->Camera = renderer->GetActiveCamera();
-      vtkNew<vtkMatrix4x4> projection;
-      projection->DeepCopy(view.ViewToClip);
-      wide->DeepCopy(this->Camera);
-      wide->SetUserTransform(nullptr); // ViewToClip has it
-      wide->SetExplicitProjectionTransformMatrix(projection);
-      wide->UseExplicitProjectionTransformMatrixOn();
-      renderer->SetActiveCamera(wide);
-    }
-  }
-  ~MarginCamera()
-  {
-    if (this->Renderer)
-    {
-      this->Renderer->SetActiveCamera(this->Camera);
-    }
-  }
-  MarginCamera(const MarginCamera&) = delete;
-  void operator=(const MarginCamera&) = delete;
-
-private:
-  vtkRenderer* Renderer;
-  vtkSmartPointer<vtkCamera> Camera;
-};
+  return view.ViewScale < 1.0
+    ? std::make_unique<vtkGodRaysProjection>(renderer, view.ViewToClip, wide)
+    : nullptr;
+}
 
 /// Join translucent parts of all processes: what they let through, in alpha, is multiplied, and
 /// their colours are added.
@@ -164,6 +135,7 @@ struct vtkGodRaysOcclusionPass::Internals
   vtkGodRaysTarget* Composed = nullptr;
   vtkSmartPointer<vtkCamera> WideCamera;
   Request Frame;
+  std::vector<vtkProp*> Blocking;
   vtkTextureObject* Depth = nullptr; // of what blocks
   bool Dimmed = false;
   int Width = 0; // of the layer [pixels]
@@ -202,6 +174,7 @@ bool vtkGodRaysOcclusionPass::Begin(const Request& request)
   Internals& self = *this->Internal;
   self.Frame = request;
   const Sorted sorted = Sort(request);
+  self.Blocking = sorted.Blocking;
   const auto enlarged = [&request](unsigned int size)
   { return static_cast<int>(std::lround(size * (1.0 + 2.0 * request.Margin))); };
   const int width = self.Width = enlarged(request.SceneDepth->GetWidth());
@@ -215,7 +188,7 @@ bool vtkGodRaysOcclusionPass::Begin(const Request& request)
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(
     GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  MarginCamera camera(request.Renderer, *request.View, self.WideCamera);
+  const auto camera = IncludeMargin(request.Renderer, *request.View, self.WideCamera);
 
   vtkGodRaysCompositor* compositor = request.Compositor;
   self.Distributed = compositor && compositor->IsDistributed();
@@ -320,7 +293,7 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysSource& source)
     state->vtkglEnable(GL_BLEND);
     state->vtkglBlendFuncSeparate(
       GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    MarginCamera camera(frame.Renderer, *frame.View, self.WideCamera);
+    const auto camera = IncludeMargin(frame.Renderer, *frame.View, self.WideCamera);
     source.Prop->RenderOpaqueGeometry(frame.Renderer);
     if (self.Distributed)
     {
@@ -465,6 +438,12 @@ vtkGodRaysTarget* vtkGodRaysOcclusionPass::GetLayer()
 vtkTextureObject* vtkGodRaysOcclusionPass::GetDepth()
 {
   return this->Internal->Depth;
+}
+
+//------------------------------------------------------------------------------
+const std::vector<vtkProp*>& vtkGodRaysOcclusionPass::GetBlocking() const
+{
+  return this->Internal->Blocking;
 }
 
 //------------------------------------------------------------------------------

@@ -93,6 +93,11 @@ public:
   VTK_WRAPEXCLUDE vtkTextureObject* GetDepth();
 
   /**
+   * The props whose opaque parts block light in this frame, in or out of the picture.
+   */
+  VTK_WRAPEXCLUDE const std::vector<vtkProp*>& GetBlocking() const;
+
+  /**
    * Whether Begin() rendered the props that block light a second time.
    */
   bool GetRenderedOccluders() const { return this->RenderedOccluders; }

@@ -14,3 +14,9 @@ unsigned int vtkGodRaysIntegrator::GetOneColorFormat(
 {
   return 0;
 }
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysIntegrator::Contribute(const Request&)
+{
+  return true;
+}

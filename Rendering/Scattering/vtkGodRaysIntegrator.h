@@ -17,12 +17,16 @@
 #include "vtkObject.h"
 
 #include <string> // For std::string
+#include <vector> // For std::vector
 
+class vtkGodRaysCompositor;
 class vtkGodRaysModel;
 class vtkGodRaysSum;
 class vtkGodRaysTarget;
 class vtkGodRaysViewDepths;
 class vtkOpenGLRenderWindow;
+class vtkProp;
+class vtkRenderer;
 class vtkWindow;
 struct vtkGodRaysMedium;
 struct vtkGodRaysSource;
@@ -56,6 +60,9 @@ public:
     const vtkGodRaysView* View = nullptr;
     const vtkGodRaysSource* Source = nullptr;
     vtkGodRaysViewDepths* Depths = nullptr;
+    vtkRenderer* Renderer = nullptr;
+    const std::vector<vtkProp*>* Blocking = nullptr; ///< their opaque parts block light
+    vtkGodRaysCompositor* Compositor = nullptr;      ///< of a scene on several processes
     ///@}
   };
 
@@ -76,6 +83,13 @@ public:
    * Add the light of one layer to the result. Returns false, after an error, if that failed.
    */
   VTK_WRAPEXCLUDE virtual bool Integrate(const Request& request) = 0;
+
+  /**
+   * Take part in Integrate() on a process that has no picture: the calls of a compositor that it
+   * makes. Depths and Result are null. Unless overridden, nothing. Returns false, after an error, if
+   * that failed.
+   */
+  VTK_WRAPEXCLUDE virtual bool Contribute(const Request& request);
 
   /**
    * What this integrator does for a model, in one line, for vtkGodRaysPass::GetPlan().

@@ -7,7 +7,9 @@
 #include "GodRaysTesting.h"
 
 #include "vtkGodRaysEpipolarIntegrator.h"
+#include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysRadialModel.h"
+#include "vtkGodRaysShadowMapIntegrator.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProperty.h"
@@ -413,6 +415,27 @@ TEST(GodRaysResources, AreNotMadeForAFrameWithoutRays)
   }
   EXPECT_EQ(counts[0].GetMade(), counts[1].GetMade()) << counts[0] << "\n" << counts[1];
   EXPECT_TRUE(counts[0].AliveAs(counts[1])) << counts[0] << "\n" << counts[1];
+}
+
+// A sun and a lamp amid the pillars: seven maps, rendered through projections of their own.
+TEST(GodRaysResources, AreNotMadeForShadowMaps)
+{
+  Messages messages;
+  Stage scene(64, 48);
+  scene.AddPillarsAndSun();
+  scene.Rays->AddLight(MakeLamplight({ 0.6, 0.5, 0.0 }));
+  vtkNew<vtkGodRaysHomogeneousModel> model;
+  scene.Rays->SetModel(model);
+  vtkNew<vtkGodRaysShadowMapIntegrator> integrator;
+  scene.Rays->SetIntegrator(integrator);
+  Count(scene.Window);
+  EXPECT_GT(Draw(scene).GetMade(), 10);
+  EXPECT_TRUE(Says(scene.Rays->GetPlan(), "shadow map: 6 of")) << scene.Rays->GetPlan();
+  for (int frame = 2; frame < 5; ++frame)
+  {
+    const Counts steady = Draw(scene);
+    EXPECT_EQ(steady.GetMade(), 0) << "frame " << frame << ": " << steady;
+  }
 }
 
 TEST(GodRaysResources, AreAsBeforeAfterFiftyToggles)

@@ -1,0 +1,347 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysShadowMap.h"
+
+#include "vtkCamera.h"
+#include "vtkGodRaysCompositor.h"
+#include "vtkGodRaysMedium.h"
+#include "vtkGodRaysProjection.h"
+#include "vtkGodRaysSource.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkProp.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtk_glew.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+/// The bounds of what blocks, on all processes.
+bool GetBounds(const vtkGodRaysIntegrator::Request& request, double bounds[6])
+{
+  vtkMath::UninitializeBounds(bounds);
+  for (vtkProp* prop : *request.Blocking)
+  {
+    const double* own = prop->GetBounds();
+    if (own && vtkMath::AreBoundsInitialized(own))
+    {
+      for (int i = 0; i < 6; i += 2)
+      {
+        const bool first = bounds[i] > bounds[i + 1];
+        bounds[i] = first ? own[i] : std::min(bounds[i], own[i]);
+        bounds[i + 1] = first ? own[i + 1] : std::max(bounds[i + 1], own[i + 1]);
+      }
+    }
+  }
+  vtkGodRaysCompositor::JoinBounds(request.Compositor, bounds);
+  return vtkMath::AreBoundsInitialized(bounds);
+}
+
+/// Right-handed: right, up, and backwards from what is looked at.
+void SetAxes(const double backwards[3], double axes[3][3])
+{
+  std::copy_n(backwards, 3, axes[2]);
+  double unused[3];
+  vtkMath::Perpendiculars(axes[2], axes[0], unused, 0.0);
+  vtkMath::Cross(axes[2], axes[0], axes[1]);
+}
+
+/// Where the layer's point (x, y) is at a view depth.
+void GetPlace(const vtkGodRaysView& view, double x, double y, double depth, double place[3])
+{
+  double origin[3];
+  double right[3];
+  double up[3];
+  view.GetPicture(view.Parallel, origin, right, up);
+  for (int i = 0; i < 3; ++i)
+  {
+    place[i] = origin[i] + x * right[i] + y * up[i];
+  }
+  const double scale = view.Parallel ? 1.0 : -depth / place[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    place[i] = view.Eye[i] + scale * place[i];
+  }
+  place[2] = view.Eye[2] - depth;
+}
+
+/// How far a place is along axes from an origin.
+void GetAlong(
+  const double axes[3][3], const double origin[3], const double place[3], double along[3])
+{
+  double from[3];
+  vtkMath::Subtract(place, origin, from);
+  for (int i = 0; i < 3; ++i)
+  {
+    along[i] = vtkMath::Dot(axes[i], from);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysShadowMap::vtkGodRaysShadowMap() = default;
+vtkGodRaysShadowMap::~vtkGodRaysShadowMap() = default;
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysShadowMap::Draw(const vtkGodRaysIntegrator::Request& request, int size)
+{
+  this->Fit(request);
+  if (this->NumberOfFaces == 0)
+  {
+    return true;
+  }
+  const int columns = this->NumberOfFaces == 1 ? 1 : 3;
+  const int rows = this->NumberOfFaces == 1 ? 1 : 2;
+  this->Size = std::min(size, vtkTextureObject::GetMaximumTextureSize(request.Window) / columns);
+  this->Texel /= this->Size;
+  vtkGodRaysTarget& map = this->Maps[this->NumberOfFaces / 6];
+  map.Prepare(
+    request.Window, columns * this->Size, rows * this->Size, { 0, GL_DEPTH_COMPONENT32F });
+  if (!map.Bind())
+  {
+    return false;
+  }
+  vtkOpenGLState* state = request.Window->GetState();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglClearDepth(1.0);
+  state->vtkglClear(GL_DEPTH_BUFFER_BIT);
+  for (int face = 0; face < this->NumberOfFaces; ++face)
+  {
+    const int corner[2] = { face % 3 * this->Size, face / 3 * this->Size };
+    state->vtkglViewport(corner[0], corner[1], this->Size, this->Size);
+    state->vtkglScissor(corner[0], corner[1], this->Size, this->Size);
+    const vtkGodRaysProjection projection(request.Renderer, this->ViewToMap[face], this->Camera);
+    for (vtkProp* prop : *request.Blocking)
+    {
+      prop->RenderOpaqueGeometry(request.Renderer);
+    }
+  }
+  if (request.Compositor && request.Compositor->IsDistributed())
+  {
+    std::vector<float> depth = map.ReadDepth();
+    request.Compositor->Reduce(depth.data(), depth.size(), vtkGodRaysCompositor::LEAST);
+    map.WriteDepth(depth);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysShadowMap::Fit(const vtkGodRaysIntegrator::Request& request)
+{
+  this->NumberOfFaces = 0;
+  double bounds[6];
+  if (!GetBounds(request, bounds))
+  {
+    return;
+  }
+  std::copy_n(request.View->Eye, 3, this->Eye);
+  double corners[8][3]; // in view coordinates
+  for (int i = 0; i < 8; ++i)
+  {
+    const double world[4] = { bounds[i & 1], bounds[2 + (i >> 1 & 1)], bounds[4 + (i >> 2)], 1.0 };
+    double view[4];
+    vtkMatrix4x4::MultiplyPoint(request.View->WorldToView, world, view);
+    std::copy_n(view, 3, corners[i]);
+  }
+  this->Perspective = !request.Source->Infinite;
+  if (this->Perspective)
+  {
+    this->FitPoint(request, corners);
+  }
+  else
+  {
+    this->FitDirectional(request, corners);
+  }
+}
+
+//------------------------------------------------------------------------------
+// What of the blocking props' shadow may be seen: the part of both, across the light.
+void vtkGodRaysShadowMap::FitDirectional(
+  const vtkGodRaysIntegrator::Request& request, const double corners[8][3])
+{
+  double axes[3][3];
+  SetAxes(request.Source->Direction, axes);
+  double low[3] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
+  double high[3] = { -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+  for (int i = 0; i < 8; ++i)
+  {
+    double along[3];
+    GetAlong(axes, this->Eye, corners[i], along);
+    for (int k = 0; k < 3; ++k)
+    {
+      low[k] = std::min(low[k], along[k]);
+      high[k] = std::max(high[k], along[k]);
+    }
+  }
+  double farthest = request.Medium->FarLimit;
+  if (request.Compositor)
+  {
+    request.Compositor->Reduce(&farthest, 1, vtkGodRaysCompositor::GREATEST);
+  }
+  double seenLow[2] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
+  double seenHigh[2] = { -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+  const auto see = [&](double x, double y, double depth)
+  {
+    double place[3];
+    GetPlace(*request.View, x, y, depth, place);
+    double along[3];
+    GetAlong(axes, this->Eye, place, along);
+    for (int k = 0; k < 2; ++k)
+    {
+      seenLow[k] = std::min(seenLow[k], along[k]);
+      seenHigh[k] = std::max(seenHigh[k], along[k]);
+    }
+  };
+  for (int i = 0; i < 4; ++i)
+  {
+    see(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, 0.0);
+    see(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, farthest);
+  }
+  const double around = 1e-3 * (high[2] - low[2] + high[1] - low[1] + high[0] - low[0]) + 1e-30;
+  for (int k = 0; k < 2; ++k)
+  {
+    low[k] = std::max(low[k], seenLow[k]) - around;
+    high[k] = std::min(high[k], seenHigh[k]) + around;
+    if (!(low[k] < high[k]))
+    {
+      return; // no shadow is seen
+    }
+  }
+  this->NumberOfFaces = 1;
+  this->Range[0] = -high[2] - around;
+  this->Range[1] = -low[2] + around;
+  this->Texel = std::max(high[0] - low[0], high[1] - low[1]);
+  this->SetFace(0, axes, this->Eye, low, high);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysShadowMap::FitPoint(
+  const vtkGodRaysIntegrator::Request& request, const double corners[8][3])
+{
+  const double* light = request.Source->Position;
+  double center[3] = { 0.0, 0.0, 0.0 };
+  double farthest = 0.0;
+  for (int i = 0; i < 8; ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      center[k] += 0.125 * corners[i][k];
+    }
+    farthest = std::max(farthest, std::sqrt(vtkMath::Distance2BetweenPoints(light, corners[i])));
+  }
+  double axes[3][3];
+  double backwards[3];
+  vtkMath::Subtract(light, center, backwards);
+  if (!(vtkMath::Normalize(backwards) > 0.0))
+  {
+    backwards[2] = 1.0;
+  }
+  SetAxes(backwards, axes);
+  double tangents[2] = { 0.0, 0.0 };
+  double nearest = farthest;
+  for (int i = 0; i < 8; ++i)
+  {
+    double along[3];
+    GetAlong(axes, light, corners[i], along);
+    nearest = std::min(nearest, -along[2]);
+    for (int k = 0; k < 2; ++k)
+    {
+      tangents[k] = std::max(tangents[k], std::abs(along[k]) / std::max(-along[2], 1e-30));
+    }
+  }
+  const double widest = std::sqrt(3.0); // the tangent of 60 degrees
+  this->Range[1] = 1.001 * farthest;
+  if (nearest > 0.0 && std::max(tangents[0], tangents[1]) < widest)
+  {
+    this->NumberOfFaces = 1;
+    this->Range[0] = 0.999 * nearest;
+    const double high[2] = { 1.001 * tangents[0] + 1e-6, 1.001 * tangents[1] + 1e-6 };
+    const double low[2] = { -high[0], -high[1] };
+    this->Texel = 2.0 * std::max(high[0], high[1]);
+    this->SetFace(0, axes, light, low, high);
+    return;
+  }
+  this->NumberOfFaces = 6;
+  this->Range[0] = 1e-4 * farthest;
+  this->Texel = 2.0;
+  for (int face = 0; face < 6; ++face)
+  {
+    double direction[3] = { 0.0, 0.0, 0.0 };
+    direction[face / 2] = face % 2 == 0 ? -1.0 : 1.0; // backwards
+    SetAxes(direction, axes);
+    const double low[2] = { -1.0, -1.0 };
+    const double high[2] = { 1.0, 1.0 };
+    this->SetFace(face, axes, light, low, high);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Between low and high across the light, or, for a point light, across it at distance 1.
+void vtkGodRaysShadowMap::SetFace(int face, const double axes[3][3], const double origin[3],
+  const double low[2], const double high[2])
+{
+  double* m = this->ViewToMap[face];
+  double shift[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    shift[k] = -vtkMath::Dot(axes[k], origin);
+  }
+  const double nearest = this->Range[0];
+  const double farthest = this->Range[1];
+  const double depth = farthest - nearest;
+  for (int column = 0; column < 4; ++column)
+  {
+    const auto along = [&](int k) { return column < 3 ? axes[k][column] : shift[k]; };
+    const double one = column == 3 ? 1.0 : 0.0;
+    const double w = this->Perspective ? -along(2) : one;
+    for (int k = 0; k < 2; ++k)
+    {
+      m[4 * k + column] = (2.0 * along(k) - (low[k] + high[k]) * w) / (high[k] - low[k]);
+    }
+    m[8 + column] = this->Perspective
+      ? ((farthest + nearest) * -along(2) - 2.0 * farthest * nearest * one) / depth
+      : (-2.0 * along(2) - (farthest + nearest) * one) / depth;
+    m[12 + column] = w;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysShadowMap::Set(vtkShaderProgram* program) const
+{
+  program->SetUniformi("numberOfFaces", this->NumberOfFaces);
+  program->SetUniformi("mapSize", this->Size);
+  const float range[2] = { static_cast<float>(this->Range[0]), static_cast<float>(this->Range[1]) };
+  program->SetUniform2f("mapRange", range);
+  program->SetUniformf("texel", static_cast<float>(this->Texel));
+  // As shaders of integrators have them: from the eye, z forwards; columns first.
+  float matrices[6 * 16];
+  for (int face = 0; face < this->NumberOfFaces; ++face)
+  {
+    const double* m = this->ViewToMap[face];
+    for (int row = 0; row < 4; ++row)
+    {
+      const double columns[4] = { m[4 * row], m[4 * row + 1], -m[4 * row + 2],
+        m[4 * row + 3] + vtkMath::Dot(m + 4 * row, this->Eye) };
+      for (int column = 0; column < 4; ++column)
+      {
+        matrices[16 * face + 4 * column + row] = static_cast<float>(columns[column]);
+      }
+    }
+  }
+  program->SetUniformMatrix4x4v("toMap", this->NumberOfFaces, matrices);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysShadowMap::Release(vtkWindow* window)
+{
+  this->Maps[0].Release(window);
+  this->Maps[1].Release(window);
+}

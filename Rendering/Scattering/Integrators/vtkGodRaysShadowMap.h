@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysShadowMap
+ * @brief   depths of what blocks light, as a light sees them; private to this module
+ *
+ * One face, fitted to what blocks, for a light that is infinitely far or sees all of it within 60
+ * degrees of one direction; else the six faces of a cube about the light, side by side in one texture.
+ * It is drawn anew for every light of every frame, as VTK does not tell when a prop's vertices changed.
+ */
+
+#ifndef vtkGodRaysShadowMap_h
+#define vtkGodRaysShadowMap_h
+
+#include "vtkGodRaysIntegrator.h" // For Request
+#include "vtkGodRaysTarget.h"
+
+class vtkCamera;
+class vtkShaderProgram;
+
+class vtkGodRaysShadowMap
+{
+public:
+  vtkGodRaysShadowMap();
+  ~vtkGodRaysShadowMap();
+
+  /**
+   * Render the props that block into faces of so many pixels on each side, or as many as the driver
+   * takes. All processes of a compositor call it. Returns false when the driver refuses.
+   */
+  bool Draw(const vtkGodRaysIntegrator::Request& request, int size);
+
+  /**
+   * How many faces there are; 0 if nothing blocks.
+   */
+  int GetNumberOfFaces() const { return this->NumberOfFaces; }
+  int GetSize() const { return this->Size; }
+
+  vtkTextureObject* GetDepth() const { return this->Maps[this->NumberOfFaces / 6].GetDepth(); }
+
+  /**
+   * Give a shader its numbers.
+   */
+  void Set(vtkShaderProgram* program) const;
+
+  void Release(vtkWindow* window);
+
+private:
+  void Fit(const vtkGodRaysIntegrator::Request& request);
+  void FitDirectional(const vtkGodRaysIntegrator::Request& request, const double corners[8][3]);
+  void FitPoint(const vtkGodRaysIntegrator::Request& request, const double corners[8][3]);
+  void SetFace(int face, const double axes[3][3], const double origin[3], const double low[2],
+    const double high[2]);
+
+  vtkGodRaysTarget Maps[2]; // of one face, and of six
+  vtkSmartPointer<vtkCamera> Camera;
+  int Size = 0; // of a face [pixels]
+  int NumberOfFaces = 0;
+  double ViewToMap[6][16];        // view coordinates to clip coordinates of a face
+  double Range[2] = { 0.0, 1.0 }; // distances of window depths 0 and 1
+  double Texel = 0.0; // width of a pixel, at distance 1 from a point light [scene units]
+  bool Perspective = false;
+  double Eye[3] = { 0.0, 0.0, 0.0 };
+};
+
+#endif

@@ -1,0 +1,53 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+
+// The airlight of a view ray times the part of it that is lit: the mean of 5 x 5 pixels that end at
+// about the same depth.
+
+in vec2 texCoord; // of the picture, as well as it is interpolated
+
+//VTK::GodRays::Types
+//VTK::GodRays::Functions
+
+//VTK::GodRays::Terms
+// parallel: whether view rays are
+// infinite: whether the light is infinitely far
+// uniformly: whether it is and the medium is homogeneous
+// grey: whether the medium has one colour
+
+//VTK::GodRays::MediumRays
+
+uniform sampler2D ends; // view depths of where view rays end
+uniform sampler2D lit;  // part of the airlight, of the picture's size
+
+// Pixels whose depths differ by more do not count.
+const float reach = 0.1; // [fraction of the pixel's depth]
+
+void main()
+{
+  vec2 place = GetPlace();
+  ivec2 pixel = ivec2(texCoord * pictureSize);
+  ivec2 last = ivec2(pictureSize) - 1;
+  float depth = min(texelFetch(ends, ivec2(place), 0).r, farLimit);
+  vec3 sum = vec3(0.0);
+  float weights = 0.0;
+  for (int i = 0; i < 25; ++i)
+  {
+    ivec2 offset = ivec2(i % 5, i / 5) - 2;
+    ivec2 other = clamp(pixel + offset, ivec2(0), last);
+    vec2 otherPlace = place + vec2(other - pixel);
+    float otherDepth = min(texelFetch(ends, ivec2(otherPlace), 0).r, farLimit);
+    float weight = max(0.0, 1.0 - abs(otherDepth - depth) / (reach * depth));
+    sum += weight * texelFetch(lit, other, 0).rgb;
+    weights += weight;
+  }
+  LitRay ray = GetLitRay(place);
+  vec3 strength = uniformly ? GetStrength(ray) : vec3(0.0);
+  vec3 airlight = vec3(0.0);
+  for (int c = 0; c < channels; ++c)
+  {
+    airlight[c] = sum[c] / weights *
+      GetTotalAirlight(c, ray, strength[c], GetLengthPerDepth(place) * depth);
+  }
+  gl_FragData[0] = GetRadiance(airlight);
+}

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysShadowMapIntegrator
+ * @brief   single scattering with the shadows of all props, also of those outside the picture
+ *
+ * For models of a medium. The props that block light are rendered once more, as the light sees them,
+ * into a depth map: in their ordinary way and with the scene's own shaders, only through another
+ * projection. NumberOfSteps places of each view ray, from between which equal light comes, are looked
+ * up in it; an interleaved noise moves them from pixel to pixel, and what part of a ray's airlight is
+ * lit is the mean of 5 x 5 pixels that end at about the same depth. The airlight itself is that of
+ * vtkGodRaysDepthWeightedTapsIntegrator: without anything that blocks, the number of steps does not
+ * matter.
+ *
+ * What the depth of the picture lacks, things outside it or behind others, casts its shadow; each prop
+ * is rendered up to seven times a frame. A map is fitted to what blocks, and to what is seen of it for
+ * a directional light; a point light amid what blocks, or within 60 degrees of it, takes a cube of six
+ * maps, whose nearest things are 1e-4 of the farthest away. A shadow starts 1.5 of the map's pixels
+ * behind what casts it, and its edge is no finer than they are. In a scene on several processes the
+ * maps are joined.
+ *
+ * @sa vtkGodRaysMediumModel vtkGodRaysEpipolarCoverageIntegrator
+ */
+
+#ifndef vtkGodRaysShadowMapIntegrator_h
+#define vtkGodRaysShadowMapIntegrator_h
+
+#include "vtkGodRaysIntegrator.h"
+#include "vtkGodRaysRenderingModule.h" // For export macro
+
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+
+class VTKGODRAYSRENDERING_EXPORT vtkGodRaysShadowMapIntegrator : public vtkGodRaysIntegrator
+{
+public:
+  static vtkGodRaysShadowMapIntegrator* New();
+  vtkTypeMacro(vtkGodRaysShadowMapIntegrator, vtkGodRaysIntegrator);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get how wide and high a map is [pixels]; the driver may allow fewer. Valid range: [64, 8192].
+   * Default is 1024.
+   */
+  vtkSetClampMacro(MapSize, int, 64, 8192);
+  vtkGetMacro(MapSize, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how many places of a view ray are looked up [no unit]. Valid range: [1, 1024]. Default
+   * is 16.
+   */
+  vtkSetClampMacro(NumberOfSteps, int, 1, 1024);
+  vtkGetMacro(NumberOfSteps, int);
+  ///@}
+
+  bool Supports(vtkGodRaysModel* model) override;
+  VTK_WRAPEXCLUDE bool Integrate(const Request& request) override;
+  VTK_WRAPEXCLUDE bool Contribute(const Request& request) override;
+  std::string Describe(vtkGodRaysModel* model, double resolutionScale) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkGodRaysShadowMapIntegrator();
+  ~vtkGodRaysShadowMapIntegrator() override;
+
+private:
+  vtkGodRaysShadowMapIntegrator(const vtkGodRaysShadowMapIntegrator&) = delete;
+  void operator=(const vtkGodRaysShadowMapIntegrator&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+
+  int MapSize = 1024;
+  int NumberOfSteps = 16;
+};
+
+#endif

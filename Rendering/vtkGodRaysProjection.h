@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysProjection
+ * @brief   while it lives, a renderer's camera projects in another way; private to this module
+ *
+ * Props are then rendered in their ordinary way, with the scene's own shaders, from wherever the
+ * matrix puts them. The renderer's camera, its clipping range and the lights stay as they are.
+ */
+
+#ifndef vtkGodRaysProjection_h
+#define vtkGodRaysProjection_h
+
+#include "vtkSmartPointer.h"
+
+class vtkCamera;
+class vtkRenderer;
+
+class vtkGodRaysProjection
+{
+public:
+  /**
+   * Project by a row-major matrix from view coordinates, those of vtkGodRaysView, to clip
+   * coordinates. The camera that stands in is kept by the caller from frame to frame.
+   */
+  vtkGodRaysProjection(
+    vtkRenderer* renderer, const double viewToClip[16], vtkSmartPointer<vtkCamera>& standIn);
+  ~vtkGodRaysProjection();
+  vtkGodRaysProjection(const vtkGodRaysProjection&) = delete;
+  void operator=(const vtkGodRaysProjection&) = delete;
+
+private:
+  vtkRenderer* Renderer;
+  vtkSmartPointer<vtkCamera> Camera;
+};
+
+#endif

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Shadow maps: against closed forms and the ground truth, with things that the picture's depth does
+// not hold; and that the scene does not notice them.
+
+#include "GodRaysMediumTesting.h"
+
+#include "vtkGodRaysEpipolarCoverageIntegrator.h"
+#include "vtkGodRaysShadowMapIntegrator.h"
+
+#include "vtkCamera.h"
+
+#include <cmath>
+
+using namespace GodRaysTesting;
+
+namespace
+{
+class GodRaysShadowMap : public MediumTest
+{
+protected:
+  vtkNew<vtkGodRaysShadowMapIntegrator> Integrator;
+
+  GodRaysShadowMap() { this->Rays->SetIntegrator(this->Integrator); }
+};
+
+struct Case
+{
+  const char* Name;
+  std::array<double, 4> Light;
+  double Bound; // [root mean square over the peak]
+};
+}
+
+TEST_F(GodRaysShadowMap, IsTheClosedFormWithoutShadowsWhateverTheSteps)
+{
+  this->Integrator->SetNumberOfSteps(1);
+  for (const Case& each : {
+         Case{ "sun in front", { 0.3, 0.2, -1.0, 0.0 }, 1e-4 },
+         Case{ "sun beside", { 1.0, 0.5, 0.0, 0.0 }, 1e-4 },
+         Case{ "lamp in front", { 1.0, 0.5, -3.0, 1.0 }, 1e-4 },
+         Case{ "lamp behind", { 0.5, 0.5, 13.0, 1.0 }, 1e-4 },
+       })
+  {
+    EXPECT_LT(this->GetError(each.Light), each.Bound) << each.Name;
+  }
+  // a thing that casts no shadow into the picture
+  this->Renderer->AddActor(MakeBox({ 0.0, 0.0, -25.0 }, { 200.0, 200.0, 0.1 }));
+  EXPECT_LT(this->GetError({ 0.0, 0.2, 1.0, 0.0 }), 1e-4);
+}
+
+TEST_F(GodRaysShadowMap, IsTheGroundTruthWithOccluders)
+{
+  this->AddPillars();
+  for (const Case& each : {
+         Case{ "front", { 0.15, 0.1, -1.0, 0.0 }, 0.0067 },
+         Case{ "edge", { 0.5, 0.2, -1.0, 0.0 }, 0.0027 },
+         Case{ "beside", { 1.0, 0.3, -0.1, 0.0 }, 0.0009 },
+         Case{ "behind", { 0.3, 0.4, 1.0, 0.0 }, 0.0063 },
+         Case{ "lamp hidden in front", { 0.0, 0.5, -2.0, 1.0 }, 0.0023 },
+         Case{ "lamp beside", { 6.0, 1.0, 0.5, 1.0 }, 0.0002 },
+         Case{ "lamp between", { 0.6, 3.5, 2.0, 1.0 }, 0.00004 },
+         Case{ "lamp behind", { 0.5, 1.0, 12.0, 1.0 }, 0.001 },
+       })
+  {
+    const double error = this->GetError(each.Light);
+    std::cout << each.Name << ": " << error << "\n";
+    RecordProperty(each.Name, std::to_string(error));
+    EXPECT_LT(error, each.Bound) << each.Name;
+    // the light a little off its place would be seen
+    auto wrong = each.Light;
+    wrong[0] += 0.2;
+    wrong[2] += 0.2;
+    const double control =
+      GetErrorOfMedium(this->Renderer, this->Model, wrong, this->GetScattering());
+    EXPECT_GT(control, 2.0 * each.Bound) << each.Name;
+  }
+}
+
+TEST_F(GodRaysShadowMap, NeedsStepsAndPixels)
+{
+  this->AddPillars();
+  const std::array<double, 4> light{ 0.15, 0.1, -1.0, 0.0 };
+  this->Integrator->SetNumberOfSteps(4);
+  const double few = this->GetError(light);
+  this->Integrator->SetNumberOfSteps(256);
+  const double many = this->GetError(light);
+  this->Integrator->SetMapSize(64);
+  const double coarse = this->GetError(light);
+  std::cout << "4 steps: " << few << ", 256: " << many << ", in a map of 64 pixels: " << coarse
+            << "\n";
+  EXPECT_LT(many, 0.0064); // the 5 x 5 pixels of the mean are much in so small a picture
+  EXPECT_GT(few, 1.3 * many);
+  EXPECT_GT(coarse, 1.6 * many);
+}
+
+// What no method can know that has the depth of the picture alone.
+TEST_F(GodRaysShadowMap, SeesWhatThePictureDoesNot)
+{
+  vtkNew<vtkGodRaysEpipolarCoverageIntegrator> coverage;
+  const std::array<double, 4> light{ 1.0, 0.1, 0.0, 0.0 };
+  this->Renderer->AddActor(MakeBox({ 9.0, 0.5, 0.0 }, { 0.5, 2.0, 4.0 })); // outside
+  const double outside = this->GetError(light);
+  this->Rays->SetIntegrator(coverage);
+  const double outsideUnseen = this->GetError(light);
+  EXPECT_LT(outside, 0.01);
+  EXPECT_GT(outsideUnseen, 5.0 * outside);
+
+  this->Renderer->RemoveAllViewProps();
+  this->Renderer->AddActor(MakeBox({ -1.0, 0.0, 3.0 }, { 2.0, 2.0, 0.1 }));
+  this->Renderer->AddActor(MakeBox({ -1.5, 0.0, -1.0 }, { 2.0, 2.0, 1.0 })); // behind the first
+  const std::array<double, 4> slanted{ -0.6, 0.2, -1.0, 0.0 };
+  this->Rays->SetIntegrator(this->Integrator);
+  const double hidden = this->GetError(slanted);
+  this->Rays->SetIntegrator(coverage);
+  const double hiddenUnseen = this->GetError(slanted);
+  std::cout << "outside: " << outside << ", " << outsideUnseen << " unseen; hidden: " << hidden
+            << ", " << hiddenUnseen << " unseen\n";
+  EXPECT_LT(hidden, 0.01);
+  EXPECT_GT(hiddenUnseen, 1.5 * hidden);
+}
+
+TEST_F(GodRaysShadowMap, SurroundsALampWithMaps)
+{
+  this->AddPillars();
+  this->Renderer->AddActor(MakeBox({ 0.0, 0.0, -3.0 }, { 8.0, 6.0, 0.2 }));
+  this->Renderer->AddActor(MakeBox({ 0.6, 3.0, -1.5 }, { 0.3, 0.2, 3.0 }));
+  const double error = this->GetError({ 0.0, 0.5, -1.5, 1.0 }); // behind a pillar
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "6 of 1024")) << this->Rays->GetPlan();
+  std::cout << "error " << error << "\n";
+  EXPECT_LT(error, 0.01);
+}
+
+TEST_F(GodRaysShadowMap, IsTheSameInAParallelProjection)
+{
+  this->AddPillars();
+  this->Renderer->GetActiveCamera()->ParallelProjectionOn();
+  this->Renderer->GetActiveCamera()->SetParallelScale(3.0);
+  const double error = this->GetError({ 0.5, 0.3, -1.0, 0.0 });
+  std::cout << "error " << error << "\n";
+  EXPECT_LT(error, 0.01); // the sides that the view does not show cast shadows, too
+}
+
+TEST_F(GodRaysShadowMap, LeavesTheSceneAndRolesAlone)
+{
+  this->AddPillars();
+  auto wall = MakeBox({ 0.5, 0.5, 2.0 }, { 2.0, 2.0, 0.1 });
+  this->Renderer->AddActor(wall);
+  auto sun = this->AddSun({ 0.5, 0.3, -1.0 });
+  this->Renderer->AddLight(sun);
+  this->Model->SetScatteringCoefficient(0.0, 0.0, 0.0);
+  this->Model->SetAbsorptionCoefficient(0.0, 0.0, 0.0);
+  const auto before = GetPixels(this->Scene.Window); // scatters nothing: drawn straight through
+  this->Model->SetScatteringCoefficient(1e-12, 1e-12, 1e-12);
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  const double range[2] = { camera->GetClippingRange()[0], camera->GetClippingRange()[1] };
+  const auto times = camera->GetMTime() + sun->GetMTime();
+  EXPECT_EQ(before, GetPixels(this->Scene.Window));
+  EXPECT_EQ(before, GetPixels(this->Scene.Window));
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "shadow map: 1 of"));
+  EXPECT_EQ(camera, this->Renderer->GetActiveCamera());
+  EXPECT_EQ(range[0], camera->GetClippingRange()[0]);
+  EXPECT_EQ(range[1], camera->GetClippingRange()[1]);
+  EXPECT_EQ(times, camera->GetMTime() + sun->GetMTime());
+
+  this->Model->SetScatteringCoefficient(0.05, 0.05, 0.05);
+  auto blocking = this->GetScattering();
+  vtkGodRaysPass::SetRole(wall, vtkGodRaysPass::IGNORED);
+  auto ignored = this->GetScattering();
+  wall->VisibilityOff();
+  auto empty = this->GetScattering();
+  EXPECT_NEAR(GetValue(ignored, 80, 80), GetValue(empty, 80, 80), 1e-6);
+  EXPECT_LT(GetValue(blocking, 80, 80), 0.98 * GetValue(empty, 80, 80));
+}
