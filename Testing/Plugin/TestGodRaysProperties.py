@@ -194,6 +194,12 @@ class Properties(Case):
                     self.assertEqual(hints.GetAttribute("category"), "God Rays")
             self.assertEqual(offered, classes)
 
+    def test_sky_source(self):
+        proxy = simple.GodRaysSkySource()
+        self.check(proxy, proxy.GetClientSideObject())
+        hints = proxy.SMProxy.GetHints().FindNestedElementByName("ShowInMenu")
+        self.assertEqual(hints.GetAttribute("category"), "God Rays")
+
     def test_presets(self):
         view = make_view(WorldUnitInMeters=3.0)
         offered = ["custom"]

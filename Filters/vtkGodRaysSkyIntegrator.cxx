@@ -1,0 +1,365 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysSkyIntegrator.h"
+
+#include "vtkGodRaysAtmosphere.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace vtkGodRays;
+
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+
+// Kronrod's rule of 15 points, and Gauss's of 7 within it. [Piessens1983]
+constexpr double Places[8] = { 0.991455371120812639206854697526329,
+  0.949107912342758524526189684047851, 0.864864423359769072789712788640926,
+  0.741531185599394439863864773280788, 0.586087235467691130294144691693013,
+  0.405845151377397166906606412076961, 0.207784955007898467600689403773245, 0.0 };
+constexpr double Weights[8] = { 0.022935322010529224963732008058970,
+  0.063092092629978553290700663189204, 0.104790010322250183839876322541518,
+  0.140653259715525918745189590510238, 0.169004726639267902826583426598550,
+  0.190350578064785409913256402421014, 0.204432940075298892414161999234649,
+  0.209482141084727828012999174891714 };
+constexpr double GaussWeights[4] = { 0.129484966168869693270611432679082,
+  0.279705391489276667901467771423780, 0.381830050505118944950369775488975,
+  0.417959183673469387755102040816327 };
+
+// The table of multiple scattering: rows of heights, denser towards the ground, of slopes of the way to the
+// sun, denser about the horizon.
+constexpr int Slopes = 48;
+constexpr int Heights = 16;
+
+double MaxComponent(const Vec3& value)
+{
+  return std::max(value.x, std::max(value.y, value.z));
+}
+
+Vec3 ToVec3(const double values[3])
+{
+  return Vec3(values[0], values[1], values[2]);
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSkyIntegrator::SetAtmosphere(vtkGodRaysAtmosphere* from)
+{
+  this->Sky.GroundRadius = from->GetGroundRadius();
+  this->Sky.TopHeight = from->GetTopHeight();
+  this->Sky.Air = { from->GetRayleighProfile(), from->GetRayleighHeight(),
+    from->GetRayleighWidth() };
+  this->Sky.Aerosol = { from->GetMieProfile(), from->GetMieHeight(), from->GetMieWidth() };
+  this->Sky.Absorber = { from->GetOzoneProfile(), from->GetOzoneHeight(), from->GetOzoneWidth() };
+  this->Sky.AirScattering = ToVec3(from->GetRayleighScattering());
+  this->Sky.AerosolScattering = ToVec3(from->GetMieScattering());
+  this->Sky.AerosolExtinction = this->Sky.AerosolScattering + ToVec3(from->GetMieAbsorption());
+  this->Sky.Absorption = ToVec3(from->GetOzoneAbsorption());
+  this->Sky.AirPhase = { vtkGodRaysAtmosphere::RAYLEIGH, 0.0 };
+  this->Sky.AerosolPhase = { from->GetMiePhaseFunction(), from->GetMieAsymmetry() };
+  this->Irradiance = ToVec3(from->GetSunIrradiance());
+  this->Albedo = ToVec3(from->GetGroundAlbedo());
+  this->Multiple.clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSkyIntegrator::SetView(double height, const Vec3& sun, double tolerance)
+{
+  this->Height = height;
+  this->Sun = sun;
+  this->Tolerance = tolerance;
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysSkyIntegrator::Way vtkGodRaysSkyIntegrator::GetWay(const Vec3& direction) const
+{
+  return this->GetWay(this->Height, glm::clamp(direction.z, -1.0, 1.0),
+    glm::clamp(this->Sun.z, -1.0, 1.0), glm::clamp(dot(direction, this->Sun), -1.0, 1.0));
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysSkyIntegrator::Way vtkGodRaysSkyIntegrator::GetWay(
+  double height, double slope, double sunSlope, double cosAngle) const
+{
+  Way way = { height, slope, sunSlope, cosAngle, -1.0, false };
+  const Vec2 within = SkyBelow(this->Sky.GroundRadius, height, slope, this->Sky.TopHeight);
+  if (within.x > within.y)
+  {
+    return way;
+  }
+  if (within.x > 0.0)
+  {
+    const double radius = this->Sky.GroundRadius + height;
+    const double top = this->Sky.GroundRadius + this->Sky.TopHeight;
+    way.Height = this->Sky.TopHeight;
+    way.Slope = glm::clamp((radius * slope + within.x) / top, -1.0, 1.0);
+    way.SunSlope = glm::clamp((radius * sunSlope + within.x * cosAngle) / top, -1.0, 1.0);
+  }
+  const double ground = SkyGroundDistance(this->Sky.GroundRadius, way.Height, way.Slope);
+  way.MeetsGround = ground >= 0.0;
+  way.Length = way.MeetsGround ? ground : within.y - within.x;
+  return way;
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 2> vtkGodRaysSkyIntegrator::GetPoint(const Way& way, double distance) const
+{
+  const double radius = this->Sky.GroundRadius + way.Height;
+  const double rise = SkyRise(radius, way.Slope, distance);
+  return { std::max(way.Height + rise, 0.0),
+    glm::clamp((radius * way.SunSlope + distance * way.CosAngle) / (radius + rise), -1.0, 1.0) };
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSkyIntegrator::IsInShadow(double height, double sunSlope) const
+{
+  return SkyGroundDistance(this->Sky.GroundRadius, height, sunSlope) >= 0.0;
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetGround(double sunSlope) const
+{
+  if (sunSlope <= 0.0)
+  {
+    return Vec3(0.0);
+  }
+  return this->Albedo / Pi * sunSlope * SkySunTransmittance(this->Sky, 0.0, sunSlope);
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetInscatter(
+  const Way& way, double distance, bool lit, bool multiple) const
+{
+  Vec3 sum(0.0);
+  if (lit)
+  {
+    sum = SkyInscatter(this->Sky, way.Height, way.Slope, way.SunSlope, way.CosAngle, distance);
+  }
+  if (multiple)
+  {
+    const std::array<double, 2> point = this->GetPoint(way, distance);
+    const Vec3 scattering = this->Sky.AirScattering * SkyDensity(this->Sky.Air, point[0]) +
+      this->Sky.AerosolScattering * SkyDensity(this->Sky.Aerosol, point[0]);
+    sum += scattering * this->GetMultiple(point[0], point[1]) *
+      exp(-SkyDepth(this->Sky, way.Height, way.Slope, distance));
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysSkyIntegrator::Estimate vtkGodRaysSkyIntegrator::EstimatePart(
+  const Way& way, double begin, double end, bool lit, bool multiple) const
+{
+  const double middle = 0.5 * (begin + end);
+  const double reach = 0.5 * (end - begin);
+  Vec3 kronrod(0.0);
+  Vec3 gauss(0.0);
+  for (int i = 0; i < 8; ++i)
+  {
+    Vec3 value = this->GetInscatter(way, middle + Places[i] * reach, lit, multiple);
+    if (i < 7)
+    {
+      value += this->GetInscatter(way, middle - Places[i] * reach, lit, multiple);
+    }
+    kronrod += Weights[i] * value;
+    if (i % 2 == 1)
+    {
+      gauss += GaussWeights[i / 2] * value;
+    }
+  }
+  // The difference is the error of Gauss's rule; that of Kronrod's is about its power of 3/2.
+  const double scale = MaxComponent(kronrod);
+  const double difference = MaxComponent(abs(kronrod - gauss));
+  const double ratio = scale > 0.0 ? difference / scale : 0.0;
+  return { reach * kronrod, reach * scale * std::min(ratio, std::pow(50.0 * ratio, 1.5)) };
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::IntegratePart(const Way& way, double begin,
+  double end, bool lit, bool multiple, const Estimate& estimate, double accepted, int depth) const
+{
+  if (estimate.Error <= accepted || depth == 0)
+  {
+    return estimate.Value;
+  }
+  const double middle = 0.5 * (begin + end);
+  const Estimate near = this->EstimatePart(way, begin, middle, lit, multiple);
+  const Estimate far = this->EstimatePart(way, middle, end, lit, multiple);
+  return this->IntegratePart(way, begin, middle, lit, multiple, near, 0.5 * accepted, depth - 1) +
+    this->IntegratePart(way, middle, end, lit, multiple, far, 0.5 * accepted, depth - 1);
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetRadiance(
+  const Vec3& direction, bool multiple) const
+{
+  const Way way = this->GetWay(direction);
+  if (way.Length < 0.0)
+  {
+    return Vec3(0.0);
+  }
+  // Where the integrand is not smooth: the shadow's edges; and the lowest point, about which it peaks.
+  const Vec2 shadow =
+    SkyShadow(this->Sky.GroundRadius, way.Height, way.Slope, way.SunSlope, way.CosAngle);
+  const bool shaded = shadow.x < shadow.y;
+  const double lowest = -(this->Sky.GroundRadius + way.Height) * way.Slope;
+  std::array<double, 5> ends = { 0.0, shaded ? shadow.x : 0.0, shaded ? shadow.y : 0.0, lowest,
+    way.Length };
+  for (double& end : ends)
+  {
+    end = glm::clamp(end, 0.0, way.Length);
+  }
+  std::sort(ends.begin(), ends.end());
+
+  std::array<Estimate, 4> estimates;
+  std::array<bool, 4> lit;
+  double total = 0.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    const double middle = 0.5 * (ends[i] + ends[i + 1]);
+    lit[i] = !(shaded && middle > shadow.x && middle < shadow.y);
+    estimates[i] = { Vec3(0.0), 0.0 };
+    if (ends[i + 1] > ends[i] && (lit[i] || multiple))
+    {
+      estimates[i] = this->EstimatePart(way, ends[i], ends[i + 1], lit[i], multiple);
+      total += MaxComponent(estimates[i].Value);
+    }
+  }
+  Vec3 radiance(0.0);
+  for (int i = 0; i < 4; ++i)
+  {
+    radiance += this->IntegratePart(
+      way, ends[i], ends[i + 1], lit[i], multiple, estimates[i], this->Tolerance * total, 20);
+  }
+  if (way.MeetsGround)
+  {
+    radiance += exp(-SkyDepth(this->Sky, way.Height, way.Slope, way.Length)) *
+      this->GetGround(this->GetPoint(way, way.Length)[1]);
+  }
+  return this->Irradiance * radiance;
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::MarchRadiance(
+  const Vec3& direction, int steps) const
+{
+  const Way way = this->GetWay(direction);
+  if (way.Length < 0.0)
+  {
+    return Vec3(0.0);
+  }
+  const double step = way.Length / steps;
+  Vec3 radiance = way.MeetsGround ? this->GetGround(this->GetPoint(way, way.Length)[1]) : Vec3(0.0);
+  for (int i = steps - 1; i >= 0; --i)
+  {
+    const std::array<double, 2> point = this->GetPoint(way, i * step);
+    const double air = SkyDensity(this->Sky.Air, point[0]);
+    const double aerosol = SkyDensity(this->Sky.Aerosol, point[0]);
+    const Vec3 extinction = this->Sky.AirScattering * air + this->Sky.AerosolExtinction * aerosol +
+      this->Sky.Absorption * SkyDensity(this->Sky.Absorber, point[0]);
+    radiance *= exp(-extinction * step);
+    if (!this->IsInShadow(point[0], point[1]))
+    {
+      radiance +=
+        (this->Sky.AirScattering * (air * Phase(this->Sky.AirPhase, way.CosAngle)) +
+          this->Sky.AerosolScattering * (aerosol * Phase(this->Sky.AerosolPhase, way.CosAngle))) *
+        SkySunTransmittance(this->Sky, point[0], point[1]) * step;
+    }
+  }
+  return this->Irradiance * radiance;
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetTransmittance(const Vec3& direction) const
+{
+  const Way way = this->GetWay(direction);
+  if (way.Length < 0.0)
+  {
+    return Vec3(1.0);
+  }
+  return way.MeetsGround ? Vec3(0.0) : exp(-SkyDepth(this->Sky, way.Height, way.Slope, way.Length));
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSkyIntegrator::PrepareMultipleScattering()
+{
+  if (!this->Multiple.empty())
+  {
+    return;
+  }
+  std::vector<Vec3> table(static_cast<std::size_t>(Slopes) * Heights);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(table.size()), 8,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType cell = first; cell < last; ++cell)
+      {
+        const double u = 2.0 * static_cast<double>(cell % Slopes) / (Slopes - 1) - 1.0;
+        const double v = static_cast<double>(cell / Slopes) / (Heights - 1);
+        const double sunSlope = u * std::fabs(u);
+        const double height = v * v * this->Sky.TopHeight;
+        Vec3 twice(0.0); // light that is scattered here after it was scattered, or reflected, once
+        Vec3 again(0.0); // of light that comes from everywhere alike, what comes back here
+        // All directions: Kronrod's rule for the slope, the middle of 8 parts for half of the azimuths.
+        for (int i = 0; i < 15; ++i)
+        {
+          const int k = std::min(i, 14 - i);
+          const double slope = i < 7 ? -Places[k] : Places[k];
+          for (int j = 0; j < 8; ++j)
+          {
+            const double cosAngle = slope * sunSlope +
+              std::sqrt((1.0 - slope * slope) * (1.0 - sunSlope * sunSlope)) *
+                std::cos(Pi * (j + 0.5) / 8.0);
+            const Way way = this->GetWay(height, slope, sunSlope, cosAngle);
+            const double weight = Weights[k] / 16.0; // of all directions
+            const double near = 0.15 * way.Length;
+            for (int part = 0; part < 2; ++part)
+            {
+              const double begin = part == 0 ? 0.0 : near;
+              const double reach = 0.5 * ((part == 0 ? near : way.Length) - begin);
+              for (int n = 0; n < 15; ++n)
+              {
+                const int m = std::min(n, 14 - n);
+                const double distance = begin + reach * (1.0 + (n < 7 ? -Places[m] : Places[m]));
+                const std::array<double, 2> point = this->GetPoint(way, distance);
+                const Vec3 scattering = (weight * reach * Weights[m]) *
+                  (this->Sky.AirScattering * SkyDensity(this->Sky.Air, point[0]) +
+                    this->Sky.AerosolScattering * SkyDensity(this->Sky.Aerosol, point[0])) *
+                  exp(-SkyDepth(this->Sky, way.Height, way.Slope, distance));
+                again += scattering;
+                if (!this->IsInShadow(point[0], point[1]))
+                {
+                  twice += PhaseIsotropic() * scattering *
+                    SkySunTransmittance(this->Sky, point[0], point[1]);
+                }
+              }
+            }
+            if (way.MeetsGround)
+            {
+              twice += weight * exp(-SkyDepth(this->Sky, way.Height, way.Slope, way.Length)) *
+                this->GetGround(this->GetPoint(way, way.Length)[1]);
+            }
+          }
+        }
+        table[cell] = twice / (1.0 - again);
+      }
+    });
+  this->Multiple = std::move(table);
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetMultiple(
+  double height, double sunSlope) const
+{
+  const double u = std::copysign(std::sqrt(std::fabs(sunSlope)), sunSlope);
+  const double x = 0.5 * (u + 1.0) * (Slopes - 1);
+  const double y = std::sqrt(glm::clamp(height / this->Sky.TopHeight, 0.0, 1.0)) * (Heights - 1);
+  const int column = std::min(static_cast<int>(x), Slopes - 2);
+  const int row = std::min(static_cast<int>(y), Heights - 2);
+  const double s = x - column;
+  const double t = y - row;
+  const Vec3* corner = this->Multiple.data() + row * Slopes + column;
+  return (1.0 - t) * ((1.0 - s) * corner[0] + s * corner[1]) +
+    t * ((1.0 - s) * corner[Slopes] + s * corner[Slopes + 1]);
+}

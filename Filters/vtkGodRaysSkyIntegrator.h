@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file    vtkGodRaysSkyIntegrator.h
+ * @brief   the radiance of the sky in one direction; private to the implementation files
+ *
+ * The formulas are those of vtkGodRaysFunctions.glsl. Directions have length 1: x east, y north, z to the
+ * zenith of the observer.
+ */
+
+#ifndef vtkGodRaysSkyIntegrator_h
+#define vtkGodRaysSkyIntegrator_h
+
+#include "vtkGodRaysMath.h"
+
+#include <array>
+#include <vector>
+
+class vtkGodRaysAtmosphere;
+
+class vtkGodRaysSkyIntegrator
+{
+public:
+  using Vec3 = vtkGodRays::Vec3;
+
+  void SetAtmosphere(vtkGodRaysAtmosphere* atmosphere);
+
+  // The observer's height [m], the direction to the sun, and the error that is accepted [fraction].
+  void SetView(double height, const Vec3& sun, double tolerance);
+
+  // The table of light that is scattered more than once; it depends on the atmosphere alone. After
+  // [Hillaire2020]: scattered twice or more, light is taken to come from everywhere alike.
+  void PrepareMultipleScattering();
+
+  // Radiance of the sky without the sun's disc [the irradiance's unit/sr].
+  Vec3 GetRadiance(const Vec3& direction, bool multiple) const;
+
+  // The same by the march of [Lodato2015]: steps of the first order from the edge to the eye.
+  Vec3 MarchRadiance(const Vec3& direction, int steps) const;
+
+  // What is left of light from outside; 0 where the ground is before it.
+  Vec3 GetTransmittance(const Vec3& direction) const;
+
+  // Light that arrives at a point after two scatterings or more, from everywhere alike, for an
+  // irradiance of 1. [1/sr]
+  Vec3 GetMultiple(double height, double sunSlope) const;
+
+private:
+  // A way from the observer, or from where it enters the atmosphere.
+  struct Way
+  {
+    double Height;
+    double Slope;
+    double SunSlope;
+    double CosAngle; // of the angle to the sun
+    double Length;   // negative if there is no atmosphere along it
+    bool MeetsGround;
+  };
+  Way GetWay(const Vec3& direction) const;
+  Way GetWay(double height, double slope, double sunSlope, double cosAngle) const;
+  // Height and slope of the way to the sun at a distance.
+  std::array<double, 2> GetPoint(const Way& way, double distance) const;
+  bool IsInShadow(double height, double sunSlope) const;
+  // Radiance of the ground, for an irradiance of 1.
+  Vec3 GetGround(double sunSlope) const;
+
+  // What a unit of the way adds: by light straight from the sun, and by other.
+  Vec3 GetInscatter(const Way& way, double distance, bool lit, bool multiple) const;
+  struct Estimate
+  {
+    Vec3 Value;
+    double Error;
+  };
+  Estimate EstimatePart(const Way& way, double begin, double end, bool lit, bool multiple) const;
+  Vec3 IntegratePart(const Way& way, double begin, double end, bool lit, bool multiple,
+    const Estimate& estimate, double accepted, int depth) const;
+
+  vtkGodRays::SkyAtmosphere Sky;
+  Vec3 Irradiance;
+  Vec3 Albedo;
+  double Height = 0.0;
+  Vec3 Sun;
+  double Tolerance = 1e-3;
+  std::vector<Vec3> Multiple;
+};
+
+#endif

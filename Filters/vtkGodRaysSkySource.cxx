@@ -1,0 +1,333 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysSkySource.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataArray.h"
+#include "vtkGodRaysAtmosphere.h"
+#include "vtkGodRaysSetGet.h"
+#include "vtkGodRaysSkyIntegrator.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkVersionMacros.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkGodRaysSkySource);
+
+vtkGodRaysSetFiniteMacro(vtkGodRaysSkySource, ObserverHeight, 0.0, 1e12);
+vtkGodRaysSetFiniteMacro(vtkGodRaysSkySource, SunElevation, -90.0, 90.0);
+vtkGodRaysSetFiniteMacro(vtkGodRaysSkySource, SunAzimuth, -360.0, 360.0);
+vtkGodRaysSetFiniteMacro(vtkGodRaysSkySource, Tolerance, 1e-10, 0.1);
+
+using vtkGodRays::Vec2;
+using vtkGodRays::Vec3;
+
+//------------------------------------------------------------------------------
+// The directions of pixels, and their radiance.
+class vtkGodRaysSkySource::vtkInternals
+{
+public:
+  void Prepare(vtkGodRaysSkySource* source)
+  {
+    if (source->Atmosphere->GetMTime() > this->AtmosphereTime)
+    {
+      this->Integrator.SetAtmosphere(source->Atmosphere);
+      this->AtmosphereTime.Modified();
+    }
+    const double elevation = vtkMath::RadiansFromDegrees(source->SunElevation);
+    const double azimuth = vtkMath::RadiansFromDegrees(source->SunAzimuth);
+    this->Sun = Vec3(std::cos(elevation) * std::sin(azimuth),
+      std::cos(elevation) * std::cos(azimuth), std::sin(elevation));
+    this->Integrator.SetView(source->ObserverHeight, this->Sun, source->Tolerance);
+    this->Source = source;
+    this->Multiple = source->MultipleScattering && source->Method == ADAPTIVE;
+    if (this->Multiple)
+    {
+      this->Integrator.PrepareMultipleScattering();
+    }
+    GetSize(source, this->Size);
+    const double radius = vtkMath::RadiansFromDegrees(source->Atmosphere->GetSunAngularRadius());
+    this->DiscRadius = source->SunDisc ? radius : 0.0;
+    const double* irradiance = source->Atmosphere->GetSunIrradiance();
+    this->DiscRadiance = Vec3(irradiance[0], irradiance[1], irradiance[2]) /
+      (2.0 * vtkMath::Pi() * (1.0 - std::cos(radius)));
+  }
+
+  static void GetSize(vtkGodRaysSkySource* source, int size[3])
+  {
+    size[0] = source->Mapping == EQUIRECTANGULAR ? 2 * source->Resolution : source->Resolution;
+    size[1] = source->Resolution;
+    size[2] = source->Mapping == CUBE_MAP ? 6 : 1;
+  }
+
+  Vec3 GetRadiance(const Vec3& direction) const
+  {
+    return this->Source->Method == STEPS
+      ? this->Integrator.MarchRadiance(direction, this->Source->NumberOfSteps)
+      : this->Integrator.GetRadiance(direction, this->Multiple);
+  }
+
+  // What is left of the sun's light.
+  Vec3 GetSunTransmittance() const { return this->Integrator.GetTransmittance(this->Sun); }
+
+  Vec3 Evaluate(int x, int y, int z) const
+  {
+    const Vec2 position(
+      (2.0 * x + 1.0) / this->Size[0] - 1.0, (2.0 * y + 1.0) / this->Size[1] - 1.0);
+    const double area = 4.0 / this->Size[0] / this->Size[1];
+    Vec3 direction;
+    double solidAngle;
+    if (this->Source->Mapping == CUBE_MAP)
+    {
+      direction = vtkGodRays::CubeMapDirection(z, position);
+      const double distance = vtkGodRays::length(direction);
+      direction /= distance;
+      solidAngle = area / (distance * distance * distance);
+    }
+    else
+    {
+      direction = vtkGodRays::SkyMapDirection(this->Source->Mapping, position);
+      solidAngle = area * vtkGodRays::SkyMapSolidAngle(this->Source->Mapping, position);
+    }
+
+    Vec3 radiance = this->GetRadiance(direction);
+    if (this->DiscRadius > 0.0)
+    {
+      const double coverage =
+        vtkGodRays::DiscCoverage(vtkGodRays::AngleBetween(direction, this->Sun), this->DiscRadius,
+          std::sqrt(std::max(solidAngle, 0.0)));
+      if (coverage > 0.0)
+      {
+        radiance += coverage * this->DiscRadiance * this->Integrator.GetTransmittance(direction);
+      }
+    }
+    return radiance;
+  }
+
+  // Fills what the image's extent asks for. Returns false if it was told to stop.
+  template <typename Scalar>
+  bool Execute(vtkImageData* image, Scalar* values)
+  {
+    const int* extent = image->GetExtent();
+    const vtkIdType width = extent[1] - extent[0] + 1;
+    const vtkIdType height = extent[3] - extent[2] + 1;
+    const vtkIdType rows = height * (extent[5] - extent[4] + 1);
+    const vtkIdType turn = std::max<vtkIdType>(1, rows / 20);
+    for (vtkIdType first = 0; first < rows; first += turn)
+    {
+      if (!this->Source->TellProgress(static_cast<double>(first) / rows))
+      {
+        return false;
+      }
+      vtkSMPTools::For(first, std::min(rows, first + turn), 1,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          for (vtkIdType row = begin; row < end; ++row)
+          {
+            Scalar* to = values + 3 * row * width;
+            const int y = extent[2] + static_cast<int>(row % height);
+            const int z = extent[4] + static_cast<int>(row / height);
+            for (int x = extent[0]; x <= extent[1]; ++x, to += 3)
+            {
+              const Vec3 radiance = this->Evaluate(x, y, z);
+              for (int c = 0; c < 3; ++c)
+              {
+                to[c] = static_cast<Scalar>(vtkGodRays::Sanitize(radiance[c], 3e38));
+              }
+            }
+          }
+        });
+    }
+    return this->Source->TellProgress(1.0);
+  }
+
+private:
+  vtkGodRaysSkySource* Source = nullptr;
+  vtkGodRaysSkyIntegrator Integrator;
+  vtkTimeStamp AtmosphereTime;
+  Vec3 Sun;
+  Vec3 DiscRadiance;
+  double DiscRadius = 0.0;
+  bool Multiple = false;
+  int Size[3] = { 0, 0, 0 };
+};
+
+//------------------------------------------------------------------------------
+vtkGodRaysSkySource::vtkGodRaysSkySource()
+  : Internals(new vtkInternals)
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysSkySource::~vtkGodRaysSkySource() = default;
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSkySource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Atmosphere:\n";
+  this->Atmosphere->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "AtmospherePreset: " << this->AtmospherePreset << "\n";
+  os << indent << "ObserverHeight: " << this->ObserverHeight << "\n";
+  os << indent << "SunElevation: " << this->SunElevation << "\n";
+  os << indent << "SunAzimuth: " << this->SunAzimuth << "\n";
+  os << indent << "SunDisc: " << this->SunDisc << "\n";
+  os << indent << "MultipleScattering: " << this->MultipleScattering << "\n";
+  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "NumberOfSteps: " << this->NumberOfSteps << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "Mapping: " << this->Mapping << "\n";
+  os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysAtmosphere* vtkGodRaysSkySource::GetAtmosphere()
+{
+  return this->Atmosphere;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSkySource::SetAtmospherePreset(int preset)
+{
+  preset = std::clamp(preset, static_cast<int>(vtkGodRaysAtmosphere::EARTH_CLEAR),
+    static_cast<int>(vtkGodRaysAtmosphere::LODATO_2015));
+  this->Atmosphere->LoadPreset(preset);
+  this->AtmospherePreset = preset;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSkySource::SetOutputScalarType(int type)
+{
+  type = type == VTK_DOUBLE ? VTK_DOUBLE : VTK_FLOAT;
+  if (this->OutputScalarType != type)
+  {
+    this->OutputScalarType = type;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSkySource::Prepare()
+{
+  const std::string fault = this->Atmosphere->FindFault();
+  if (!fault.empty())
+  {
+    vtkErrorMacro("Cannot compute the sky: " << fault);
+    return false;
+  }
+  this->Internals->Prepare(this);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSkySource::GetRadiance(const double direction[3], double radiance[3])
+{
+  std::fill_n(radiance, 3, 0.0);
+  Vec3 towards(direction[0], direction[1], direction[2]);
+  const double size = vtkGodRays::length(towards);
+  if (!(size > 0.0) || !std::isfinite(size))
+  {
+    vtkErrorMacro("Cannot compute the sky: the direction must be finite and not 0.");
+    return false;
+  }
+  if (!this->Prepare())
+  {
+    return false;
+  }
+  const Vec3 found = this->Internals->GetRadiance(towards / size);
+  for (int c = 0; c < 3; ++c)
+  {
+    radiance[c] = found[c];
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSkySource::GetSunLight(double irradiance[3])
+{
+  std::fill_n(irradiance, 3, 0.0);
+  if (!this->Prepare())
+  {
+    return false;
+  }
+  const Vec3 transmittance = this->Internals->GetSunTransmittance();
+  for (int c = 0; c < 3; ++c)
+  {
+    irradiance[c] = transmittance[c] * this->Atmosphere->GetSunIrradiance()[c];
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkGodRaysSkySource::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->Atmosphere->GetMTime());
+}
+
+//------------------------------------------------------------------------------
+int vtkGodRaysSkySource::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
+{
+  vtkInformation* info = output->GetInformationObject(0);
+  int size[3];
+  vtkInternals::GetSize(this, size);
+  const int extent[6] = { 0, size[0] - 1, 0, size[1] - 1, 0, size[2] - 1 };
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  info->Set(vtkDataObject::SPACING(), 1.0, 1.0, 1.0);
+  info->Set(vtkDataObject::ORIGIN(), 0.0, 0.0, 0.0);
+  info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  vtkDataObject::SetPointDataActiveScalarInfo(info, this->OutputScalarType, 3);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkGodRaysSkySource::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
+{
+  vtkInformation* info = output->GetInformationObject(0);
+  vtkImageData* image = vtkImageData::GetData(output);
+  if (!this->Prepare())
+  {
+    image->Initialize();
+    return 1; // the executive would only add that something failed
+  }
+  image->SetExtent(info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
+  image->AllocateScalars(this->OutputScalarType, 3);
+  image->GetPointData()->GetScalars()->SetName("Radiance");
+
+  void* values = image->GetScalarPointer();
+  const bool done = this->OutputScalarType == VTK_DOUBLE
+    ? this->Internals->Execute(image, static_cast<double*>(values))
+    : this->Internals->Execute(image, static_cast<float*>(values));
+  if (!done)
+  {
+    image->Initialize();
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+// Newer VTKs are told to stop in turn, and pass it on.
+bool vtkGodRaysSkySource::TellProgress(double progress)
+{
+  this->UpdateProgress(progress);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111)
+  if (this->GetAbortExecute())
+  {
+    this->SetAbortOutput(true);
+  }
+  return !this->CheckAbort();
+#else
+  return this->GetAbortExecute() == 0;
+#endif
+}
