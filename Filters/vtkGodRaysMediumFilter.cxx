@@ -3,9 +3,9 @@
 #include "vtkGodRaysMediumFilter.h"
 
 #include "vtkGodRaysMedium.h"
+#include "vtkGodRaysProgress.h"
 #include "vtkGodRaysSetGet.h"
 #include "vtkMath.h"
-#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <cmath>
@@ -171,17 +171,7 @@ std::string vtkGodRaysMediumFilter::FindFault() const
 }
 
 //------------------------------------------------------------------------------
-// Newer VTKs are told to stop in turn, and pass it on.
 bool vtkGodRaysMediumFilter::TellProgress(double progress)
 {
-  this->UpdateProgress(progress);
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111)
-  if (this->GetAbortExecute())
-  {
-    this->SetAbortOutput(true);
-  }
-  return !this->CheckAbort();
-#else
-  return this->GetAbortExecute() == 0;
-#endif
+  return vtkGodRays::TellProgress(this, progress);
 }

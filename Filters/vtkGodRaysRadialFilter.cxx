@@ -4,13 +4,13 @@
 
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkGodRaysProgress.h"
 #include "vtkGodRaysSetGet.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkVersionMacros.h"
 
 vtkGodRaysSetFiniteMacro(vtkGodRaysRadialFilter, Density, 0.0, 2.0);
 vtkGodRaysSetFiniteMacro(vtkGodRaysRadialFilter, Decay, 0.0, 1.05);
@@ -163,17 +163,7 @@ std::string vtkGodRaysRadialFilter::FindFault(vtkImageData* input, vtkDataArray*
 }
 
 //------------------------------------------------------------------------------
-// Newer VTKs are told to stop in turn, and pass it on.
 bool vtkGodRaysRadialFilter::TellProgress(double progress)
 {
-  this->UpdateProgress(progress);
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111)
-  if (this->GetAbortExecute())
-  {
-    this->SetAbortOutput(true);
-  }
-  return !this->CheckAbort();
-#else
-  return this->GetAbortExecute() == 0;
-#endif
+  return vtkGodRays::TellProgress(this, progress);
 }
