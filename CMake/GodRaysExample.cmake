@@ -23,7 +23,10 @@ function(godrays_add_example name)
   set(programs ${name})
   if(GODRAYS_BUILD_TESTING)
     # The example itself, in a program that looks at what it draws
-    add_executable(test_${name} "${tests}/Examples/TestExample.cxx")
+    add_executable(test_${name}
+      "${tests}/Examples/TestExample.cxx" "${tests}/Rendering/GodRaysMediumTruth.cxx")
+    target_include_directories(test_${name} PRIVATE "${tests}/Rendering")
+    target_link_libraries(test_${name} PRIVATE GodRays::Filters)
     target_compile_definitions(test_${name} PRIVATE
       EXAMPLE_NAME="${name}" EXAMPLE_SOURCE="${source}")
     list(APPEND programs test_${name})

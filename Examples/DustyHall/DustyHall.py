@@ -1,35 +1,33 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Physical single scattering: sunlight through windows into the dust of a hall."""
+"""Physical single scattering: the sun through windows into the dust of a hall."""
 
 import sys
 
 import godrays
 import vtkmodules.all as vtk
 
-# A hall, 14 m long and 6 m high; its windows are what walls, sills, lintels and bars leave open.
+# A hall, 14 m long and 6 m high: floor, roof, walls and pillars; and between its five windows.
+bounds = [
+    (-7, 7, -0.3, 0, -4.4, 5), (-7, 7, 6, 6.3, -4.4, 5),
+    (-7, -6.8, 0, 6, -4.4, 5), (6.8, 7, 0, 6, -4.4, 5),
+    (-7, 7, 0, 1.2, -4.4, -4), (-7, 7, 4.8, 6, -4.4, -4), (-7.2, -5.75, 0, 6, -4.4, -4),
+    (-2.95, -2.25, 0, 6, -1.35, -0.65), (3.55, 4.25, 0, 6, -1.85, -1.15),
+]  # fmt: skip
+for x in -5.2, -2.6, 0, 2.6, 5.2:
+    bounds.append((x + 0.55, x + 2.05, 0, 6, -4.4, -4))
+    bounds.append((x - 0.03, x + 0.03, 1.2, 5, -4.25, -4.15))
 boxes = vtk.vtkAppendPolyData()
-windows = [-5.2, -2.6, 0, 2.6, 5.2]
-walls = list(zip([-7] + [x + 0.55 for x in windows], [x - 0.55 for x in windows] + [7]))
-for bounds in [
-    *[(-7, 7, y, y + 0.3, -4.4, 5) for y in (-0.3, 6)],
-    *[(x, x + 0.2, 0, 6, -4.4, 5) for x in (-7, 6.8)],
-    *[(a, b, 0, 6, -4.4, -4) for a, b in walls],
-    *[(-7, 7, low, high, -4.4, -4) for low, high in ((0, 1.2), (5, 6))],
-    *[(x - 0.03, x + 0.03, 1.2, 5, -4.25, -4.15) for x in windows],
-    *[(x - 0.55, x + 0.55, 3, 3.06, -4.25, -4.15) for x in windows],
-    *[(x - 0.35, x + 0.35, 0, 6, z - 0.35, z + 0.35) for x, z in ((-2.6, -1), (3.9, -1.5))],
-]:
+for each in bounds:
     box = vtk.vtkCubeSource()
-    box.SetBounds(bounds)
+    box.SetBounds(each)
     boxes.AddInputConnection(box.GetOutputPort())
 mapper = vtk.vtkPolyDataMapper()
 mapper.SetInputConnection(boxes.GetOutputPort())
 hall = vtk.vtkActor()
 hall.SetMapper(mapper)
-hall.GetProperty().SetColor(0.75, 0.68, 0.58)
-hall.GetProperty().SetAmbient(0.2)
-hall.GetProperty().SetDiffuse(0.4)
+hall.GetProperty().SetColor(0.4, 0.37, 0.32)
+hall.GetProperty().SetAmbient(0.25)
 
 renderer = vtk.vtkRenderer()
 renderer.AddActor(hall)
@@ -43,9 +41,11 @@ sun.SetPosition(0.35, 0.75, -1)
 sun.SetColor(1, 0.86, 0.62)
 renderer.AddLight(sun)
 
-dust = godrays.vtkGodRaysHomogeneousModel()  # the scene's unit is a metre
-dust.SetScatteringCoefficient(0.09, 0.09, 0.09)
-godrays.enable(renderer, light=sun, model=dust, layer_margin=1)  # the roof is outside the picture
+dust = godrays.vtkGodRaysHomogeneousModel()
+dust.SetScatteringCoefficient(0.15, 0.15, 0.15)  # [1/m]
+shadows = godrays.vtkGodRaysShadowMapIntegrator()  # the roof, too, is outside the picture
+shadows.SetNumberOfSteps(32)
+godrays.enable(renderer, light=sun, model=dust, integrator=shadows)
 
 window = vtk.vtkRenderWindow()
 window.AddRenderer(renderer)

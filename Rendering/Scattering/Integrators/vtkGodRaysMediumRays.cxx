@@ -101,8 +101,7 @@ void vtkGodRaysMediumRays::Set(vtkShaderProgram* program) const
     Dot(medium.Up, this->Light) + (this->IsInfinite() ? 0.0 : medium.EyeHeight));
   SetVector(program, "mediumUp", medium.Up);
   SetNumber(program, "eyeHeight", medium.EyeHeight);
-  const bool closed =
-    this->IsInfinite() && (medium.NumberOfComponents == 1 || !medium.ThinsOut());
+  const bool closed = this->IsInfinite() && (medium.NumberOfComponents == 1 || !medium.ThinsOut());
   program->SetUniformi("totalParts", closed ? 1 : TotalParts);
   program->SetUniformf("maximum", result.GetFormat() == GL_RGBA16F ? 65504.0f : 1e30f);
   this->SetComponents(program);
