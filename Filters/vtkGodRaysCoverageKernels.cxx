@@ -244,30 +244,14 @@ HWY_INLINE Rays<FloatTag> FindRays(const CoverageSettings& settings, Float colum
 }
 
 //------------------------------------------------------------------------------
-// The same in memory, to take single ones from.
-struct RayBuffer
+// The rays of which others' lanes tell the number.
+HWY_INLINE Rays<FloatTag> Select(const Rays<FloatTag>& rays, hn::Vec<IntTag> numbers)
 {
-  explicit RayBuffer(const Rays<FloatTag>& rays)
-  {
-    const FloatTag d;
-    const Float fields[] = { rays.Length, rays.Row, rays.Foot, rays.Square, rays.Start, rays.Way,
-      rays.InverseWidth };
-    for (int i = 0; i < 7; ++i)
-    {
-      hn::Store(fields[i], d, this->Values[i]);
-    }
-  }
-
-  // One ray in all lanes.
-  template <typename Tag>
-  HWY_INLINE Rays<Tag> Get(Tag d, int lane) const
-  {
-    const auto get = [&](int field) { return hn::Set(d, this->Values[field][lane]); };
-    return { get(0), get(1), get(2), get(3), get(4), get(5), get(6), hn::Zero(d) };
-  }
-
-  HWY_ALIGN float Values[7][8];
-};
+  const auto indices = hn::IndicesFromVec(FloatTag(), numbers);
+  const auto select = [&](Float field) HWY_ATTR { return hn::TableLookupLanes(field, indices); };
+  return { select(rays.Length), select(rays.Row), select(rays.Foot), select(rays.Square),
+    select(rays.Start), select(rays.Way), select(rays.InverseWidth), select(rays.Gain) };
+}
 
 //------------------------------------------------------------------------------
 // Where in a table a distance from the eye is found.
@@ -403,47 +387,13 @@ public:
     this->Join(index, touched, a, b);
   }
 
-  // The sums over a line's intervals of what lies between their ends, for each plane: prepare makes of a
-  // tag and ends what measure takes with the plane.
-  template <typename Prepare, typename Measure>
-  HWY_INLINE void Sum(
-    int index, int planes, const Prepare& prepare, const Measure& measure, float* sums) const
+  // Copies a line's intervals; returns their number.
+  HWY_INLINE int Copy(int index, float* low, float* high) const
   {
-    const CoverageLine& line = this->Intervals[index];
     const int count = this->Counts[index];
-#if HWY_TARGET == HWY_SCALAR
-    const FloatTag d;
-    for (int i = 0; i < count; ++i)
-    {
-      const auto low = prepare(d, hn::Set(d, line.Low[i]));
-      const auto high = prepare(d, hn::Set(d, line.High[i]));
-      for (int p = 0; p < planes; ++p)
-      {
-        sums[p] += std::abs(hn::GetLane(measure(d, high, p)) - hn::GetLane(measure(d, low, p)));
-      }
-    }
-#else
-    // Low ends in the lower half of a register, high ones in the upper.
-    const HWY_CAPPED(float, 16) d;
-    const hn::Half<decltype(d)> half;
-    const int lanes = static_cast<int>(hn::Lanes(half));
-    for (int i = 0; i < count; i += lanes)
-    {
-      const auto ends = hn::Combine(d, hn::Load(half, line.High + i), hn::Load(half, line.Low + i));
-      const auto prepared = prepare(d, ends);
-      for (int p = 0; p < planes; ++p)
-      {
-        const auto measured = measure(d, prepared, p);
-        sums[p] += hn::GetLane(hn::SumOfLanes(
-          half, hn::Abs(hn::Sub(hn::UpperHalf(half, measured), hn::LowerHalf(half, measured)))));
-      }
-    }
-#endif
-  }
-
-  int GetCount(int index) const
-  {
-    return this->Counts[index];
+    std::copy_n(this->Intervals[index].Low, count, low);
+    std::copy_n(this->Intervals[index].High, count, high);
+    return count;
   }
 
   long long Overflows = 0;
@@ -518,6 +468,83 @@ struct Rate
   {
     return this->Scale * (this->Reciprocal ? 1.0f / z : z) + this->Shift;
   }
+};
+
+//------------------------------------------------------------------------------
+// The intervals that are hidden from some pixels, as many as there are lanes. All of them at once are
+// measured faster than each pixel's on its own.
+class PixelIntervals
+{
+public:
+  HWY_INLINE void Add(int pixel, const Lines& lines, int line)
+  {
+    const int count = lines.Copy(line, this->Low + this->Count, this->High + this->Count);
+    std::fill_n(this->Pixels + this->Count, count, pixel);
+    this->Count += count;
+    this->Ends[pixel] = this->Count;
+  }
+
+  // What lies in each, up to the last depths of the pixels' rays.
+  HWY_INLINE void Measure(
+    const CoverageSettings& settings, const Rate& rate, const Rays<FloatTag>& rays, Float last)
+  {
+    const FloatTag d;
+    const IntTag di;
+    const int lanes = GetLanes();
+    std::fill_n(this->Low + this->Count, lanes, 0.0f);
+    std::fill_n(this->High + this->Count, lanes, 0.0f);
+    std::fill_n(this->Pixels + this->Count, lanes, 0);
+    const Float gain = hn::Set(d, static_cast<float>(rate.Gain));
+    const Float offset = hn::Set(d, static_cast<float>(rate.Offset));
+    for (int i = 0; i < this->Count; i += lanes)
+    {
+      const auto pixels = hn::LoadU(di, this->Pixels + i);
+      const Rays<FloatTag> here = Select(rays, pixels);
+      const Float end = hn::TableLookupLanes(last, hn::IndicesFromVec(d, pixels));
+      const auto toDistance = [&](Float h) HWY_ATTR
+      {
+        Float z = hn::MulAdd(h, gain, offset);
+        if (rate.Reciprocal)
+        {
+          z = hn::Set(d, 1.0f) / hn::Max(z, hn::Set(d, 1e-30f));
+        }
+        return hn::Max(hn::Min(z, end), hn::Zero(d)) * here.Length;
+      };
+      const Float low = toDistance(hn::LoadU(d, this->Low + i));
+      const Float high = toDistance(hn::LoadU(d, this->High + i));
+      for (int p = 0; p < settings.Planes; ++p)
+      {
+        hn::StoreU(
+          hn::Abs(MeasureRays(settings, here, high, p) - MeasureRays(settings, here, low, p)), d,
+          this->Measured[p] + i);
+      }
+    }
+  }
+
+  HWY_INLINE void Sum(int plane, int pixels, float* sums) const
+  {
+    int i = 0;
+    for (int pixel = 0; pixel < pixels; ++pixel)
+    {
+      float sum = 0.0f;
+      for (; i < this->Ends[pixel]; ++i)
+      {
+        sum += this->Measured[plane][i];
+      }
+      sums[pixel] = sum;
+    }
+  }
+
+  void Clear() { this->Count = 0; }
+
+private:
+  static constexpr int Most = 8 * MaximumIntervals + 8;
+  int Count = 0;
+  int Ends[8]; // of pixels' intervals
+  int32_t Pixels[Most];
+  float Low[Most];
+  float High[Most];
+  float Measured[CoverageMaximumPlanes][Most];
 };
 
 //------------------------------------------------------------------------------
@@ -771,62 +798,27 @@ private:
     const float fgain = static_cast<float>(gain);
     const int most = this->End - this->Begin - 1;
     const Rate rate = this->GetRate(n);
+    PixelIntervals intervals;
     for (int x0 = begin; x0 < end; x0 += lanes)
     {
       const Float columns =
         (hn::Iota(d, static_cast<float>(x0)) - hn::Set(d, middle)) * hn::Set(d, pixel);
-      const RayBuffer rays(FindRays(this->Settings, columns, y));
-      for (int x = x0; x < std::min(x0 + lanes, end); ++x)
+      const Rays<FloatTag> rays = FindRays(this->Settings, columns, y);
+      const int count = std::min(lanes, end - x0);
+      HWY_ALIGN float last[8] = {};
+      for (int i = 0; i < count; ++i)
       {
-        const int line =
-          std::min(std::max(static_cast<int>(position + fgain * (x - begin)), 0), most);
-        float sums[CoverageMaximumPlanes] = {};
-        if (this->Hidden.GetCount(line) > 0)
-        {
-          this->SumPixel(line, rate, rays, x - x0, std::min(ends[x], farLimit), sums);
-        }
-        for (int p = 0; p < this->Settings.Planes; ++p)
-        {
-          this->Image.Hidden[p][offset + x] = sums[p];
-        }
+        const float line = position + fgain * (x0 + i - begin);
+        last[i] = std::min(ends[x0 + i], farLimit);
+        intervals.Add(i, this->Hidden, std::min(std::max(static_cast<int>(line), 0), most));
       }
-    }
-  }
-
-  // What is hidden of a pixel's ray up to a depth.
-  HWY_INLINE void SumPixel(
-    int line, const Rate& rate, const RayBuffer& rays, int i, float last, float* sums) const
-  {
-    const CoverageTable& table = *this->Settings.Table;
-    const float length = rays.Values[0][i];
-    const float gain = static_cast<float>(rate.Gain);
-    const float start = static_cast<float>(rate.Offset);
-    const int planes = this->Settings.Planes;
-    const auto toDistance = [&](auto tag, auto ends)
-    {
-      auto z = hn::MulAdd(ends, hn::Set(tag, gain), hn::Set(tag, start));
-      if (rate.Reciprocal)
+      intervals.Measure(this->Settings, rate, rays, hn::Load(d, last));
+      for (int p = 0; p < this->Settings.Planes; ++p)
       {
-        z = hn::Div(hn::Set(tag, 1.0f), hn::Max(z, hn::Set(tag, 1e-30f)));
+        intervals.Sum(p, count, this->Image.Hidden[p] + offset + x0);
       }
-      z = hn::Max(hn::Min(z, hn::Set(tag, last)), hn::Zero(tag));
-      return hn::Mul(z, hn::Set(tag, length));
-    };
-    if (table.Kind == CoverageTable::NONE)
-    {
-      const auto measure = [&](auto tag, auto distance, int plane)
-      {
-        return Absorbed(tag,
-          hn::Mul(distance, hn::Set(tag, static_cast<float>(this->Settings.Extinction[plane]))));
-      };
-      this->Hidden.Sum(line, planes, toDistance, measure, sums);
-      return;
+      intervals.Clear();
     }
-    const auto toPlace = [&](auto tag, auto ends)
-    { return Find(tag, table, rays.Get(tag, i), toDistance(tag, ends)); };
-    const auto measure = [&](auto tag, const auto& place, int plane)
-    { return Read(tag, table, table.Values[plane], place); };
-    this->Hidden.Sum(line, planes, toPlace, measure, sums);
   }
 
   const CoverageSettings& Settings;
