@@ -270,7 +270,7 @@ private:
     if (this->TableKeys[0] != this->TableKeys[1])
     {
       MakeCoverageTable(this->Settings, this->Image, parameters.Medium, this->Table);
-      this->TableKeys[0].swap(this->TableKeys[1]);
+      this->TableKeys[0] = this->TableKeys[1];
     }
   }
 

@@ -25,7 +25,7 @@ constexpr double LayerColumnStep = 0.12;
 constexpr double LayerColumnStepOfHeight = 0.3; // [scale heights]
 constexpr int FewestRows = 96;
 constexpr int MostRows = 1024;
-constexpr int MostColumns = 2048;
+constexpr int MostColumns = 1024;
 constexpr int FewestColumns = 8;
 
 // The mean of 1/distance over a pixel is that at this distance from its centre [pixels].

@@ -39,6 +39,9 @@ inline std::mt19937 MakeGenerator(unsigned int seed)
   return std::mt19937(seed);
 }
 
+// How often a function allocates memory; in TestGodRaysRadialSweep.cxx.
+int CountAllocations(const std::function<void()>& function);
+
 // Collects the text of errors instead of printing it.
 class ErrorListener
 {

@@ -10,6 +10,7 @@
 #include "vtkGodRaysSingleScatteringReference.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkSMPTools.h"
 
 #include <functional>
 #include <limits>
@@ -326,5 +327,129 @@ TEST(CoverageMedia, LayersAreShadowed)
       EXPECT_LE(rms, 0.02);
       EXPECT_LE(red, 0.02);
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+// What is seen through a medium and what it scatters, of light as bright as what is seen from everywhere,
+// is no more than that light.
+TEST(CoverageMedia, GivesNoMoreThanItTakes)
+{
+  Random random(43);
+  for (int i = 0; i < 40; ++i)
+  {
+    vtkNew<Filter> filter;
+    const double scale = random.Log(0.1, 10.0);
+    const bool layered = i % 2 == 1;
+    filter->SetFarLimit(random.Log(0.1, 100.0));
+    const double b = random.Log(1e-3, 10.0);
+    const double albedo = random.Uniform(0.1, 1.0);
+    filter->SetScatteringCoefficient(b * albedo, b * albedo, b * albedo);
+    filter->SetAbsorptionCoefficient(b * (1.0 - albedo), b * (1.0 - albedo), b * (1.0 - albedo));
+    filter->SetScaleHeight(layered ? scale : 0.0);
+    filter->SetPhaseFunction(Filter::ISOTROPIC);
+    filter->SetLight(random.Uniform(-1, 1), 1.0, random.Uniform(-1, 1), 0.0);
+    filter->SetLightColor(4.0 * vtkMath::Pi(), 4.0 * vtkMath::Pi(), 4.0 * vtkMath::Pi());
+    filter->SetInputData(MakeEnds([](int, int) { return sky; }));
+    filter->Update();
+    const Picture result = FromImage(filter->GetOutput());
+    for (int y = 0; y < Height; ++y)
+    {
+      for (int x = 0; x < Width; ++x)
+      {
+        const Ray ray = GetRay(filter, x, y);
+        const double length = vtkGodRays::length(ray.Step);
+        const double way = filter->GetFarLimit() * length;
+        const double depth =
+          layered ? vtkGodRays::ExponentialDepth(b, 0.0, ray.Step.y / length, scale, way) : b * way;
+        ASSERT_LE(result.Get(x, y) + std::exp(-depth), 1.0 + 2e-3) << i;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The ranges that setters take, things in the way, lights in the eye and in the things.
+TEST(CoverageMedia, IsFiniteForAnyMedium)
+{
+  Random random(44);
+  const Picture depths = MakePicture(
+    Width, Height, [](int x, int y) { return (x / 5 + y / 4) % 3 == 0 ? 2.0 + 0.1 * x : sky; });
+  for (int i = 0; i < 80; ++i)
+  {
+    vtkNew<Filter> filter;
+    const double b = random.Log(1e-12, 1e3);
+    filter->SetScatteringCoefficient(b, 0.5 * b, b);
+    filter->SetAbsorptionCoefficient(0.0, random.Log(1e-12, 1e3), 0.0);
+    filter->SetFarLimit(random.Log(1e-6, 1e9));
+    filter->SetParallelProjection(i % 2 == 1);
+    filter->SetParallelScale(random.Log(1e-3, 1e3));
+    filter->SetPhaseFunction(i % 5);
+    filter->SetAsymmetry(i % 7 == 0 ? 0.99 : random.Uniform(-0.99, 0.99));
+    const Vec3 light = random.Direction() * (i % 11 == 0 ? 0.0 : random.Log(1e-6, 1e9));
+    const bool point = i % 4 < 2;
+    if (point)
+    {
+      filter->SetLight(light.x, light.y, i % 13 == 0 ? 0.0 : light.z, 1.0);
+    }
+    else
+    {
+      const Vec3 direction = random.Direction();
+      filter->SetLight(direction.x, direction.y, direction.z, 0.0);
+      filter->SetScaleHeight(random.Log(1e-6, 1e9));
+      filter->SetGroundLevel(random.Uniform(-1.0, 1.0) * random.Log(1e-6, 1e9));
+      filter->SetGasScatteringCoefficient(b, b, random.Log(1e-12, 1e3));
+      filter->SetGasScaleHeight(i % 3 == 0 ? 0.0 : random.Log(1e-6, 1e9));
+    }
+    for (const double value : Scatter(filter, depths).Values)
+    {
+      ASSERT_TRUE(value >= 0.0 && value < 1e39) << i << " " << filter->GetPlan();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(CoverageMedia, IsContinuousWhereAPointLightPassesTheEye)
+{
+  const Picture depths = MakePicture(
+    Width, Height, [](int x, int y) { return std::hypot(x - 30.0, y - 15.0) < 8.0 ? 3.0 : sky; });
+  vtkNew<Filter> filter;
+  filter->SetFarLimit(20.0);
+  Picture before;
+  for (const double z : { -1e-2, -1e-4, -1e-6, -1e-9, 0.0, 1e-9, 1e-6, 1e-4, 1e-2 })
+  {
+    filter->SetLight(1.5, 0.8, z, 1.0);
+    const Picture now = Scatter(filter, depths);
+    if (!before.Values.empty())
+    {
+      const double difference = GetLargestDifference(now, before) / now.GetMaximum();
+      std::cout << "z " << z << ": largest difference from the one before " << difference << "\n";
+      EXPECT_LE(difference, 0.03);
+    }
+    before = now;
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(CoverageMedia, BytesDoNotDependOnThreads)
+{
+  const Picture depths = MakePicture(
+    200, 130, [](int x, int y) { return (x / 9 + y / 7) % 3 == 0 ? 2.0 + 0.02 * x : sky; });
+  for (const bool point : { false, true })
+  {
+    Picture pictures[2];
+    for (const int threads : { 1, 2 })
+    {
+      vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, "STDThread", false },
+        [&]()
+        {
+          vtkNew<Filter> filter;
+          filter->SetLight(0.5, 0.7, -4.0, point ? 1.0 : 0.0);
+          filter->SetScaleHeight(point ? 0.0 : 2.0);
+          pictures[threads - 1] = Scatter(filter, depths);
+        });
+    }
+    EXPECT_EQ(GetLargestDifference(pictures[0], pictures[1]), 0.0);
+    EXPECT_GT(pictures[0].GetMaximum(), 0.0);
   }
 }

@@ -8,6 +8,7 @@
 #include "vtkGodRaysCoverageSweep.h"
 
 #include "vtkMath.h"
+#include "vtkSMPTools.h"
 
 using namespace GodRaysFiltersTesting;
 
@@ -138,4 +139,34 @@ TEST(CoverageSweep, PartsOfAPicture)
   EXPECT_LE(rms, 2e-3);
   parameters.Center[0] += 8.0;
   EXPECT_GT(GetLargestDifference(Execute(sweep, parameters, part), result), 0.0);
+}
+
+//------------------------------------------------------------------------------
+// The threads of vtkSMPTools need memory of their own: without them here.
+TEST(CoverageSweep, SteadyExecutionAllocatesNothing)
+{
+  const Picture depths = MakeDepths(120, 80);
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1, "Sequential", false },
+    [&]()
+    {
+      for (const double w : { 0.0, 1.0 })
+      {
+        for (const double scaleHeight : { 0.0, w == 0.0 ? 2.0 : 0.0 })
+        {
+          Sweep sweep;
+          Sweep::Parameters parameters = MakeParameters(120, 80);
+          parameters.Light[3] = w;
+          parameters.Medium.Components[0].ScaleHeight = scaleHeight;
+          const Picture first = Execute(sweep, parameters, depths);
+          const int allocations = CountAllocations(
+            [&]()
+            {
+              sweep.PrepareInput(120, 80, 1);
+              sweep.Execute(parameters);
+            });
+          EXPECT_EQ(allocations, 0) << sweep.Describe();
+          EXPECT_EQ(GetLargestDifference(Execute(sweep, parameters, depths), first), 0.0);
+        }
+      }
+    });
 }

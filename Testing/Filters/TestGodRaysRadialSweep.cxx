@@ -70,6 +70,15 @@ void operator delete[](void* memory, std::size_t) noexcept
   std::free(memory);
 }
 
+int GodRaysFiltersTesting::CountAllocations(const std::function<void()>& function)
+{
+  Allocations = 0;
+  CountsAllocations = true;
+  function();
+  CountsAllocations = false;
+  return Allocations;
+}
+
 namespace
 {
 using Sweep = vtkGodRaysRadialSweep;
@@ -187,21 +196,18 @@ TEST(GodRaysRadialSweep, SteadyExecutionAllocatesNothing)
         Fill(sweep, picture);
         sweep.Execute(parameters);
         const Picture first = Read(sweep, 320, 200, 3);
-        Allocations = 0;
-        CountsAllocations = true;
-        sweep.PrepareInput(320, 200, 3);
-        sweep.Execute(parameters);
-        CountsAllocations = false;
-        EXPECT_EQ(Allocations, 0) << sweep.Describe();
+        const int allocations = CountAllocations(
+          [&]()
+          {
+            sweep.PrepareInput(320, 200, 3);
+            sweep.Execute(parameters);
+          });
+        EXPECT_EQ(allocations, 0) << sweep.Describe();
         EXPECT_EQ(Read(sweep, 320, 200, 3).Values, first.Values);
       }
     });
   // And they are counted at all.
-  Allocations = 0;
-  CountsAllocations = true;
-  Sweep().PrepareInput(10, 10, 1);
-  CountsAllocations = false;
-  EXPECT_GT(Allocations, 1);
+  EXPECT_GT(CountAllocations([]() { Sweep().PrepareInput(10, 10, 1); }), 1);
 }
 
 //------------------------------------------------------------------------------
