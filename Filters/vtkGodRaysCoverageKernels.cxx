@@ -230,8 +230,8 @@ HWY_INLINE Rays<FloatTag> FindRays(const CoverageSettings& settings, Float colum
       place = hn::CopySign(LogOfOnePlus(d, size + more), x);
     }
   }
-  const Float row2 = (place - hn::Set(d, table.FirstRow)) * hn::Set(d, table.RowsPerUnit);
-  rays.Row = hn::Min(hn::Max(row2, zero), hn::Set(d, table.Rows - 1.0f));
+  rays.Row = (place - hn::Set(d, table.FirstRow)) * hn::Set(d, table.RowsPerUnit);
+  rays.Row = hn::Min(hn::Max(rays.Row, zero), hn::Set(d, table.Rows - 1.0f));
   if (table.Kind == CoverageTable::LAYERS)
   {
     const IntTag di;
