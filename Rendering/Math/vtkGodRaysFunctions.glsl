@@ -554,17 +554,22 @@ FUNCTION Real ExponentialAirlight(IN(Real) extinction, IN(Real) height, IN(Real)
   return column * MeanTransmittance(tau, extinction * column * (1.0 - slope / lightSlope));
 }
 
-// Where a directional light's airlight from the first part of a ray is a given fraction of that from
-// all of it, in a homogeneous medium: steps between such places carry equal light.
-// Formula: -ln(1 - fraction (1 - e^(-extinction distance)))/extinction, as a series where the optical
-// depth is below 0.01. [length]
-FUNCTION Real AirlightPlace(IN(Real) extinction, IN(Real) distance, IN(Real) fraction)
+// Where a directional light's airlight from the first part of a ray is a given part of that from an
+// endless one, in a homogeneous medium: steps between such places carry equal light. all is the part
+// of the whole ray, tau MeanExponential(tau) for its optical depth tau.
+// Formula: -ln(1 - fraction all)/extinction, as a series where all is below 0.01; distance is the
+// whole ray's length. [length]
+FUNCTION Real AirlightPlace(
+  IN(Real) extinction, IN(Real) distance, IN(Real) all, IN(Real) fraction)
 {
-  Real tau = extinction * distance;
-  Real mean = MeanExponential(tau);
-  Real x = fraction * tau * mean;
-  return tau < 0.01 ? fraction * distance * mean * (1.0 + x * (0.5 + x * (1.0 / 3.0 + 0.25 * x)))
-                    : -log(max(1.0 - x, 1e-30)) / extinction;
+  Real x = fraction * all;
+  if (all < 0.01)
+  {
+    Real mean = all / max(extinction * distance, 1e-30);
+    return distance * (mean > 0.5 ? mean : 1.0) * fraction *
+      (1.0 + x * (0.5 + x * (1.0 / 3.0 + 0.25 * x)));
+  }
+  return -log(max(1.0 - x, 1e-30)) / extinction;
 }
 
 // The depth at which something at view depth z hides a point light, or one that is infinitely far,

@@ -456,11 +456,12 @@ TEST(Medium, GivesNoMoreThanItTakes)
 
 TEST(Medium, AirlightPlacesAreWhereTheAirlightIsThatPart)
 {
-  for (const double extinction : { 1e-9, 1e-4, 0.0009, 0.0011, 0.1, 3.0 })
+  for (const double extinction : { 0.0, 1e-9, 1e-4, 0.0009, 0.0011, 0.1, 3.0 })
   {
     for (const double fraction : { 0.0, 0.01, 0.5, 0.9, 1.0 })
     {
-      const double place = AirlightPlace(extinction, 10.0, fraction);
+      const double all = 10.0 * extinction * MeanExponential(10.0 * extinction);
+      const double place = AirlightPlace(extinction, 10.0, all, fraction);
       const double part = DirectionalAirlight(extinction, 0.0, place, 0.0, 0.0);
       const double whole = DirectionalAirlight(extinction, 0.0, 10.0, 0.0, 0.0);
       EXPECT_NEAR(part, fraction * whole, 1e-7 * whole) << extinction << " " << fraction;

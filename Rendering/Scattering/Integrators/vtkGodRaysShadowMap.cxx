@@ -316,7 +316,6 @@ void vtkGodRaysShadowMap::SetFace(int face, const double axes[3][3], const doubl
 //------------------------------------------------------------------------------
 void vtkGodRaysShadowMap::Set(vtkShaderProgram* program) const
 {
-  program->SetUniformi("numberOfFaces", this->NumberOfFaces);
   program->SetUniformi("mapSize", this->Size);
   const float range[2] = { static_cast<float>(this->Range[0]), static_cast<float>(this->Range[1]) };
   program->SetUniform2f("mapRange", range);

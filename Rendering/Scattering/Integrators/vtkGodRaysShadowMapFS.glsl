@@ -13,12 +13,12 @@ in vec2 texCoord; // of the picture, as well as it is interpolated
 // infinite: whether the light is infinitely far
 // uniformly: whether it is and the medium is homogeneous
 // grey: whether the medium has one colour
+// cube: whether the map has six faces
 
 //VTK::GodRays::MediumRays
 
 uniform sampler2D ends;    // view depths of where view rays end
 uniform sampler2D map;     // window depths, faces side by side
-uniform int numberOfFaces; // 1 or 6
 uniform int mapSize;       // of a face [pixels]
 uniform mat4 toMap[6];     // view coordinates to clip coordinates of a face
 uniform vec2 mapRange;     // distances from the light of window depths 0 and 1
@@ -43,13 +43,12 @@ int GetFace(vec3 direction)
   return direction.z < 0.0 ? 4 : 5; // z is forwards here, backwards there
 }
 
-// Whether the light reaches a place: beyond the map's edge nothing blocks it.
-float GetVisibility(vec3 place)
+// Whether the light reaches a place, in clip coordinates of a face: beyond the map's edge nothing
+// blocks it.
+float GetVisibility(vec4 clip, int face)
 {
-  int face = numberOfFaces == 1 ? 0 : GetFace(place - light.xyz);
-  vec4 clip = toMap[face] * vec4(place, 1.0);
-  vec2 at = 0.5 * (clip.xy / clip.w + 1.0) * float(mapSize);
-  if (clip.w <= 0.0 || (numberOfFaces == 1 &&
+  vec2 at = 0.5 * ((infinite ? clip.xy : clip.xy / clip.w) + 1.0) * float(mapSize);
+  if (clip.w <= 0.0 || (!cube &&
       (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, vec2(float(mapSize)))))))
   {
     return 1.0;
@@ -70,16 +69,10 @@ float GetVisibility(vec3 place)
   return here > blocked + bias * texel * (infinite ? 1.0 : blocked) ? 0.0 : 1.0;
 }
 
-// Where steps end: equal light comes from each, if nothing blocks it.
-float GetStep(LitRay ray, float end, float t)
+// Where steps end: equal light comes from each, if nothing blocks it. all is of AirlightPlace().
+float GetStep(LitRay ray, float end, float extinction, float all, float t)
 {
-  if (!uniformly)
-  {
-    return MediumPlace(ray, 0.0, end, t);
-  }
-  float extinction =
-    grey ? GetExtinction(0) : (GetExtinction(0) + GetExtinction(1) + GetExtinction(2)) / 3.0;
-  return AirlightPlace(extinction, end, t);
+  return uniformly ? AirlightPlace(extinction, end, all, t) : MediumPlace(ray, 0.0, end, t);
 }
 
 void main()
@@ -88,10 +81,15 @@ void main()
   LitRay ray = GetLitRay(place);
   float perDepth = GetLengthPerDepth(place);
   float end = perDepth * min(texelFetch(ends, ivec2(place), 0).r, farLimit);
-  vec3 strength = uniformly ? GetStrength(ray) : vec3(0.0);
+  vec3 strength = uniformly && !grey ? GetStrength(ray) : vec3(0.0);
+  float extinction =
+    grey ? GetExtinction(0) : (GetExtinction(0) + GetExtinction(1) + GetExtinction(2)) / 3.0;
+  float whole = extinction * end * MeanExponential(extinction * end);
   vec2 xy = GetRayPlace(place);
   vec3 origin = parallel ? vec3(xy, 0.0) : vec3(0.0);
   vec3 direction = parallel ? vec3(0.0, 0.0, 1.0) : vec3(xy, 1.0) / perDepth;
+  vec4 start = toMap[0] * vec4(origin, 1.0); // a face's clip coordinates are linear along the ray
+  vec4 change = toMap[0] * vec4(direction, 0.0);
   float noise = InterleavedGradientNoise(floor(texCoord * pictureSize));
 
   vec3 lit = vec3(0.0);
@@ -99,13 +97,20 @@ void main()
   float begin = 0.0;
   for (int i = 0; i < numberOfSteps; ++i)
   {
-    float last = GetStep(ray, end, float(i + 1) / float(numberOfSteps));
-    float at = GetStep(ray, end, (float(i) + noise) / float(numberOfSteps));
-    float visible = GetVisibility(origin + at * direction);
+    float at = GetStep(ray, end, extinction, whole, (float(i) + noise) / float(numberOfSteps));
+    int face = cube ? GetFace(origin + at * direction - light.xyz) : 0;
+    float visible = GetVisibility(
+      cube ? toMap[face] * vec4(origin + at * direction, 1.0) : start + at * change, face);
+    if (uniformly && grey)
+    {
+      lit.x += visible;
+      all.x += 1.0;
+      continue;
+    }
+    float last = GetStep(ray, end, extinction, whole, float(i + 1) / float(numberOfSteps));
     for (int c = 0; c < channels; ++c)
     {
-      float airlight =
-        uniformly && grey ? 1.0 : GetAirlight(c, ray, strength[c], begin, last);
+      float airlight = GetAirlight(c, ray, strength[c], begin, last);
       lit[c] += visible * airlight;
       all[c] += airlight;
     }

@@ -34,7 +34,8 @@ struct vtkGodRaysShadowMapIntegrator::Internals
   {
     vtkShaderProgram* program = quad.Begin(request.Window,
       { { "parallel", rays.IsParallel() }, { "infinite", rays.IsInfinite() },
-        { "uniformly", rays.IsUniform() }, { "grey", rays.IsGrey() } });
+        { "uniformly", rays.IsUniform() }, { "grey", rays.IsGrey() },
+        { "cube", this->Map.GetNumberOfFaces() == 6 } });
     if (program)
     {
       rays.Set(program);
