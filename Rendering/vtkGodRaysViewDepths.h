@@ -35,6 +35,11 @@ public:
     vtkTextureObject* seen);
 
   /**
+   * Window depths of what blocks light.
+   */
+  vtkTextureObject* GetBlockingWindowDepth() const { return this->Sources[0]; }
+
+  /**
    * A number that no other frame has, of any of these objects.
    */
   unsigned int GetFrame() const { return this->Frame; }

@@ -6,6 +6,7 @@
 
 #include "GodRaysTesting.h"
 
+#include "vtkGodRaysEpipolarCoverageIntegrator.h"
 #include "vtkGodRaysEpipolarIntegrator.h"
 #include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysRadialModel.h"
@@ -435,6 +436,27 @@ TEST(GodRaysResources, AreNotMadeForShadowMaps)
   {
     const Counts steady = Draw(scene);
     EXPECT_EQ(steady.GetMade(), 0) << "frame " << frame << ": " << steady;
+  }
+}
+
+// The mappers' shaders are VTK's, from its cache: with and without the layers' part in turn.
+TEST(GodRaysResources, AreNotMadeForSolidLayers)
+{
+  Messages messages;
+  Stage scene(64, 48);
+  scene.AddPillarsAndSun();
+  vtkNew<vtkGodRaysHomogeneousModel> model;
+  scene.Rays->SetModel(model);
+  auto integrator = vtkGodRaysEpipolarCoverageIntegrator::SafeDownCast(scene.Rays->GetIntegrator());
+  integrator->SetNumberOfLayers(2);
+  Count(scene.Window);
+  EXPECT_GT(Draw(scene).GetMade(), 10);
+  for (int frame = 2; frame < 5; ++frame)
+  {
+    const Counts steady = Draw(scene);
+    EXPECT_EQ(steady.GetMade(), 2 * 7) << "frame " << frame << ": " << steady;
+    EXPECT_EQ(steady.Objects, 2 * 7) << "a vertex array for each pillar and change: " << steady;
+    EXPECT_TRUE(steady.AliveAs(Counts())) << "frame " << frame << ": " << steady;
   }
 }
 

@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysEpipolarCoverageIntegrator.h"
 
+#include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysCoverageSweep.h"
 #include "vtkGodRaysMediumModel.h"
 #include "vtkGodRaysMediumRays.h"
 #include "vtkGodRaysSetGet.h"
+#include "vtkGodRaysSolidLayers.h"
 #include "vtkGodRaysSource.h"
 #include "vtkGodRaysSum.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysViewDepths.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtk_glew.h"
@@ -25,18 +28,21 @@ struct vtkGodRaysEpipolarCoverageIntegrator::Internals
 {
   vtkGodRaysCoverageSweep Sweep;
   vtkGodRaysTarget Rays[2]; // of one channel, and of three
-  unsigned int Frame = 0;   // whose depths the sweep has
+  vtkNew<vtkGodRaysSolidLayers> Solid;
+  unsigned int Frame = 0; // whose depths the sweep has
+  int Layers = 0;         // as well as so many
   std::string Plan = "nothing yet";
   std::string Told; // of which light it was told that it cannot be evaluated
 
-  bool LoadDepths(vtkGodRaysViewDepths& depths);
+  bool LoadDepths(const Request& request, int layers);
 };
 
 //------------------------------------------------------------------------------
 // Once a frame, however many lights it has.
-bool vtkGodRaysEpipolarCoverageIntegrator::Internals::LoadDepths(vtkGodRaysViewDepths& depths)
+bool vtkGodRaysEpipolarCoverageIntegrator::Internals::LoadDepths(const Request& request, int layers)
 {
-  if (this->Frame == depths.GetFrame())
+  vtkGodRaysViewDepths& depths = *request.Depths;
+  if (this->Frame == depths.GetFrame() && this->Layers == layers)
   {
     return true;
   }
@@ -45,13 +51,28 @@ bool vtkGodRaysEpipolarCoverageIntegrator::Internals::LoadDepths(vtkGodRaysViewD
   {
     return false;
   }
-  const int planes = depths.HasEnds() ? 2 : 1;
+  const int solid = layers > 0 ? 2 * layers : 1;
+  const int planes = solid + (depths.HasEnds() ? 1 : 0);
   const auto input =
     this->Sweep.PrepareInput(targets[0]->GetWidth(), targets[0]->GetHeight(), planes);
-  for (int i = 0; i < planes; ++i)
+  const int stride = static_cast<int>(input.Stride);
+  targets[0]->Read(GL_RED, GL_FLOAT, input.Values[0], stride);
+  if (depths.HasEnds())
   {
-    targets[i]->Read(GL_RED, GL_FLOAT, input.Values[i], static_cast<int>(input.Stride));
+    targets[1]->Read(GL_RED, GL_FLOAT, input.Values[solid], stride);
   }
+  if (solid > 1 && !this->Solid->Draw(request, solid - 1))
+  {
+    return false;
+  }
+  for (int i = 1; i < solid; ++i)
+  {
+    if (!this->Solid->Read(request, i - 1, input.Values[i], stride))
+    {
+      return false;
+    }
+  }
+  this->Layers = layers;
   this->Frame = depths.GetFrame();
   return true;
 }
@@ -75,7 +96,9 @@ bool vtkGodRaysEpipolarCoverageIntegrator::Supports(vtkGodRaysModel* model)
 bool vtkGodRaysEpipolarCoverageIntegrator::Integrate(const Request& request)
 {
   Internals& self = *this->Internal;
-  if (!self.LoadDepths(*request.Depths))
+  const bool distributed = request.Compositor && request.Compositor->IsDistributed();
+  const int layers = distributed ? 0 : this->NumberOfLayers;
+  if (!self.LoadDepths(request, layers))
   {
     return false;
   }
@@ -97,6 +120,7 @@ bool vtkGodRaysEpipolarCoverageIntegrator::Integrate(const Request& request)
   }
   parameters.Medium = *request.Medium;
   parameters.Thickness = this->Thickness;
+  parameters.Layers = layers;
   if (!vtkGodRaysCoverageSweep::Supports(parameters))
   {
     this->TellThatNot(source.Name);
@@ -138,6 +162,7 @@ std::string vtkGodRaysEpipolarCoverageIntegrator::Describe(vtkGodRaysModel*, dou
 //------------------------------------------------------------------------------
 void vtkGodRaysEpipolarCoverageIntegrator::ReleaseGraphicsResources(vtkWindow* window)
 {
+  this->Internal->Solid->ReleaseGraphicsResources(window);
   this->Internal->Rays[0].Release(window);
   this->Internal->Rays[1].Release(window);
 }
@@ -147,4 +172,5 @@ void vtkGodRaysEpipolarCoverageIntegrator::PrintSelf(ostream& os, vtkIndent inde
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Thickness: " << this->Thickness << "\n";
+  os << indent << "NumberOfLayers: " << this->NumberOfLayers << "\n";
 }

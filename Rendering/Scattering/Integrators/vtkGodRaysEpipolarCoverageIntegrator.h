@@ -12,7 +12,7 @@
  * are read back from the graphics card; see vtkGodRaysCoverageFilter.
  *
  * The depth of the picture does not hold what is outside it or behind other things, nor how thick
- * things are: a surface is taken to be Thickness thick. What that costs stands in
+ * things are: a surface is taken to be Thickness thick, unless there is NumberOfLayers. What that costs stands in
  * Documentation/Accuracy.md. A picture that is tilted against the axis of view, or has oblong pixels,
  * as only a projection matrix made by hand has, is an error.
  *
@@ -44,6 +44,18 @@ public:
   vtkGetMacro(Thickness, double);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get how many layers of solid things are known [no unit]. 0: the first surface alone, Thickness
+   * thick. 1: also where view rays leave the first thing; 2: also where they enter and leave the second
+   * one, which takes 1 or 3 more renderings of what blocks light. Things must be closed, with polygons
+   * that face outwards; what has no back is Thickness thick. A scene on several processes has none.
+   * Valid range: [0, 2]. Default is 0.
+   */
+  vtkSetClampMacro(NumberOfLayers, int, 0, 2);
+  vtkGetMacro(NumberOfLayers, int);
+  ///@}
+
   bool Supports(vtkGodRaysModel* model) override;
   VTK_WRAPEXCLUDE bool Integrate(const Request& request) override;
   std::string Describe(vtkGodRaysModel* model, double resolutionScale) override;
@@ -63,6 +75,7 @@ private:
   std::unique_ptr<Internals> Internal;
 
   double Thickness = 0.01;
+  int NumberOfLayers = 0;
 };
 
 #endif

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysSolidLayers.h"
+
+#include "vtkCamera.h"
+#include "vtkGodRaysProjection.h"
+#include "vtkGodRaysSource.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkProp.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtk_glew.h"
+
+#include <memory>
+
+vtkStandardNewMacro(vtkGodRaysSolidLayers);
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSolidLayers::Draw(const vtkGodRaysIntegrator::Request& request, int planes)
+{
+  vtkTextureObject* const first = request.Depths->GetBlockingWindowDepth();
+  vtkOpenGLState* state = request.Window->GetState();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglClearDepth(1.0);
+  const auto camera = request.ViewScale < 1.0
+    ? std::make_unique<vtkGodRaysProjection>(
+        request.Renderer, request.View->ViewToClip, this->Camera)
+    : nullptr;
+  std::vector<vtkProp*> props = *request.Blocking;
+  vtkRenderState blocking(request.Renderer);
+  blocking.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+  this->Last = first;
+  this->PreRender(&blocking);
+  bool drawn = true;
+  for (int plane = 0; plane < planes && drawn; ++plane)
+  {
+    vtkGodRaysTarget& target = this->Planes[plane];
+    target.Prepare(request.Window, static_cast<int>(first->GetWidth()),
+      static_cast<int>(first->GetHeight()), { 0, GL_DEPTH_COMPONENT32F });
+    drawn = target.Bind();
+    if (drawn)
+    {
+      state->vtkglClear(GL_DEPTH_BUFFER_BIT);
+      this->Backs = plane % 2 == 0;
+      this->Before = plane == 0 ? first : this->Last;
+      this->Last = plane == 0 ? first : this->Planes[plane - 1].GetDepth();
+      this->Render(&blocking);
+    }
+  }
+  this->PostRender(&blocking);
+  return drawn;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSolidLayers::Render(const vtkRenderState* s)
+{
+  this->Last->Activate();
+  if (this->Before != this->Last)
+  {
+    this->Before->Activate();
+  }
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    s->GetPropArray()[i]->RenderOpaqueGeometry(s->GetRenderer());
+  }
+  if (this->Before != this->Last)
+  {
+    this->Before->Deactivate();
+  }
+  this->Last->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+// Numbers are uniforms, so that all planes have one shader. The first surface is that of the scene,
+// in whose format depths may be rounded to 24 bits.
+bool vtkGodRaysSolidLayers::PreReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+{
+  vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Dec",
+    "uniform sampler2D solidLast;\n"
+    "uniform sampler2D solidBefore;\n"
+    "uniform int solidBacks;\n"
+    "//VTK::DepthPeeling::Dec");
+  vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::PreColor",
+    "//VTK::DepthPeeling::PreColor\n"
+    "  float solidNearer = texelFetch(solidLast, ivec2(gl_FragCoord.xy), 0).r;\n"
+    "  if (solidNearer >= 1.0)\n"
+    "  {\n"
+    "    solidNearer = texelFetch(solidBefore, ivec2(gl_FragCoord.xy), 0).r;\n"
+    "  }\n"
+    "  if (gl_FragCoord.z <= solidNearer + 2.4e-7 || gl_FrontFacing == (solidBacks != 0))\n"
+    "  {\n"
+    "    discard;\n"
+    "  }\n");
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSolidLayers::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
+{
+  program->SetUniformi("solidLast", this->Last->GetTextureUnit());
+  program->SetUniformi("solidBefore", this->Before->GetTextureUnit());
+  program->SetUniformi("solidBacks", this->Backs);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSolidLayers::Read(
+  const vtkGodRaysIntegrator::Request& request, int plane, float* depths, int rowLength)
+{
+  vtkGodRaysViewDepths& converter = this->Depths[plane];
+  converter.Begin(request.Window, *request.View, this->Planes[plane].GetDepth(), nullptr);
+  vtkGodRaysTarget* target = converter.GetBlocking();
+  if (target)
+  {
+    target->Read(GL_RED, GL_FLOAT, depths, rowLength);
+  }
+  return target != nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSolidLayers::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Superclass::ReleaseGraphicsResources(window);
+  for (int i = 0; i < MaximumPlanes; ++i)
+  {
+    this->Depths[i].Release(window);
+    this->Planes[i].Release(window);
+  }
+}
