@@ -29,6 +29,15 @@ file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/Testing/Plugin")
 list(JOIN godrays_paraview_python ":" godrays_plugin_python)
 string(PREPEND godrays_plugin_python "${PROJECT_SOURCE_DIR}/Testing/Plugin:")
 
+# The environment, with the plugin in a tree
+macro(godrays_plugin_tree result plugin prefix)
+  set(${result}
+    ${godrays_plugin_environment}
+    "GODRAYS_PLUGIN=${plugin}"
+    "PYTHONPATH=${prefix}/${godrays_python_destination}:${godrays_plugin_python}")
+endmacro()
+godrays_plugin_tree(godrays_plugin_build_environment "$<TARGET_FILE:GodRays>" "${CMAKE_BINARY_DIR}")
+
 # godrays_add_plugin_test(<name> FILE <file.py> [PROGRAM <program>] [INSTALLED <prefix>])
 #
 # A Python file that pvbatch runs, or another program; see Testing/Plugin/plugin_testing.py. The
@@ -38,17 +47,17 @@ function(godrays_add_plugin_test name)
   if(NOT arg_PROGRAM)
     set(arg_PROGRAM "${GODRAYS_PVBATCH}")
   endif()
-  set(prefix "${CMAKE_BINARY_DIR}")
-  set(plugin "$<TARGET_FILE:GodRays>")
+  set(environment ${godrays_plugin_build_environment})
   if(arg_INSTALLED)
-    set(prefix "${arg_INSTALLED}")
-    set(plugin "${prefix}/${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/GodRays/$<TARGET_FILE_NAME:GodRays>")
+    string(JOIN "/" plugin "${arg_INSTALLED}" "${CMAKE_INSTALL_LIBDIR}" "${PARAVIEW_PLUGIN_SUBDIR}"
+      "GodRays" "$<TARGET_FILE_NAME:GodRays>")
+    godrays_plugin_tree(environment "${plugin}" "${arg_INSTALLED}")
   endif()
   add_test(NAME ${name} COMMAND "${arg_PROGRAM}" "${CMAKE_CURRENT_SOURCE_DIR}/${arg_FILE}")
   set_tests_properties(${name} PROPERTIES
     LABELS      plugin
     TIMEOUT     600
-    ENVIRONMENT "${godrays_plugin_environment};GODRAYS_PLUGIN=${plugin};PYTHONPATH=${prefix}/${godrays_python_destination}:${godrays_plugin_python}")
+    ENVIRONMENT "${environment}")
   if(arg_INSTALLED)
     set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED godrays_installed)
   endif()

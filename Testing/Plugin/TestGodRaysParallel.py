@@ -6,47 +6,25 @@ Plain Python, which starts ParaView's programs: GODRAYS_PVBATCH, GODRAYS_PVSERVE
 """
 
 import os
-import pathlib
-import re
 import socket
 import subprocess
 import sys
 import tempfile
 import unittest
 
-import numpy
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOImage import vtkPNGReader
+from parallel_testing import MPIRUN, difference, draw, on_processes, read
 
 LEVELS = 2
-SCRIPT = str(pathlib.Path(__file__).with_name("parallel_scenes.py"))
-MPIRUN = [os.environ["GODRAYS_MPIRUN"], "--oversubscribe", "-np"]
-if hasattr(os, "geteuid") and os.geteuid() == 0:
-    MPIRUN.insert(1, "--allow-run-as-root")
 
 # What ParaView draws alike without rays; volumes differ by a few levels between their parts.
 SCENES = ["opaque", "gradient", "tagged", "role", "lamp", "bright", "one_process"]
-
-
-def read(folder, name):
-    reader = vtkPNGReader()
-    reader.SetFileName(os.path.join(folder, name + ".png"))
-    reader.Update()
-    image = reader.GetOutput()
-    width, height, _ = image.GetDimensions()
-    values = vtk_to_numpy(image.GetPointData().GetScalars()).astype(int)
-    return values.reshape(height, width, -1)[:, :, :3]
-
-
-def difference(a, b, name):
-    return int(abs(read(a, name) - read(b, name)).max())
 
 
 class Parallel(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
-        cls.serial = cls.draw("serial", [os.environ["GODRAYS_PVBATCH"]])
+        cls.serial = cls.draw("serial", on_processes(1))
 
     @classmethod
     def tearDownClass(cls):
@@ -54,26 +32,7 @@ class Parallel(unittest.TestCase):
 
     @classmethod
     def draw(cls, name, program, scenes=(), **environment):
-        folder = os.path.join(cls.folder.name, name)
-        os.mkdir(folder)
-        done = subprocess.run(
-            [*program, SCRIPT, folder, *scenes],
-            env={**os.environ, **environment},
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            timeout=240,
-            text=True,
-            check=False,
-        )
-        # Debian's expat cannot read what ParaView 5.11 sends between processes for translucent data
-        errors = [
-            line
-            for line in done.stdout.splitlines()
-            if re.search(r"(ERR|WARN)\|", line) and not re.search("XML|vtkExecutive", line)
-        ]
-        if done.returncode or errors:
-            raise AssertionError(f"{name}: exit status {done.returncode}\n{done.stdout}")
-        return folder
+        return draw(os.path.join(cls.folder.name, name), program, scenes, **environment)
 
     def check(self, folder, scenes=SCENES):
         for name in scenes:
@@ -93,7 +52,7 @@ class Parallel(unittest.TestCase):
         )
 
     def test_two_processes(self):
-        folder = self.draw("two", [*MPIRUN, "2", os.environ["GODRAYS_PVBATCH"]])
+        folder = self.draw("two", on_processes(2))
         self.check(folder)
         self.check_ordered(folder)
 
@@ -114,7 +73,7 @@ class Parallel(unittest.TestCase):
 
     def test_four_processes(self):
         scenes = ["opaque", "tagged", "lamp", "one_process"]
-        folder = self.draw("four", [*MPIRUN, "4", os.environ["GODRAYS_PVBATCH"]], scenes)
+        folder = self.draw("four", on_processes(4), scenes)
         self.check(folder, scenes)
 
     def test_client_and_server(self):

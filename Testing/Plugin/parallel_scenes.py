@@ -7,8 +7,9 @@ wanted; or with Python, as a client of the server at GODRAYS_SERVER_PORT, which 
 GODRAYS_REMOTE_RENDERING is 1, and does not if it is 0.
 
 Each <scene>.png has rays, each <scene>-plain.png none; as a client, each <scene>-dragged.png is what
-the window shows of <scene>.png while the camera is dragged, reduced by REDUCTION; times.json has the seconds of a frame, if
-GODRAYS_FRAMES says how many of them to draw.
+the window shows of <scene>.png while the camera is dragged, reduced by REDUCTION. If GODRAYS_FRAMES
+says how many frames to time, pictures are larger, and times.json has of each scene: the seconds of
+each frame with rays and without, and of the pass's stages where the pictures are joined.
 """
 
 import json
@@ -21,8 +22,8 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 FOLDER = sys.argv[1]
-SIZE = (200, 150)
 FRAMES = int(os.environ.get("GODRAYS_FRAMES", "0"))
+SIZE = (800, 600) if FRAMES else (200, 150)
 REDUCTION = 4
 CENTERS = [(-1.7, 0.7, 0.0), (-0.9, -0.6, 0.3), (0.1, 0.8, -0.4), (0.9, -0.4, 0.2), (1.7, 0.6, 0.0)]
 
@@ -128,6 +129,20 @@ def save_dragged(view, path):
     writer.Write()
 
 
+def time_frames(view):
+    """The seconds of frames, and of the stages in each."""
+    view.MeasureTimes = 1
+    frames, stages = [], []
+    for _ in range(FRAMES):
+        begin = time.perf_counter()
+        simple.Render(view)
+        frames.append(time.perf_counter() - begin)
+        stage = [0.0] * 4
+        rays(view).GetStageTimes(stage)
+        stages.append(stage)
+    return frames, stages
+
+
 times = {}
 for name in sys.argv[2:] or SCENES:
     view = make_view(size=SIZE, SunElevation=6.0, SunAzimuth=3.0)
@@ -139,13 +154,13 @@ for name in sys.argv[2:] or SCENES:
     simple.SaveScreenshot(path + ".png", view)
     if "GODRAYS_REMOTE_RENDERING" in os.environ:
         save_dragged(view, path + "-dragged.png")
-    begin = time.perf_counter()
-    for _ in range(FRAMES):
-        simple.Render(view)
     if FRAMES:
-        times[name] = (time.perf_counter() - begin) / FRAMES
+        times[name] = dict(zip(("frames", "stages"), time_frames(view)))
     view.UseGodRays = 0
     simple.SaveScreenshot(path + "-plain.png", view)
+    if FRAMES:
+        times[name]["plain"], _ = time_frames(view)
     simple.Delete(view)
-with open(os.path.join(FOLDER, "times.json"), "w", encoding="utf-8") as file:
-    json.dump(times, file, indent=1)
+if FRAMES:
+    with open(os.path.join(FOLDER, "times.json"), "w", encoding="utf-8") as file:
+        json.dump(times, file, indent=1)
