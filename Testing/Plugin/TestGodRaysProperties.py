@@ -125,6 +125,8 @@ class Properties(Case):
                 self.assertEqual(get(), value, "the class does not take the end of the range")
                 step = max(1.0, abs(end)) * beyond
                 further = end + (step if isinstance(end, float) else int(step))
+                if isinstance(end, int) and abs(further) >= 2**31:
+                    continue  # the end of all integers
                 getattr(vtk_object, "Set" + name)(*([further] * count))
                 self.assertEqual(get(), value, "the class's range goes on")
         push(default)
@@ -193,12 +195,6 @@ class Properties(Case):
                     hints = proxy.SMProxy.GetHints().FindNestedElementByName("ShowInMenu")
                     self.assertEqual(hints.GetAttribute("category"), "God Rays")
             self.assertEqual(offered, classes)
-
-    def test_sky_source(self):
-        proxy = simple.GodRaysSkySource()
-        self.check(proxy, proxy.GetClientSideObject())
-        hints = proxy.SMProxy.GetHints().FindNestedElementByName("ShowInMenu")
-        self.assertEqual(hints.GetAttribute("category"), "God Rays")
 
     def test_presets(self):
         view = make_view(WorldUnitInMeters=3.0)

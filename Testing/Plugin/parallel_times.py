@@ -30,7 +30,8 @@ the one of one process, in levels of 255, with rays and without: what it has wit
 
 All processes share this machine's {cores} processors with each other, with the threads of software
 OpenGL, and with whatever else runs ({load:.1f} programs wanted one in the last minute): more of them cannot
-be faster here, and times say no more than what joining costs.
+be faster here, and times say no more than what joining costs. On a busy machine they vary by up to a
+factor of two from run to run.
 
 | scene | processes | frame | without rays | scene stage | occlusion | scattering | blend | difference | without rays |
 |---|---|---|---|---|---|---|---|---|---|
