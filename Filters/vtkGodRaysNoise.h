@@ -50,6 +50,19 @@ inline double Uniform(std::uint32_t seed, std::uint64_t index)
   return Hash(low + Hash(high + seed)) / 4294967296.0;
 }
 
+/**
+ * 0 below the one edge, 1 above the other, and smooth between; a step where they are the same.
+ */
+inline double SmoothStep(double below, double above, double value)
+{
+  if (value <= below || value >= above)
+  {
+    return value < above ? 0.0 : 1.0;
+  }
+  const double t = (value - below) / (above - below);
+  return t * t * (3.0 - 2.0 * t);
+}
+
 struct Sample
 {
   double Value = 0.0;
@@ -86,7 +99,8 @@ inline Sample GradientNoise(const Vector& position, std::uint32_t seed)
   }
 
   Sample sum;
-  for (int z = 0; z < 2; ++z)
+  const int corners = offset[2][0] == 0.0 ? 1 : 2; // at whole z, the upper ones weigh nothing
+  for (int z = 0; z < corners; ++z)
   {
     const std::uint32_t hashZ = Hash(static_cast<std::uint32_t>(cell[2] + z) + seed);
     for (int y = 0; y < 2; ++y)

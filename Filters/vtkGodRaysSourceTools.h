@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file    vtkGodRaysSourceTools.h
- * @brief   what sources of scenes share: the time that is asked for
+ * @brief   what sources of scenes share: the time that is asked for, and loops that can be stopped
  *
  * Private.
  */
@@ -10,8 +10,10 @@
 #ifndef vtkGodRaysSourceTools_h
 #define vtkGodRaysSourceTools_h
 
+#include "vtkGodRaysProgress.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
+#include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 namespace vtkGodRaysSourceTools
@@ -33,6 +35,25 @@ inline double GetTime(vtkInformation* output, double end)
   vtkInformationDoubleKey* key = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
   const double time = output->Has(key) ? output->Get(key) : 0.0;
   return vtkMath::IsFinite(time) ? vtkMath::ClampValue(time, 0.0, end) : 0.0;
+}
+
+/**
+ * function(begin, end) over 0 to count, on all threads; progress is told between parts. Returns false if
+ * the source is to stop.
+ */
+template <typename Function>
+bool For(vtkAlgorithm* source, vtkIdType count, const Function& function)
+{
+  constexpr vtkIdType parts = 20;
+  for (vtkIdType part = 0; part < parts; ++part)
+  {
+    if (!vtkGodRays::TellProgress(source, static_cast<double>(part) / parts))
+    {
+      return false;
+    }
+    vtkSMPTools::For(count * part / parts, count * (part + 1) / parts, function);
+  }
+  return vtkGodRays::TellProgress(source, 1.0);
 }
 }
 
