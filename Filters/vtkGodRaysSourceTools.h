@@ -38,22 +38,23 @@ inline double GetTime(vtkInformation* output, double end)
 }
 
 /**
- * function(begin, end) over 0 to count, on all threads; progress is told between parts. Returns false if
- * the source is to stop.
+ * function(begin, end) over 0 to count, on all threads; progress, from one fraction to another, is told
+ * between parts. Returns false if the source is to stop.
  */
 template <typename Function>
-bool For(vtkAlgorithm* source, vtkIdType count, const Function& function)
+bool For(vtkAlgorithm* source, vtkIdType count, const Function& function, double from = 0.0,
+  double to = 1.0)
 {
   constexpr vtkIdType parts = 20;
   for (vtkIdType part = 0; part < parts; ++part)
   {
-    if (!vtkGodRays::TellProgress(source, static_cast<double>(part) / parts))
+    if (!vtkGodRays::TellProgress(source, from + part * (to - from) / parts))
     {
       return false;
     }
     vtkSMPTools::For(count * part / parts, count * (part + 1) / parts, function);
   }
-  return vtkGodRays::TellProgress(source, 1.0);
+  return vtkGodRays::TellProgress(source, to);
 }
 }
 
