@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysSkyIntegrator.h"
 
-#include "vtkGodRaysAtmosphere.h"
+#include "vtkGodRaysSkyAtmosphere.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -37,28 +37,12 @@ double MaxComponent(const Vec3& value)
 {
   return std::max(value.x, std::max(value.y, value.z));
 }
-
-Vec3 ToVec3(const double values[3])
-{
-  return Vec3(values[0], values[1], values[2]);
-}
 }
 
 //------------------------------------------------------------------------------
 void vtkGodRaysSkyIntegrator::SetAtmosphere(vtkGodRaysAtmosphere* from)
 {
-  this->Sky.GroundRadius = from->GetGroundRadius();
-  this->Sky.TopHeight = from->GetTopHeight();
-  this->Sky.Air = { from->GetRayleighProfile(), from->GetRayleighHeight(),
-    from->GetRayleighWidth() };
-  this->Sky.Aerosol = { from->GetMieProfile(), from->GetMieHeight(), from->GetMieWidth() };
-  this->Sky.Absorber = { from->GetOzoneProfile(), from->GetOzoneHeight(), from->GetOzoneWidth() };
-  this->Sky.AirScattering = ToVec3(from->GetRayleighScattering());
-  this->Sky.AerosolScattering = ToVec3(from->GetMieScattering());
-  this->Sky.AerosolExtinction = this->Sky.AerosolScattering + ToVec3(from->GetMieAbsorption());
-  this->Sky.Absorption = ToVec3(from->GetOzoneAbsorption());
-  this->Sky.AirPhase = { vtkGodRaysAtmosphere::RAYLEIGH, 0.0 };
-  this->Sky.AerosolPhase = { from->GetMiePhaseFunction(), from->GetMieAsymmetry() };
+  this->Sky = MakeSkyAtmosphere(from);
   this->Irradiance = ToVec3(from->GetSunIrradiance());
   this->Albedo = ToVec3(from->GetGroundAlbedo());
   this->Multiple.clear();

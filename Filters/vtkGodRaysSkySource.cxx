@@ -4,8 +4,8 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
-#include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysSetGet.h"
+#include "vtkGodRaysSkyAtmosphere.h"
 #include "vtkGodRaysSkyIntegrator.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -56,8 +56,7 @@ public:
     GetSize(source, this->Size);
     const double radius = vtkMath::RadiansFromDegrees(source->Atmosphere->GetSunAngularRadius());
     this->DiscRadius = source->SunDisc ? radius : 0.0;
-    const double* irradiance = source->Atmosphere->GetSunIrradiance();
-    this->DiscRadiance = Vec3(irradiance[0], irradiance[1], irradiance[2]) /
+    this->DiscRadiance = vtkGodRays::ToVec3(source->Atmosphere->GetSunIrradiance()) /
       (2.0 * vtkMath::Pi() * (1.0 - std::cos(radius)));
   }
 
@@ -233,7 +232,7 @@ bool vtkGodRaysSkySource::Prepare()
 bool vtkGodRaysSkySource::GetRadiance(const double direction[3], double radiance[3])
 {
   std::fill_n(radiance, 3, 0.0);
-  Vec3 towards(direction[0], direction[1], direction[2]);
+  const Vec3 towards = vtkGodRays::ToVec3(direction);
   const double size = vtkGodRays::length(towards);
   if (!(size > 0.0) || !std::isfinite(size))
   {

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file    vtkGodRaysSkyAtmosphere.h
+ * @brief   an atmosphere as the formulas take it; private to the implementation files
+ */
+
+#ifndef vtkGodRaysSkyAtmosphere_h
+#define vtkGodRaysSkyAtmosphere_h
+
+#include "vtkGodRaysAtmosphere.h"
+#include "vtkGodRaysMath.h"
+
+namespace vtkGodRays
+{
+inline Vec3 ToVec3(const double values[3])
+{
+  return Vec3(values[0], values[1], values[2]);
+}
+
+inline SkyAtmosphere MakeSkyAtmosphere(vtkGodRaysAtmosphere* from)
+{
+  SkyAtmosphere sky;
+  sky.GroundRadius = from->GetGroundRadius();
+  sky.TopHeight = from->GetTopHeight();
+  sky.Air = { from->GetRayleighProfile(), from->GetRayleighHeight(), from->GetRayleighWidth() };
+  sky.Aerosol = { from->GetMieProfile(), from->GetMieHeight(), from->GetMieWidth() };
+  sky.Absorber = { from->GetOzoneProfile(), from->GetOzoneHeight(), from->GetOzoneWidth() };
+  sky.AirScattering = ToVec3(from->GetRayleighScattering());
+  sky.AerosolScattering = ToVec3(from->GetMieScattering());
+  sky.AerosolExtinction = sky.AerosolScattering + ToVec3(from->GetMieAbsorption());
+  sky.Absorption = ToVec3(from->GetOzoneAbsorption());
+  sky.AirPhase = { vtkGodRaysAtmosphere::RAYLEIGH, 0.0 };
+  sky.AerosolPhase = { from->GetMiePhaseFunction(), from->GetMieAsymmetry() };
+  return sky;
+}
+}
+
+#endif
