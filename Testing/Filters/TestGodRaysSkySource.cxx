@@ -250,6 +250,30 @@ TEST(SkySource, StepsAreThePublishedOnes)
 }
 
 //------------------------------------------------------------------------------
+// The zenith's whole radiance by paths of light of all orders: Testing/Benchmark/SkyError.cxx, 100000 of
+// them, with a standard error of 0.3 to 0.7 %. [W/(m^2 sr nm)]
+TEST(SkySource, MultipleScatteringIsThatOfPathsInTheZenith)
+{
+  const double zenithAngles[] = { 30.0, 60.0, 85.0 };
+  const Vec3 expected[] = { { 9.459e-3, 2.437e-2, 5.789e-2 }, { 5.760e-3, 1.586e-2, 3.940e-2 },
+    { 3.425e-3, 6.984e-3, 1.393e-2 } };
+  vtkNew<Source> source;
+  for (int i = 0; i < 3; ++i)
+  {
+    source->SetSunElevation(90.0 - zenithAngles[i]);
+    source->SetMultipleScattering(false);
+    const Vec3 once = GetRadiance(source, 0.0, 0.0);
+    source->SetMultipleScattering(true);
+    const Vec3 all = GetRadiance(source, 0.0, 0.0);
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(all[c] / expected[i][c], 1.0, 0.05) << zenithAngles[i] << " " << c;
+      EXPECT_LT(once[c] / expected[i][c], 0.92) << zenithAngles[i] << " " << c;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // A disc of any number of pixels brings the sun's irradiance to the observer.
 TEST(SkySource, TheDiscKeepsItsEnergy)
 {
