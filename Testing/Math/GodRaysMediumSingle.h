@@ -13,6 +13,8 @@ float PointAirlight(float foot, float height, float end);
 float PointAirlight(int kind, float g, float extinction, float foot, float height, float end);
 float ExponentialAirlight(
   float extinction, float height, float slope, float lightSlope, float scaleHeight, float end);
+void EarthInscatter(
+  float height, float slope, float sunSlope, float cosAngle, float distance, float result[3]);
 }
 
 #endif
