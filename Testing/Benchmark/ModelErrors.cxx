@@ -14,6 +14,7 @@
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysPass.h"
 #include "vtkGodRaysRadialModel.h"
+#include "vtkGodRaysShadowMapIntegrator.h"
 #include "vtkGodRaysSingleScatteringReference.h"
 #include "vtkGodRaysTapsIntegrator.h"
 
@@ -81,7 +82,19 @@ std::vector<ModelMethod> MakeModelMethods()
     depths->SetNumberOfTaps(count);
     add(("depth-weighted taps, " + std::to_string(count)).c_str(), "depth-weighted taps", depths);
   }
-  add(BestModel, "coverage", vtkSmartPointer<vtkGodRaysEpipolarCoverageIntegrator>::New());
+  for (const int layers : { 0, 1, 2 })
+  {
+    auto coverage = vtkSmartPointer<vtkGodRaysEpipolarCoverageIntegrator>::New();
+    coverage->SetNumberOfLayers(layers);
+    const char* const names[] = { BestModel, "coverage, one layer", "coverage, two layers" };
+    add(names[layers], "coverage", coverage);
+  }
+  for (const int steps : { 16, 64 })
+  {
+    auto shadows = vtkSmartPointer<vtkGodRaysShadowMapIntegrator>::New();
+    shadows->SetNumberOfSteps(steps);
+    add(("shadow map, " + std::to_string(steps) + " steps").c_str(), "shadow map", shadows);
+  }
   return methods;
 }
 

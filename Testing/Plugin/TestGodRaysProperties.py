@@ -195,27 +195,6 @@ class Properties(Case):
                     hints = proxy.SMProxy.GetHints().FindNestedElementByName("ShowInMenu")
                     self.assertEqual(hints.GetAttribute("category"), "God Rays")
             self.assertEqual(offered, classes)
-    def test_filters(self):
-        classes = {
-            name
-            for name in dir(godrays)
-            if name.startswith("vtkGodRays")
-            and name.endswith("Filter")
-            and name not in NOT_OFFERED
-        }
-        self.assertGreaterEqual(len(classes), 2)
-        for name in sorted(classes):
-            image = simple.Wavelet(WholeExtent=[0, 7, 0, 7, 0, 0])
-            proxy = getattr(simple, name[3:])(Input=image)
-            self.check(proxy, proxy.GetClientSideObject())
-            hints = proxy.SMProxy.GetHints().FindNestedElementByName("ShowInMenu")
-            self.assertEqual(hints.GetAttribute("category"), "God Rays")
-
-    def test_sky_source(self):
-        proxy = simple.GodRaysSky()
-        self.check(proxy, proxy.GetClientSideObject())
-        hints = proxy.SMProxy.GetHints().FindNestedElementByName("ShowInMenu")
-        self.assertEqual(hints.GetAttribute("category"), "God Rays")
 
     def test_presets(self):
         view = make_view(WorldUnitInMeters=3.0)
