@@ -20,11 +20,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace GodRaysTesting
+namespace
 {
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> GetTrueScattering(vtkRenderer* renderer,
-  vtkGodRaysHomogeneousModel* model, std::array<double, 4> light, const int size[2])
+vtkSmartPointer<vtkImageData> FindTruth(vtkRenderer* renderer,
+  const GodRaysTesting::SetMedium& setMedium, std::array<double, 4> light, const int size[2])
 {
   vtkNew<vtkAppendPolyData> occluders;
   vtkPropCollection* props = renderer->GetViewProps();
@@ -50,12 +49,8 @@ vtkSmartPointer<vtkImageData> GetTrueScattering(vtkRenderer* renderer,
   truth->SetViewAngle(camera->GetViewAngle());
   truth->SetParallelProjection(camera->GetParallelProjection());
   truth->SetParallelScale(camera->GetParallelScale());
-  truth->SetScatteringCoefficient(model->GetScatteringCoefficient());
-  truth->SetAbsorptionCoefficient(model->GetAbsorptionCoefficient());
-  truth->SetPhaseFunction(model->GetPhaseFunction());
-  truth->SetAsymmetry(model->GetAsymmetry());
-  truth->SetFarLimit(
-    model->GetFarLimit() > 0.0 ? model->GetFarLimit() : camera->GetClippingRange()[1]);
+  truth->SetFarLimit(camera->GetClippingRange()[1]);
+  setMedium(truth);
   truth->SetLight(light.data());
   double power = vtkMath::Pi();
   if (light[3] != 0.0)
@@ -73,13 +68,16 @@ vtkSmartPointer<vtkImageData> GetTrueScattering(vtkRenderer* renderer,
   truth->Update();
   return truth->GetOutput();
 }
+}
 
+namespace GodRaysTesting
+{
 //------------------------------------------------------------------------------
-double GetErrorOfMedium(vtkRenderer* renderer, vtkGodRaysHomogeneousModel* model,
+double GetErrorOfMedium(vtkRenderer* renderer, const SetMedium& setMedium,
   std::array<double, 4> light, vtkImageData* image, std::array<double, 3> tint)
 {
   const int* size = image->GetDimensions();
-  auto truth = GetTrueScattering(renderer, model, light, size);
+  auto truth = FindTruth(renderer, setMedium, light, size);
   vtkDataArray* exact = truth->GetPointData()->GetScalars();
   const auto* values = static_cast<const float*>(image->GetScalarPointer());
   double squares = 0.0;
@@ -94,5 +92,23 @@ double GetErrorOfMedium(vtkRenderer* renderer, vtkGodRaysHomogeneousModel* model
     }
   }
   return std::sqrt(squares / (3.0 * size[0] * size[1])) / peak;
+}
+
+//------------------------------------------------------------------------------
+double GetErrorOfMedium(vtkRenderer* renderer, vtkGodRaysHomogeneousModel* model,
+  std::array<double, 4> light, vtkImageData* image, std::array<double, 3> tint)
+{
+  const auto setMedium = [model](vtkGodRaysSingleScatteringReference* truth)
+  {
+    truth->SetScatteringCoefficient(model->GetScatteringCoefficient());
+    truth->SetAbsorptionCoefficient(model->GetAbsorptionCoefficient());
+    truth->SetPhaseFunction(model->GetPhaseFunction());
+    truth->SetAsymmetry(model->GetAsymmetry());
+    if (model->GetFarLimit() > 0.0)
+    {
+      truth->SetFarLimit(model->GetFarLimit());
+    }
+  };
+  return GetErrorOfMedium(renderer, setMedium, light, image, tint);
 }
 }

@@ -10,20 +10,23 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <functional>
 
 class vtkGodRaysHomogeneousModel;
+class vtkGodRaysSingleScatteringReference;
 class vtkRenderer;
 
 namespace GodRaysTesting
 {
-/// The light that vtkGodRaysSingleScatteringReference finds in what a renderer shows, as an image of
-/// three floats; light is that of one vtkLight, white and of intensity 1, in world coordinates. The
-/// power of a light at a finite distance is that of vtkGodRaysMediumModel.
-vtkSmartPointer<vtkImageData> GetTrueScattering(vtkRenderer* renderer,
-  vtkGodRaysHomogeneousModel* model, std::array<double, 4> light, const int size[2]);
+/// Give the reference a medium, in scene units.
+using SetMedium = std::function<void(vtkGodRaysSingleScatteringReference*)>;
 
-/// The difference of an image of three 32-bit floats from that times the light's colour, root mean
-/// square over the peak.
+/// How far an image of three 32-bit floats is from the light that vtkGodRaysSingleScatteringReference
+/// finds in what a renderer shows, times the light's colour: root mean square over the peak. light is
+/// that of one vtkLight, white and of intensity 1, in world coordinates. The power of a light at a finite
+/// distance is that of vtkGodRaysMediumModel.
+double GetErrorOfMedium(vtkRenderer* renderer, const SetMedium& setMedium,
+  std::array<double, 4> light, vtkImageData* image, std::array<double, 3> tint);
 double GetErrorOfMedium(vtkRenderer* renderer, vtkGodRaysHomogeneousModel* model,
   std::array<double, 4> light, vtkImageData* image, std::array<double, 3> tint = { 1.0, 1.0, 1.0 });
 }

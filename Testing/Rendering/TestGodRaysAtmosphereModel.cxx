@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// vtkGodRaysAtmosphereModel in the pass: molecules and aerosols against the ground truth, with and
+// without things that block; where the ground is; the sun on its way down; the scene that it dims.
+
+#include "GodRaysMediumTesting.h"
+
+#include "vtkGodRaysAtmosphereModel.h"
+#include "vtkGodRaysDepthWeightedTapsIntegrator.h"
+#include "vtkGodRaysEpipolarCoverageIntegrator.h"
+#include "vtkGodRaysShadowMapIntegrator.h"
+#include "vtkGodRaysSingleScatteringReference.h"
+
+#include "vtkCamera.h"
+
+#include <cmath>
+
+using namespace GodRaysTesting;
+
+namespace
+{
+const double Unit = 100.0; // [m]
+
+class GodRaysAtmosphereModel : public MediumTest
+{
+protected:
+  vtkNew<vtkGodRaysAtmosphereModel> Air;
+
+  GodRaysAtmosphereModel()
+  {
+    this->Air->SetRayleighScattering(4e-5, 1e-4, 2.5e-4);
+    this->Air->SetRayleighScaleHeight(800.0);
+    this->Air->SetMieScattering(5e-4, 5e-4, 5e-4);
+    this->Air->SetMieAbsorption(5e-5, 5e-5, 5e-5);
+    this->Air->SetMieScaleHeight(300.0);
+    this->Air->SetWorldUnitInMeters(Unit);
+    this->Air->SetUp(0.0, 2.0, 0.0);
+    this->Air->SetGroundLevel(-2.0);
+    this->Air->SetFarLimit(30.0);
+    this->Rays->SetModel(this->Air);
+  }
+
+  double GetErrorOfAir(std::array<double, 4> light)
+  {
+    this->SetLight(light);
+    const auto setMedium = [this](vtkGodRaysSingleScatteringReference* truth)
+    {
+      const auto scaled = [](const double* c) {
+        return std::array<double, 3>{ Unit * c[0], Unit * c[1], Unit * c[2] };
+      };
+      truth->SetScatteringCoefficient(scaled(this->Air->GetMieScattering()).data());
+      truth->SetAbsorptionCoefficient(scaled(this->Air->GetMieAbsorption()).data());
+      truth->SetPhaseFunction(vtkGodRaysMediumModel::CORNETTE_SHANKS);
+      truth->SetAsymmetry(this->Air->GetMieAsymmetry());
+      truth->SetScaleHeight(this->Air->GetMieScaleHeight() / Unit);
+      truth->SetGasScatteringCoefficient(scaled(this->Air->GetRayleighScattering()).data());
+      truth->SetGasPhaseFunction(vtkGodRaysMediumModel::RAYLEIGH);
+      truth->SetGasScaleHeight(this->Air->GetRayleighScaleHeight() / Unit);
+      truth->SetMediumUp(this->Air->GetUp());
+      truth->SetGroundLevel(this->Air->GetGroundLevel());
+      truth->SetFarLimit(this->Air->GetFarLimit());
+    };
+    return GodRaysTesting::GetErrorOfMedium(
+      this->Renderer, setMedium, light, this->GetScattering(), { 1.0, 1.0, 1.0 });
+  }
+};
+
+const std::array<double, 4> InFront = { 0.15, 0.1, -1.0, 0.0 };
+const std::array<double, 4> Beside = { 1.0, 0.3, -0.1, 0.0 };
+const std::array<double, 4> Behind = { 0.3, 0.4, 1.0, 0.0 };
+}
+
+TEST_F(GodRaysAtmosphereModel, IsTheIntegralWithoutOccluders)
+{
+  for (const auto& light : { InFront, Beside, Behind })
+  {
+    const double error = this->GetErrorOfAir(light);
+    std::cout << error << "\n";
+    EXPECT_LT(error, 2e-3);
+  }
+  this->Air->SetGroundLevel(0.0); // another truth
+  const double moved = this->GetErrorOfAir(InFront);
+  EXPECT_LT(moved, 2e-3);
+}
+
+TEST_F(GodRaysAtmosphereModel, IsTheGroundTruthWithOccluders)
+{
+  this->AddPillars(0.1);
+  vtkNew<vtkGodRaysEpipolarCoverageIntegrator> coverage;
+  vtkNew<vtkGodRaysShadowMapIntegrator> shadows;
+  vtkNew<vtkGodRaysDepthWeightedTapsIntegrator> taps;
+  const std::array<vtkGodRaysIntegrator*, 3> integrators = { coverage, shadows, taps };
+  for (vtkGodRaysIntegrator* integrator : integrators)
+  {
+    this->Rays->SetIntegrator(integrator);
+    for (const auto& light : { InFront, Beside, Behind })
+    {
+      const double error = this->GetErrorOfAir(light);
+      std::cout << integrator->GetClassName() << ": " << error << "\n";
+      EXPECT_LT(error, 0.013) << integrator->GetClassName();
+    }
+  }
+}
+
+TEST_F(GodRaysAtmosphereModel, ReddensALowSunAndIsDarkBelowTheHorizon)
+{
+  const auto getBlueOverRed = [this](double height)
+  {
+    this->SetLight({ 0.3, height, -1.0, 0.0 });
+    auto image = this->GetScattering();
+    return GetValue(image, 128, 96, 2) / GetValue(image, 128, 96, 0);
+  };
+  EXPECT_LT(getBlueOverRed(0.05), 0.6 * getBlueOverRed(1.0));
+  this->SetLight({ 0.3, -0.2, -1.0, 0.0 });
+  this->Scene.Window->Render();
+  vtkNew<vtkImageData> image;
+  EXPECT_TRUE(!this->Rays->GetScatteringImage(image) || GetMean(image) == 0.0);
+}
+
+TEST_F(GodRaysAtmosphereModel, DimsLessWhatIsHigh)
+{
+  this->Renderer->SetBackground(0.7, 0.7, 0.7);
+  this->Scene.Window->Render();
+  const auto pixels = GetPixels(this->Scene.Window);
+  const auto get = [&pixels](int y) { return pixels[4 * (y * Width + Width / 2)]; };
+  EXPECT_GT(get(Height - 5), get(5) + 20);
+}
+
+TEST_F(GodRaysAtmosphereModel, RefusesWhatIsNoDirection)
+{
+  this->Air->SetUp(0.0, 0.0, 0.0);
+  EXPECT_TRUE(Says(this->VTKMessages.Take().at(0), "Up must be a direction"));
+  EXPECT_EQ(this->Air->GetUp()[1], 2.0);
+}
