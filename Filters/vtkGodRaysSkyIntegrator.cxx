@@ -43,6 +43,10 @@ double MaxComponent(const Vec3& value)
 void vtkGodRaysSkyIntegrator::SetAtmosphere(vtkGodRaysAtmosphere* from)
 {
   this->Sky = MakeSkyAtmosphere(from);
+  const double g = std::max(this->Sky.AerosolPhase.Asymmetry, 0.0);
+  this->ForwardPeak = this->Sky.AerosolPhase.Kind >= 2 ? g * g : 0.0;
+  this->DiffuseSky = this->Sky;
+  this->DiffuseSky.AerosolExtinction -= this->ForwardPeak * this->Sky.AerosolScattering;
   this->Irradiance = ToVec3(from->GetSunIrradiance());
   this->Albedo = ToVec3(from->GetGroundAlbedo());
   this->Multiple.clear();
@@ -103,31 +107,38 @@ bool vtkGodRaysSkyIntegrator::IsInShadow(double height, double sunSlope) const
 }
 
 //------------------------------------------------------------------------------
-vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetGround(double sunSlope) const
+vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetGround(
+  const SkyAtmosphere& sky, double sunSlope) const
 {
   if (sunSlope <= 0.0)
   {
     return Vec3(0.0);
   }
-  return this->Albedo / Pi * sunSlope * SkySunTransmittance(this->Sky, 0.0, sunSlope);
+  return this->Albedo / Pi * sunSlope * SkySunTransmittance(sky, 0.0, sunSlope);
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetDiffuseScattering(double height) const
+{
+  return this->Sky.AirScattering * SkyDensity(this->Sky.Air, height) +
+    (1.0 - this->ForwardPeak) * this->Sky.AerosolScattering * SkyDensity(this->Sky.Aerosol, height);
 }
 
 //------------------------------------------------------------------------------
 vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetInscatter(
   const Way& way, double distance, bool lit, bool multiple) const
 {
+  const SkyAtmosphere& sky = multiple ? this->DiffuseSky : this->Sky;
   Vec3 sum(0.0);
   if (lit)
   {
-    sum = SkyInscatter(this->Sky, way.Height, way.Slope, way.SunSlope, way.CosAngle, distance);
+    sum = SkyInscatter(sky, way.Height, way.Slope, way.SunSlope, way.CosAngle, distance);
   }
   if (multiple)
   {
     const std::array<double, 2> point = this->GetPoint(way, distance);
-    const Vec3 scattering = this->Sky.AirScattering * SkyDensity(this->Sky.Air, point[0]) +
-      this->Sky.AerosolScattering * SkyDensity(this->Sky.Aerosol, point[0]);
-    sum += scattering * this->GetMultiple(point[0], point[1]) *
-      exp(-SkyDepth(this->Sky, way.Height, way.Slope, distance));
+    sum += this->GetDiffuseScattering(point[0]) * this->GetMultiple(point[0], point[1]) *
+      exp(-SkyDepth(sky, way.Height, way.Slope, distance));
   }
   return sum;
 }
@@ -219,8 +230,9 @@ vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetRadiance(
   }
   if (way.MeetsGround)
   {
-    radiance += exp(-SkyDepth(this->Sky, way.Height, way.Slope, way.Length)) *
-      this->GetGround(this->GetPoint(way, way.Length)[1]);
+    const SkyAtmosphere& sky = multiple ? this->DiffuseSky : this->Sky;
+    radiance += exp(-SkyDepth(sky, way.Height, way.Slope, way.Length)) *
+      this->GetGround(sky, this->GetPoint(way, way.Length)[1]);
   }
   return this->Irradiance * radiance;
 }
@@ -235,7 +247,8 @@ vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::MarchRadiance(
     return Vec3(0.0);
   }
   const double step = way.Length / steps;
-  Vec3 radiance = way.MeetsGround ? this->GetGround(this->GetPoint(way, way.Length)[1]) : Vec3(0.0);
+  Vec3 radiance =
+    way.MeetsGround ? this->GetGround(this->Sky, this->GetPoint(way, way.Length)[1]) : Vec3(0.0);
   for (int i = steps - 1; i >= 0; --i)
   {
     const std::array<double, 2> point = this->GetPoint(way, i * step);
@@ -308,21 +321,21 @@ void vtkGodRaysSkyIntegrator::PrepareMultipleScattering()
                 const double distance = begin + reach * (1.0 + (n < 7 ? -Places[m] : Places[m]));
                 const std::array<double, 2> point = this->GetPoint(way, distance);
                 const Vec3 scattering = (weight * reach * Weights[m]) *
-                  (this->Sky.AirScattering * SkyDensity(this->Sky.Air, point[0]) +
-                    this->Sky.AerosolScattering * SkyDensity(this->Sky.Aerosol, point[0])) *
-                  exp(-SkyDepth(this->Sky, way.Height, way.Slope, distance));
+                  this->GetDiffuseScattering(point[0]) *
+                  exp(-SkyDepth(this->DiffuseSky, way.Height, way.Slope, distance));
                 again += scattering;
                 if (!this->IsInShadow(point[0], point[1]))
                 {
                   twice += PhaseIsotropic() * scattering *
-                    SkySunTransmittance(this->Sky, point[0], point[1]);
+                    SkySunTransmittance(this->DiffuseSky, point[0], point[1]);
                 }
               }
             }
             if (way.MeetsGround)
             {
-              twice += weight * exp(-SkyDepth(this->Sky, way.Height, way.Slope, way.Length)) *
-                this->GetGround(this->GetPoint(way, way.Length)[1]);
+              twice += weight *
+                exp(-SkyDepth(this->DiffuseSky, way.Height, way.Slope, way.Length)) *
+                this->GetGround(this->DiffuseSky, this->GetPoint(way, way.Length)[1]);
             }
           }
         }

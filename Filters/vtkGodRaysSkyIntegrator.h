@@ -29,7 +29,9 @@ public:
   void SetView(double height, const Vec3& sun, double tolerance);
 
   // The table of light that is scattered more than once; it depends on the atmosphere alone. After
-  // [Hillaire2020]: scattered twice or more, light is taken to come from everywhere alike.
+  // [Hillaire2020]: scattered twice or more, light is taken to come from everywhere alike. Before that, the
+  // forward peak of the aerosol's phase function, a part g^2, is taken to be no scattering at all, after
+  // [Joseph1976]; the light that is scattered once keeps the phase function as it is.
   void PrepareMultipleScattering();
 
   // Radiance of the sky without the sun's disc [the irradiance's unit/sr].
@@ -62,7 +64,9 @@ private:
   std::array<double, 2> GetPoint(const Way& way, double distance) const;
   bool IsInShadow(double height, double sunSlope) const;
   // Radiance of the ground, for an irradiance of 1.
-  Vec3 GetGround(double sunSlope) const;
+  Vec3 GetGround(const vtkGodRays::SkyAtmosphere& sky, double sunSlope) const;
+  // Scattering at a height without the aerosol's forward peak.
+  Vec3 GetDiffuseScattering(double height) const;
 
   // What a unit of the way adds: by light straight from the sun, and by other.
   Vec3 GetInscatter(const Way& way, double distance, bool lit, bool multiple) const;
@@ -76,6 +80,8 @@ private:
     const Estimate& estimate, double accepted, int depth) const;
 
   vtkGodRays::SkyAtmosphere Sky;
+  vtkGodRays::SkyAtmosphere DiffuseSky; // what the forward peak takes away is left in the light
+  double ForwardPeak = 0.0;             // part of the aerosol's scattering
   Vec3 Irradiance;
   Vec3 Albedo;
   double Height = 0.0;

@@ -89,8 +89,9 @@ public:
   ///@{
   /**
    * Set/Get whether light that is scattered more than once is added, after [Hillaire2020]: an
-   * approximation in which it comes from everywhere alike. See Documentation/Sky.md for its error. The
-   * first time it takes a second for a table. Not with the method STEPS. Default is off.
+   * approximation in which it comes from everywhere alike. The forward peak of the aerosol is left in the
+   * light instead, after [Joseph1976], also in that of the single scattering. See Documentation/Sky.md for
+   * the error. The first time it takes a second for a table. Not with the method STEPS. Default is off.
    */
   vtkSetMacro(MultipleScattering, bool);
   vtkGetMacro(MultipleScattering, bool);

@@ -193,7 +193,7 @@ void JudgeMultipleScattering(bool quick)
     "orders [%%]; in brackets the standard error of the paths.\n\n"
     "| atmosphere | sun's zenith angle | view's, azimuth | red | green | blue |\n"
     "|---|---|---|---|---|---|\n");
-  const int count = quick ? 2000 : 100000;
+  const int count = quick ? 2000 : 30000;
   for (const char* name : { "earth-clear", "earth-hazy" })
   {
     for (const double sunZenith : { 30.0, 60.0, 85.0 })
