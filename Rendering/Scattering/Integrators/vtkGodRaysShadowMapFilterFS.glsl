@@ -1,8 +1,8 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 
-// The airlight of a view ray times the part of it that is lit: the mean of 5 x 5 pixels that end at
-// about the same depth.
+// The part of a view ray that is lit: the mean of 5 pixels in a row, and then of 5 in a column, that end
+// at about the same depth; at last times the ray's airlight.
 
 in vec2 texCoord; // of the picture, as well as it is interpolated
 
@@ -14,6 +14,8 @@ in vec2 texCoord; // of the picture, as well as it is interpolated
 // infinite: whether the light is infinitely far
 // uniformly: whether it is and the medium is homogeneous
 // grey: whether the medium has one colour
+// cube: whether the map has six faces
+// rows: whether the mean is of a row
 
 //VTK::GodRays::MediumRays
 
@@ -31,15 +33,19 @@ void main()
   float depth = min(texelFetch(ends, ivec2(place), 0).r, farLimit);
   vec3 sum = vec3(0.0);
   float weights = 0.0;
-  for (int i = 0; i < 25; ++i)
+  for (int i = -2; i <= 2; ++i)
   {
-    ivec2 offset = ivec2(i % 5, i / 5) - 2;
-    ivec2 other = clamp(pixel + offset, ivec2(0), last);
+    ivec2 other = clamp(pixel + (rows ? ivec2(i, 0) : ivec2(0, i)), ivec2(0), last);
     vec2 otherPlace = place + vec2(other - pixel);
     float otherDepth = min(texelFetch(ends, ivec2(otherPlace), 0).r, farLimit);
     float weight = max(0.0, 1.0 - abs(otherDepth - depth) / (reach * depth));
     sum += weight * texelFetch(lit, other, 0).rgb;
     weights += weight;
+  }
+  if (rows)
+  {
+    gl_FragData[0] = vec4(sum / weights, 1.0);
+    return;
   }
   LitRay ray = GetLitRay(place);
   vec3 strength = uniformly ? GetStrength(ray) : vec3(0.0);

@@ -27,23 +27,56 @@ struct vtkGodRaysShadowMapIntegrator::Internals
   vtkGodRaysQuad March{ "vtkGodRaysShadowMapFS", vtkGodRaysShadowMapFS };
   vtkGodRaysQuad Filter{ "vtkGodRaysShadowMapFilterFS", vtkGodRaysShadowMapFilterFS };
   vtkGodRaysShadowMap Map;
-  vtkGodRaysTarget Lit[2]; // of one channel, and of three
+  vtkGodRaysTarget Lit[2];      // the part that is lit, of one channel, and of three
+  vtkGodRaysTarget RowMeans[2]; // its means of rows, alike
 
+  bool Bind(vtkGodRaysTarget& target, const Request& request, bool grey);
   vtkShaderProgram* Begin(
-    vtkGodRaysQuad& quad, const Request& request, const vtkGodRaysMediumRays& rays)
-  {
-    vtkShaderProgram* program = quad.Begin(request.Window,
-      { { "parallel", rays.IsParallel() }, { "infinite", rays.IsInfinite() },
-        { "uniformly", rays.IsUniform() }, { "grey", rays.IsGrey() },
-        { "cube", this->Map.GetNumberOfFaces() == 6 } });
-    if (program)
-    {
-      rays.Set(program);
-      quad.SetTexture("ends", request.Depths->GetEnds()->GetColor());
-    }
-    return program;
-  }
+    vtkGodRaysQuad& quad, const Request& request, const vtkGodRaysMediumRays& rays, bool rows);
+  bool DrawMean(
+    const Request& request, const vtkGodRaysMediumRays& rays, bool rows, vtkGodRaysTarget& lit);
 };
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysShadowMapIntegrator::Internals::Bind(
+  vtkGodRaysTarget& target, const Request& request, bool grey)
+{
+  const unsigned int format = request.Result->GetFormat();
+  const unsigned int one = format == GL_RGBA32F ? GL_R32F : GL_R16F;
+  target.Prepare(request.Window, request.Result->GetWidth(), request.Result->GetHeight(),
+    { grey ? one : format, 0 });
+  request.Window->GetState()->vtkglDisable(GL_BLEND);
+  return target.Bind();
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* vtkGodRaysShadowMapIntegrator::Internals::Begin(
+  vtkGodRaysQuad& quad, const Request& request, const vtkGodRaysMediumRays& rays, bool rows)
+{
+  vtkShaderProgram* program = quad.Begin(request.Window,
+    { { "parallel", rays.IsParallel() }, { "infinite", rays.IsInfinite() },
+      { "uniformly", rays.IsUniform() }, { "grey", rays.IsGrey() },
+      { "cube", this->Map.GetNumberOfFaces() == 6 }, { "rows", rows } });
+  if (program)
+  {
+    rays.Set(program);
+    quad.SetTexture("ends", request.Depths->GetEnds()->GetColor());
+  }
+  return program;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysShadowMapIntegrator::Internals::DrawMean(
+  const Request& request, const vtkGodRaysMediumRays& rays, bool rows, vtkGodRaysTarget& lit)
+{
+  if (!this->Begin(this->Filter, request, rays, rows))
+  {
+    return false;
+  }
+  this->Filter.SetTexture("lit", lit.GetColor());
+  this->Filter.End();
+  return true;
+}
 
 //------------------------------------------------------------------------------
 vtkGodRaysShadowMapIntegrator::vtkGodRaysShadowMapIntegrator()
@@ -72,24 +105,20 @@ bool vtkGodRaysShadowMapIntegrator::Integrate(const Request& request)
   const int size[2] = { ends->GetWidth(), ends->GetHeight() };
   const vtkGodRaysMediumRays rays(request, size);
   vtkGodRaysTarget& lit = self.Lit[rays.IsGrey() ? 0 : 1];
-  const bool single = request.Result->GetFormat() == GL_RGBA32F;
-  const unsigned int one = single ? GL_R32F : GL_R16F;
-  lit.Prepare(request.Window, request.Result->GetWidth(), request.Result->GetHeight(),
-    { rays.IsGrey() ? one : request.Result->GetFormat(), 0 });
-  if (!lit.Bind())
+  vtkGodRaysTarget& rows = self.RowMeans[rays.IsGrey() ? 0 : 1];
+  if (!self.Bind(lit, request, rays.IsGrey()))
   {
     return false;
   }
-  vtkOpenGLState* state = request.Window->GetState();
-  state->vtkglDisable(GL_BLEND);
   if (self.Map.GetNumberOfFaces() == 0)
   {
+    vtkOpenGLState* state = request.Window->GetState();
     state->vtkglClearColor(1.0f, 1.0f, 1.0f, 1.0f);
     state->vtkglClear(GL_COLOR_BUFFER_BIT);
   }
   else
   {
-    vtkShaderProgram* march = self.Begin(self.March, request, rays);
+    vtkShaderProgram* march = self.Begin(self.March, request, rays, false);
     if (!march)
     {
       return false;
@@ -99,13 +128,8 @@ bool vtkGodRaysShadowMapIntegrator::Integrate(const Request& request)
     self.March.SetTexture("map", self.Map.GetDepth());
     self.March.End();
   }
-  if (!request.Result->BindToAdd() || !self.Begin(self.Filter, request, rays))
-  {
-    return false;
-  }
-  self.Filter.SetTexture("lit", lit.GetColor());
-  self.Filter.End();
-  return true;
+  return self.Bind(rows, request, rays.IsGrey()) && self.DrawMean(request, rays, true, lit) &&
+    request.Result->BindToAdd() && self.DrawMean(request, rays, false, rows);
 }
 
 //------------------------------------------------------------------------------
@@ -132,8 +156,11 @@ void vtkGodRaysShadowMapIntegrator::ReleaseGraphicsResources(vtkWindow* window)
   self.March.Release();
   self.Filter.Release();
   self.Map.Release(window);
-  self.Lit[0].Release(window);
-  self.Lit[1].Release(window);
+  for (int i = 0; i < 2; ++i)
+  {
+    self.Lit[i].Release(window);
+    self.RowMeans[i].Release(window);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -8,16 +8,17 @@
  * into a depth map: in their ordinary way and with the scene's own shaders, only through another
  * projection. NumberOfSteps places of each view ray, from between which equal light comes, are looked
  * up in it; an interleaved noise moves them from pixel to pixel, and what part of a ray's airlight is
- * lit is the mean of 5 x 5 pixels that end at about the same depth. The airlight itself is that of
- * vtkGodRaysDepthWeightedTapsIntegrator: without anything that blocks, the number of steps does not
- * matter.
+ * lit is the mean of 5 x 5 pixels that end at about the same depth, of rows and then of columns. The
+ * airlight itself is that of vtkGodRaysDepthWeightedTapsIntegrator: without anything that blocks, the
+ * number of steps does not matter.
  *
  * What the depth of the picture lacks, things outside it or behind others, casts its shadow; each prop
- * is rendered up to seven times a frame. A map is fitted to what blocks, and to what is seen of it for
- * a directional light; a point light amid what blocks, or within 60 degrees of it, takes a cube of six
- * maps, whose nearest things are 1e-4 of the farthest away. A shadow starts 1.5 of the map's pixels
- * behind what casts it, and its edge is no finer than they are. In a scene on several processes the
- * maps are joined.
+ * is rendered once or six times more for each light of a frame. A map is fitted to what blocks, and to
+ * what is seen of its shadow for a directional light. A point light that does not see all that blocks
+ * within 60 degrees of one direction takes a cube of six maps, which leave out what is nearer than 1e-4
+ * of the farthest thing. A shadow starts 1.5 of the map's pixels behind what casts it, and its edge is
+ * no finer than they are. A light's cone is not looked at, as the model does not. In a scene on several
+ * processes the maps are joined.
  *
  * @sa vtkGodRaysMediumModel vtkGodRaysEpipolarCoverageIntegrator
  */
