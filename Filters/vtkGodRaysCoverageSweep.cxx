@@ -482,7 +482,7 @@ private:
     {
       this->HidePixel(this->TurnedSettings, this->Turned, pixel);
     }
-    for (int c = 0; c < this->Settings.Channels; ++c)
+    for (int c = 0; c < this->Settings.Planes; ++c)
     {
       Transpose(
         this->Turned.Hidden[c], this->Turned.Width, this->Turned.Height, this->Image.Hidden[c]);

@@ -64,7 +64,7 @@ vtkSmartPointer<vtkImageData> FindTruth(vtkRenderer* renderer,
   }
   truth->SetLightColor(power, power, power);
   truth->SetSize(size[0], size[1]);
-  truth->SetTolerance(1e-6);
+  truth->SetTolerance(1e-5);
   truth->Update();
   return truth->GetOutput();
 }
