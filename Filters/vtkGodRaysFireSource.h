@@ -52,7 +52,7 @@ public:
   ///@{
   /**
    * Set/Get how many particles are born [1/s], and how long they live [s]. Valid ranges: [0, 1e9] and
-   * [1e-3, 1e6]. Default is 3000 and 1.2.
+   * [1e-3, 1e6]. Default is 1500 and 1.2.
    */
   void SetSpawnRate(double rate);
   vtkGetMacro(SpawnRate, double);
@@ -114,7 +114,7 @@ public:
   ///@{
   /**
    * Set/Get the size of particles at birth [world unit], and its largest deviation [fraction]. Valid ranges:
-   * [0, 1e9] and [0, 1]. Default is 0.1 and 0.5.
+   * [0, 1e9] and [0, 1]. Default is 0.08 and 0.5.
    */
   void SetSize(double size);
   vtkGetMacro(Size, double);
@@ -139,7 +139,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the opacity at birth. Valid range: [0, 1]. Default is 0.25.
+   * Set/Get the opacity at birth. Valid range: [0, 1]. Default is 0.06.
    */
   void SetOpacity(double opacity);
   vtkGetMacro(Opacity, double);
@@ -170,7 +170,7 @@ private:
   Particle ComputeParticle(vtkTypeInt64 birth, double time) const;
 
   int Capacity = 20000;
-  double SpawnRate = 3000.0;
+  double SpawnRate = 1500.0;
   double Lifetime = 1.2;
   double TimeScale = 1.0;
   double EndTime = 10.0;
@@ -180,12 +180,12 @@ private:
   double VelocityRandomness = 0.25;
   double Turbulence = 0.4;
   double TurbulenceSize = 0.4;
-  double Size = 0.1;
+  double Size = 0.08;
   double SizeRandomness = 0.5;
   double StartColor[3] = { 1.0, 0.62, 0.2 };
   double EndColor[3] = { 0.75, 0.08, 0.01 };
   double ColorRandomness = 0.2;
-  double Opacity = 0.25;
+  double Opacity = 0.06;
   int Seed = 1;
 };
 

@@ -118,7 +118,7 @@ public:
   ///@{
   /**
    * Set/Get the bound of the speed of eddies along each axis [world unit/s], and the size of the largest of
-   * them [world unit]. Valid ranges: [0, 1e6] and [1e-6, 1e6]. Default is 0.25 and 0.4.
+   * them [world unit]. Valid ranges: [0, 1e6] and [1e-6, 1e6]. Default is 0.4 and 0.4.
    */
   void SetTurbulence(double speed);
   vtkGetMacro(Turbulence, double);
@@ -158,7 +158,7 @@ public:
   ///@{
   /**
    * Set/Get the density that the source adds [1/s], and until when [s]. Valid ranges: [0, 1e6] and
-   * [0, 1e6]. Default is 2 and 1e6.
+   * [0, 1e6]. Default is 3 and 1e6.
    */
   void SetSourceRate(double rate);
   vtkGetMacro(SourceRate, double);
@@ -210,13 +210,13 @@ private:
   double RiseSpeed = 1.0;
   double SwaySpeed = 0.25;
   double SwayPeriod = 4.0;
-  double Turbulence = 0.25;
+  double Turbulence = 0.4;
   double TurbulenceSize = 0.4;
   double Dissipation = 0.1;
   double MinimumDensity = 1e-9;
   double SourceCenter[3] = { 0.0, 0.0, 0.4 };
   double SourceRadius = 0.2;
-  double SourceRate = 2.0;
+  double SourceRate = 3.0;
   double SourceDuration = 1e6;
   bool ClosedBoundaries = false;
   int Seed = 1;

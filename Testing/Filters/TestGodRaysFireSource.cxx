@@ -118,14 +118,14 @@ TEST(FireSource, SizesAndColoursFadeWithAge)
     ASSERT_GE(part, 0.0);
     ASSERT_LE(part, 1.0 + 1e-6);
     const double size = Get(data, "Size", i);
-    ASSERT_GE(size, 0.05 * (1.0 - part) - 1e-6);
-    ASSERT_LE(size, 0.15 * (1.0 - part) + 1e-6);
+    ASSERT_GE(size, 0.04 * (1.0 - part) - 1e-6);
+    ASSERT_LE(size, 0.12 * (1.0 - part) + 1e-6);
     deviations.insert(size / (1.0 - part + 1e-9));
     ASSERT_NEAR(Get(data, "Color", i, 0), 255.0 * (1.0 - 0.25 * part), 0.51);
-    ASSERT_NEAR(Get(data, "Color", i, 3), 255.0 * 0.25 * (1.0 - part), 0.51);
+    ASSERT_NEAR(Get(data, "Color", i, 3), 255.0 * 0.06 * (1.0 - part), 0.51);
   }
-  EXPECT_LT(*deviations.begin(), 0.051);
-  EXPECT_GT(*deviations.rbegin(), 0.149);
+  EXPECT_LT(*deviations.begin(), 0.041);
+  EXPECT_GT(*deviations.rbegin(), 0.119);
 
   // Components deviate each by themselves.
   fire->SetColorRandomness(0.2);
@@ -214,7 +214,7 @@ TEST(FireSource, ParametersAreClampedAndNeverNaN)
 {
   vtkNew<Fire> fire;
   ExpectParameters<Fire>(fire,
-    { { "SpawnRate", &Fire::SetSpawnRate, &Fire::GetSpawnRate, 3000.0, 0.0, 1e9 },
+    { { "SpawnRate", &Fire::SetSpawnRate, &Fire::GetSpawnRate, 1500.0, 0.0, 1e9 },
       { "Lifetime", &Fire::SetLifetime, &Fire::GetLifetime, 1.2, 1e-3, 1e6 },
       { "TimeScale", &Fire::SetTimeScale, &Fire::GetTimeScale, 1.0, 0.0, 1e3 },
       { "EndTime", &Fire::SetEndTime, &Fire::GetEndTime, 10.0, 0.0, 1e6 },
@@ -224,8 +224,8 @@ TEST(FireSource, ParametersAreClampedAndNeverNaN)
         1e6 },
       { "Turbulence", &Fire::SetTurbulence, &Fire::GetTurbulence, 0.4, 0.0, 1e6 },
       { "TurbulenceSize", &Fire::SetTurbulenceSize, &Fire::GetTurbulenceSize, 0.4, 1e-6, 1e6 },
-      { "Size", &Fire::SetSize, &Fire::GetSize, 0.1, 0.0, 1e9 },
+      { "Size", &Fire::SetSize, &Fire::GetSize, 0.08, 0.0, 1e9 },
       { "SizeRandomness", &Fire::SetSizeRandomness, &Fire::GetSizeRandomness, 0.5, 0.0, 1.0 },
       { "ColorRandomness", &Fire::SetColorRandomness, &Fire::GetColorRandomness, 0.2, 0.0, 1.0 },
-      { "Opacity", &Fire::SetOpacity, &Fire::GetOpacity, 0.25, 0.0, 1.0 } });
+      { "Opacity", &Fire::SetOpacity, &Fire::GetOpacity, 0.06, 0.0, 1.0 } });
 }

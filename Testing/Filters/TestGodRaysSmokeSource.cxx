@@ -347,11 +347,11 @@ TEST(SmokeSource, ParametersAreClampedAndNeverNaN)
       { "RiseSpeed", &Smoke::SetRiseSpeed, &Smoke::GetRiseSpeed, 1.0, -1e6, 1e6 },
       { "SwaySpeed", &Smoke::SetSwaySpeed, &Smoke::GetSwaySpeed, 0.25, 0.0, 1e6 },
       { "SwayPeriod", &Smoke::SetSwayPeriod, &Smoke::GetSwayPeriod, 4.0, 1e-3, 1e6 },
-      { "Turbulence", &Smoke::SetTurbulence, &Smoke::GetTurbulence, 0.25, 0.0, 1e6 },
+      { "Turbulence", &Smoke::SetTurbulence, &Smoke::GetTurbulence, 0.4, 0.0, 1e6 },
       { "TurbulenceSize", &Smoke::SetTurbulenceSize, &Smoke::GetTurbulenceSize, 0.4, 1e-6, 1e6 },
       { "Dissipation", &Smoke::SetDissipation, &Smoke::GetDissipation, 0.1, 0.0, 1e3 },
       { "MinimumDensity", &Smoke::SetMinimumDensity, &Smoke::GetMinimumDensity, 1e-9, 1e-30, 1.0 },
       { "SourceRadius", &Smoke::SetSourceRadius, &Smoke::GetSourceRadius, 0.2, 0.0, 1e9 },
-      { "SourceRate", &Smoke::SetSourceRate, &Smoke::GetSourceRate, 2.0, 0.0, 1e6 },
+      { "SourceRate", &Smoke::SetSourceRate, &Smoke::GetSourceRate, 3.0, 0.0, 1e6 },
       { "SourceDuration", &Smoke::SetSourceDuration, &Smoke::GetSourceDuration, 1e6, 0.0, 1e6 } });
 }
