@@ -162,9 +162,9 @@ public:
 
   ///@{
   /**
-   * Set/Get which of many skies. Valid range: [0, 2147483647]. Default is 1.
+   * Set/Get which of many skies. Valid range: [0, 1000000000]. Default is 1.
    */
-  vtkSetClampMacro(Seed, int, 0, VTK_INT_MAX);
+  vtkSetClampMacro(Seed, int, 0, 1000000000);
   vtkGetMacro(Seed, int);
   ///@}
 

@@ -147,9 +147,9 @@ public:
 
   ///@{
   /**
-   * Set/Get which of many fires. Valid range: [0, 2147483647]. Default is 1.
+   * Set/Get which of many fires. Valid range: [0, 1000000000]. Default is 1.
    */
-  vtkSetClampMacro(Seed, int, 0, VTK_INT_MAX);
+  vtkSetClampMacro(Seed, int, 0, 1000000000);
   vtkGetMacro(Seed, int);
   ///@}
 
