@@ -14,6 +14,7 @@
 #ifndef vtkGodRaysNoise_h
 #define vtkGodRaysNoise_h
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -81,15 +82,17 @@ constexpr double RootMeanSquare = 0.2605;
  */
 inline Sample GradientNoise(const Vector& position, std::uint32_t seed)
 {
-  constexpr double largest = 1.0363538112118025; // of the sum below
+  constexpr double largest = 1.0363538112118025;     // of the sum below
+  constexpr double mostPrecise = 9007199254740992.0; // 2^53: numbers beyond have no fraction
   std::array<std::int64_t, 3> cell;
   double offset[3][2]; // from the lower and the upper corners
   double weight[3][2];
   double slope[3];
   for (int i = 0; i < 3; ++i)
   {
-    const double floor = std::floor(position[i]);
-    const double t = position[i] - floor;
+    const double inRange = std::min(std::max(position[i], -mostPrecise), mostPrecise);
+    const double floor = std::floor(inRange);
+    const double t = inRange - floor;
     cell[i] = static_cast<std::int64_t>(floor);
     offset[i][0] = t;
     offset[i][1] = t - 1.0;

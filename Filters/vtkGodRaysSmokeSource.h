@@ -20,11 +20,12 @@
  *
  * Time: multiples of TimeStep from 0, where there is no smoke, to EndTime; the last one that is not after
  * the time asked for. Without one it is 0: in a script, ask by UpdateTimeStep(). A later time goes on from
- * the last one, an earlier one begins again; bytes are the same, for each number of threads.
+ * the last one; an earlier one, and any change of a parameter, begins again. Bytes are the same, for each
+ * number of threads.
  *
  * In parallel each process computes the whole grid, and gives away the piece that is asked for. A setup
  * that is not possible is one error that says what to do, and the output is empty; so it is after
- * AbortExecute, from which a later execution goes on. Progress is told once a step.
+ * AbortExecute. Progress is told once a step.
  *
  * @sa vtkGodRaysPass vtkSmartVolumeMapper
  */

@@ -207,6 +207,29 @@ TEST(CloudLayerSource, GivesThePieceThatIsAskedFor)
 }
 
 //------------------------------------------------------------------------------
+// The smallest clouds of the largest layer, at the end of the strongest wind: too fine for numbers.
+TEST(CloudLayerSource, LastsToTheEndOfItsRanges)
+{
+  vtkNew<Layer> layer;
+  layer->SetResolution(9);
+  layer->SetTextureResolution(9);
+  layer->SetEdgeFade(0.0);
+  layer->SetWidth(1e9);
+  layer->SetCloudSize(1e-6);
+  layer->SetOctaves(16);
+  layer->SetWindSpeed(1e6);
+  layer->SetEndTime(1e6);
+  layer->SetEvolutionTime(1e-3);
+  for (double coverage : { 0.1, 0.9 })
+  {
+    layer->SetCoverage(coverage);
+    vtkDataSet* data = Update(layer, 1e6);
+    ASSERT_EQ(data->GetNumberOfPoints(), 81);
+    EXPECT_EQ(GetPart(data, 127.5) > 0.5, coverage > 0.5);
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(CloudLayerSource, BytesDoNotDependOnThreads)
 {
   vtkNew<Layer> layer;

@@ -313,6 +313,31 @@ TEST(SmokeSource, BytesDoNotDependOnTheWayThere)
 }
 
 //------------------------------------------------------------------------------
+// Progress is told once a step, and by each execution a few times more.
+TEST(SmokeSource, GoesOnFromTheLastStepWhereItCan)
+{
+  const auto smoke = MakeSmoke(8, 8, 8);
+  int steps = 0;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&steps);
+  command->SetCallback(
+    [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+  smoke->AddObserver(vtkCommand::ProgressEvent, command);
+  auto count = [&](double time)
+  {
+    steps = 0;
+    Update(smoke, time);
+    return steps;
+  };
+  const int more = count(0.0);
+  EXPECT_EQ(count(1.0) - more, 50);
+  EXPECT_EQ(count(1.5) - more, 25);
+  EXPECT_EQ(count(1.2) - more, 60); // earlier: from the start
+  smoke->SetRiseSpeed(0.9);
+  EXPECT_EQ(count(1.4) - more, 70); // another smoke
+}
+
+//------------------------------------------------------------------------------
 TEST(SmokeSource, GivesThePieceThatIsAskedFor)
 {
   const auto smoke = MakeSmoke(16, 12, 20);
