@@ -327,8 +327,8 @@ TEST(CoverageMedia, LayersAreShadowed)
         squares += std::pow(actual.Values[i] - truth.Values[i], 2);
       }
       const double rms = std::sqrt(squares / truth.Values.size()) / truth.GetMaximum();
-      std::cout << light.Name << (fogFirst ? " fog first" : " gas first") << ": rms " << rms << ", red " << red
-                << "\n";
+      std::cout << light.Name << (fogFirst ? " fog first" : " gas first") << ": rms " << rms
+                << ", red " << red << "\n";
       // Half a pixel of an edge is more of so small a picture than of others.
       EXPECT_LE(rms, 0.01);
       EXPECT_LE(red, 0.013);

@@ -20,10 +20,11 @@
 #include <algorithm>
 #include <cmath>
 
-namespace
+namespace GodRaysTesting
 {
-vtkSmartPointer<vtkImageData> FindTruth(vtkRenderer* renderer,
-  const GodRaysTesting::SetMedium& setMedium, std::array<double, 4> light, const int size[2])
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> GetTrueScattering(
+  vtkRenderer* renderer, const SetMedium& setMedium, std::array<double, 4> light, const int size[2])
 {
   vtkNew<vtkAppendPolyData> occluders;
   vtkPropCollection* props = renderer->GetViewProps();
@@ -68,16 +69,11 @@ vtkSmartPointer<vtkImageData> FindTruth(vtkRenderer* renderer,
   truth->Update();
   return truth->GetOutput();
 }
-}
 
-namespace GodRaysTesting
-{
 //------------------------------------------------------------------------------
-double GetErrorOfMedium(vtkRenderer* renderer, const SetMedium& setMedium,
-  std::array<double, 4> light, vtkImageData* image, std::array<double, 3> tint)
+double GetErrorOfScattering(vtkImageData* truth, vtkImageData* image, std::array<double, 3> tint)
 {
   const int* size = image->GetDimensions();
-  auto truth = FindTruth(renderer, setMedium, light, size);
   vtkDataArray* exact = truth->GetPointData()->GetScalars();
   const auto* values = static_cast<const float*>(image->GetScalarPointer());
   double squares = 0.0;
@@ -109,6 +105,7 @@ double GetErrorOfMedium(vtkRenderer* renderer, vtkGodRaysHomogeneousModel* model
       truth->SetFarLimit(model->GetFarLimit());
     }
   };
-  return GetErrorOfMedium(renderer, setMedium, light, image, tint);
+  const auto truth = GetTrueScattering(renderer, setMedium, light, image->GetDimensions());
+  return GetErrorOfScattering(truth, image, tint);
 }
 }

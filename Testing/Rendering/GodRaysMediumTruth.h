@@ -21,12 +21,17 @@ namespace GodRaysTesting
 /// Give the reference a medium, in scene units.
 using SetMedium = std::function<void(vtkGodRaysSingleScatteringReference*)>;
 
-/// How far an image of three 32-bit floats is from the light that vtkGodRaysSingleScatteringReference
-/// finds in what a renderer shows, times the light's colour: root mean square over the peak. light is
-/// that of one vtkLight, white and of intensity 1, in world coordinates. The power of a light at a finite
-/// distance is that of vtkGodRaysMediumModel.
-double GetErrorOfMedium(vtkRenderer* renderer, const SetMedium& setMedium,
-  std::array<double, 4> light, vtkImageData* image, std::array<double, 3> tint);
+/// The light that vtkGodRaysSingleScatteringReference finds in what a renderer shows; light is that of one
+/// vtkLight, white and of intensity 1, in world coordinates. The power of a light at a finite distance is
+/// that of vtkGodRaysMediumModel.
+vtkSmartPointer<vtkImageData> GetTrueScattering(vtkRenderer* renderer, const SetMedium& setMedium,
+  std::array<double, 4> light, const int size[2]);
+
+/// How far an image of three 32-bit floats is from that, times the light's colour: root mean square over
+/// the peak.
+double GetErrorOfScattering(vtkImageData* truth, vtkImageData* image, std::array<double, 3> tint);
+
+/// The same of a homogeneous medium.
 double GetErrorOfMedium(vtkRenderer* renderer, vtkGodRaysHomogeneousModel* model,
   std::array<double, 4> light, vtkImageData* image, std::array<double, 3> tint = { 1.0, 1.0, 1.0 });
 }
