@@ -13,6 +13,7 @@
 #include "vtkGodRaysRadialModel.h"
 #include "vtkGodRaysScene.h"
 #include "vtkGodRaysSetGet.h"
+#include "vtkGodRaysSource.h"
 #include "vtkGodRaysSourceFinder.h"
 #include "vtkGodRaysSum.h"
 #include "vtkGodRaysTarget.h"
@@ -448,6 +449,14 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
     view.Set(renderer, viewport + 2, this->LayerMargin);
     sources = this->FindSources(renderer, view);
     reason = sources.empty() && !this->DimsScene() ? "no light reaches the picture" : nullptr;
+    vtkGodRaysView::Pinhole pinhole;
+    if (self.MediumModel && !view.GetPinhole(viewport + 2, pinhole))
+    {
+      this->Complain("the picture is tilted against the axis of view, or its pixels are oblong, in "
+                     "which light in a medium cannot be evaluated. Use a projection matrix without "
+                     "that, or a vtkGodRaysRadialModel");
+      reason = "the projection is not one that a medium takes";
+    }
   }
   self.NumberOfSources = static_cast<int>(sources.size());
   if (reason)

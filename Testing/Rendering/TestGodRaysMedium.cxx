@@ -13,6 +13,7 @@
 
 #include "vtkCamera.h"
 #include "vtkMath.h"
+#include "vtkMatrix4x4.h"
 #include "vtkProperty.h"
 
 #include <cmath>
@@ -260,6 +261,31 @@ TEST_F(GodRaysMedium, AnIntegratorServesOnePassAfterAnother)
     stage.Rays->Detach(stage.Renderer);
   }
   EXPECT_LT(means[1], 0.95 * means[0]);
+}
+
+TEST_F(GodRaysMedium, TakesShiftedPicturesButNoTiltedOnes)
+{
+  this->AddPillars();
+  this->AddSun({ 0.2, 0.2, -1.0 });
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  vtkNew<vtkMatrix4x4> projection;
+  projection->DeepCopy(
+    camera->GetProjectionTransformMatrix(static_cast<double>(Width) / Height, -1.0, 1.0));
+  const auto plain = this->GetScattering();
+  camera->UseExplicitProjectionTransformMatrixOn();
+  projection->SetElement(0, 2, 0.125); // by 16 pixels
+  camera->SetExplicitProjectionTransformMatrix(projection);
+  const auto shifted = this->GetScattering();
+  for (int x = 40; x < Width - 40; x += 10)
+  {
+    EXPECT_NEAR(
+      GetValue(shifted, x, 60), GetValue(plain, x + 16, 60), 0.01 * GetValue(plain, x + 16, 60));
+  }
+  projection->SetElement(0, 1, 0.3);
+  camera->SetExplicitProjectionTransformMatrix(projection);
+  this->Scene.Window->Render();
+  EXPECT_TRUE(Says(this->VTKMessages.Take().at(0), "tilted against the axis of view"));
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "rays: none"));
 }
 
 TEST_F(GodRaysMedium, ComputesWhatTheSceneNeeds)

@@ -12,9 +12,8 @@
  * are read back from the graphics card; see vtkGodRaysCoverageFilter.
  *
  * The depth of the picture does not hold what is outside it or behind other things, nor how thick
- * things are: a surface is taken to be Thickness thick, unless there is NumberOfLayers. What that costs stands in
- * Documentation/Accuracy.md. A picture that is tilted against the axis of view, or has oblong pixels,
- * as only a projection matrix made by hand has, is an error.
+ * things are: a surface is taken to be Thickness thick, unless there are NumberOfLayers. What that costs
+ * stands in Documentation/ModelError.md.
  *
  * @sa vtkGodRaysMediumModel vtkGodRaysCoverageFilter
  */

@@ -24,7 +24,8 @@
  * half the diagonal of its bounds over the square root of 3; it does not block light. c is colour times
  * intensity, in linear light.
  *
- * Translucent props and volumes block nothing.
+ * Translucent props and volumes block nothing. A picture that is tilted against the axis of view, or has
+ * oblong pixels, as only a projection matrix made by hand has, is an error.
  *
  * @sa vtkGodRaysHomogeneousModel vtkGodRaysEpipolarCoverageIntegrator
  */
