@@ -9,18 +9,19 @@
  *     n = fractal Brownian motion of ((x, y) - wind t)/CloudSize, t/EvolutionTime    [MusgraveKolbMace1989]
  *     opacity = Opacity smoothstep(c - 2 sigma Softness, c + 2 sigma Softness, n)
  *
- * where sigma is the standard deviation of n, and c follows from Coverage: n, nearly normally distributed, is
- * above c on that part of the layer. Over a layer of few clouds, chance makes it more or less.
+ * where sigma is the standard deviation of n, and c follows from Coverage: n, nearly normally distributed,
+ * is above c on that part of the layer. Over a layer of few clouds, chance makes it more or less.
  *
  * Output port 0: vtkPolyData, a square of Width at Altitude, or a dome above it, as quads with point data
  * - "Color", RGBA, the active scalars;
  * - "TextureCoordinates", (0, 0) to (1, 1), by which the texture of port 1 fits.
- * Output port 1: vtkImageData, the same clouds seen from above, RGBA, as a texture of finer detail. With it, turn
- * the mapper's ScalarVisibility off. In both cases turn the property's Lighting off: colours are final.
+ * Output port 1: vtkImageData, the same clouds seen from above, RGBA, as a texture of finer detail. With it,
+ * turn the mapper's ScalarVisibility off. In both cases turn the property's Lighting off: colours are final.
  *
- * Time: any from 0 to EndTime; without one asked for it is 0: in a script, ask by UpdateTimeStep(). It has no
- * memory: bytes depend neither on what was asked for before, nor on the number of threads. Progress is told 20
- * times for each output; after AbortExecute both are empty. In parallel, the first process has the geometry.
+ * Time: any from 0 to EndTime; without one asked for it is 0: in a script, ask by UpdateTimeStep(). It has
+ * no memory: bytes depend neither on what was asked for before, nor on the number of threads. Progress is
+ * told 20 times for each output; after AbortExecute both are empty. In parallel, the first process has the
+ * geometry.
  *
  * @sa vtkGodRaysPass vtkTexture
  */
@@ -57,8 +58,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the width of the layer along x and y, and its height above the ground [world unit]. Valid ranges:
-   * [1e-6, 1e9] and [-1e9, 1e9]. Default is 1000 and 100.
+   * Set/Get the width of the layer along x and y, and its height above the ground [world unit]. Valid
+   * ranges: [1e-6, 1e9] and [-1e9, 1e9]. Default is 1000 and 100.
    */
   void SetWidth(double width);
   vtkGetMacro(Width, double);
@@ -68,8 +69,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of points along a side of the geometry, and of the texture. Valid ranges: [2, 4096] and
-   * [2, 16384]. Default is 129 and 512.
+   * Set/Get the number of points along a side of the geometry, and of the texture. Valid ranges: [2, 4096]
+   * and [2, 16384]. Default is 129 and 512.
    */
   vtkSetClampMacro(Resolution, int, 2, 4096);
   vtkGetMacro(Resolution, int);
@@ -87,8 +88,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of octaves, each twice as fine, and their height as a fraction of the one before. Valid
-   * ranges: [1, 16] and [0, 1]. Default is 6 and 0.5.
+   * Set/Get the number of octaves, each twice as fine, and their height as a fraction of the one before.
+   * Valid ranges: [1, 16] and [0, 1]. Default is 6 and 0.5.
    */
   vtkSetClampMacro(Octaves, int, 1, 16);
   vtkGetMacro(Octaves, int);

@@ -7,7 +7,8 @@
  * The density of smoke, by diffusion and advection in the velocity v:
  *
  *     dF/dt = D div grad F - div(v F) - k F + S
- *     v = (SwaySpeed sin(2 pi t/SwayPeriod), 0, RiseSpeed) + Turbulence (n_x(y, z, t), n_y(x, z, t), n_z(x, y, t))
+ *     v = (SwaySpeed sin(2 pi t/SwayPeriod), 0, RiseSpeed)
+ *       + Turbulence (n_x(y, z, t), n_y(x, z, t), n_z(x, y, t))
  *
  * where D is Diffusivity, k Dissipation, S the source and n gradient noise within [-1, 1]. Cells
  * exchange smoke with their neighbours, four in a plane and six in space, and what one gives another
