@@ -463,7 +463,7 @@ void ModelErrors::MeasureTimes()
       },
       {} });
   }
-  MeasureRounds("model error", items, this->Settings.Quick ? 2 : 9);
+  MeasureRounds("model error", items, this->Settings.Quick ? 2 : 5);
   const auto copies = GetSeconds(items, "copy");
   const auto none = GetSeconds(items, "none");
   const auto hundred = GetSeconds(items, CustomaryModel);

@@ -196,19 +196,6 @@ class Properties(Case):
                     self.assertEqual(hints.GetAttribute("category"), "God Rays")
             self.assertEqual(offered, classes)
 
-    def test_sources(self):
-        classes = [
-            name
-            for name in dir(godrays)
-            if name.startswith("vtkGodRays") and name.endswith("Source")
-        ]
-        self.assertGreaterEqual(len(classes), 4)
-        for name in classes:
-            proxy = getattr(simple, name[3:])()
-            self.check(proxy, proxy.GetClientSideObject())
-            hints = proxy.SMProxy.GetHints().FindNestedElementByName("ShowInMenu")
-            self.assertEqual(hints.GetAttribute("category"), "God Rays")
-
     def test_presets(self):
         view = make_view(WorldUnitInMeters=3.0)
         offered = ["custom"]
