@@ -58,7 +58,7 @@ Prints tables, and each figure that is asked for as met or missed.
   --documentation FOLDER write FOLDER/Performance.md and the charts in FOLDER/Charts/
   --model-error          measure something else: how far models are from single scattering, on twelve
                          scenes; FOLDER/ModelError.md, its chart and pictures. Names for --filter:
-                         SCENE/LIGHT. Some 8 minutes
+                         SCENE/LIGHT. Some 4 minutes
   --list                 list pictures, lights and integrators, and measure nothing
   --help                 this text
 
@@ -929,10 +929,8 @@ Options ReadOptions(int count, char* arguments[])
       throw std::runtime_error("'" + *expression + "' is not a regular expression");
     }
   }
-  if (options.Quick)
-  {
-    options.Command += " --quick";
-  }
+  options.Command += options.ModelError ? " --model-error" : "";
+  options.Command += options.Quick ? " --quick" : "";
   for (const auto& option : { std::make_pair(" --filter '", options.Filter),
          std::make_pair(" --methods '", options.Methods) })
   {
