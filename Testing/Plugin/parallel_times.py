@@ -20,7 +20,7 @@ FRAMES = 3  # of a round
 
 TEXT = """# Parallel rendering
 
-Written by `ninja -C build-paraview parallel_times`, which runs `Testing/Plugin/parallel_times.py`; the
+Written by `xvfb-run -a ninja -C build-paraview parallel_times`, which runs `Testing/Plugin/parallel_times.py`; the
 scenes are those of `parallel_scenes.py`, of 800 x 600 pixels, each process with a part of the data.
 
 Milliseconds of a frame in `pvbatch`, medians of {frames} frames: of the whole frame with rays and without
