@@ -17,7 +17,7 @@ from parallel_testing import MPIRUN, difference, draw, on_processes, read
 LEVELS = 2
 
 # What ParaView draws alike without rays; volumes differ by a few levels between their parts.
-SCENES = ["opaque", "gradient", "tagged", "role", "lamp", "bright", "one_process"]
+SCENES = ["opaque", "gradient", "tagged", "role", "lamp", "bright", "medium", "shadows", "one_process"]
 
 
 class Parallel(unittest.TestCase):
@@ -44,12 +44,12 @@ class Parallel(unittest.TestCase):
                 self.assertGreater(rays, 10 * LEVELS)
 
     def test_the_scenes_differ(self):
-        for name in ("gradient", "tagged", "lamp", "bright", "volume"):
+        for name in ("gradient", "tagged", "lamp", "bright", "medium", "volume"):
             change = abs(read(self.serial, name) - read(self.serial, "opaque")).max()
             self.assertGreater(change, 10 * LEVELS, name)
-        self.assertGreater(
-            abs(read(self.serial, "tagged") - read(self.serial, "role")).max(), 2 * LEVELS
-        )
+        for one, other in (("tagged", "role"), ("medium", "shadows")):
+            change = abs(read(self.serial, one) - read(self.serial, other)).max()
+            self.assertGreater(change, 2 * LEVELS, one)
 
     def test_two_processes(self):
         folder = self.draw("two", on_processes(2))
@@ -72,7 +72,7 @@ class Parallel(unittest.TestCase):
                 self.assertGreater(rays, 10 * LEVELS)
 
     def test_four_processes(self):
-        scenes = ["opaque", "tagged", "lamp", "one_process"]
+        scenes = ["opaque", "tagged", "lamp", "medium", "shadows", "one_process"]
         folder = self.draw("four", on_processes(4), scenes)
         self.check(folder, scenes)
 

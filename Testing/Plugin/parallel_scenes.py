@@ -102,6 +102,20 @@ def volume(view):
     view.CameraPosition = [0, 0, 60]
 
 
+def medium(view):
+    """A sun in fog, with the shadows of what the picture shows."""
+    shown = add_spheres(view)
+    view.Preset = "fog"
+    view.WorldUnitInMeters = 10.0
+    view.Ignored = shown[1:2]
+
+
+def shadows(view):
+    """The same with shadow maps."""
+    medium(view)
+    view.Integrator = "Shadow Map"
+
+
 def one_process(view):
     """All of the scene is on one process."""
     add_pillars(view)
@@ -109,7 +123,10 @@ def one_process(view):
 
 SCENES = {
     scene.__name__: scene
-    for scene in (opaque, gradient, tagged, role, lamp, bright, translucent, volume, one_process)
+    for scene in (
+        opaque, gradient, tagged, role, lamp, bright, medium, shadows, translucent, volume,
+        one_process,
+    )  # fmt: skip
 }
 
 
