@@ -138,7 +138,7 @@ Scene MakeLattice()
 }
 
 //------------------------------------------------------------------------------
-// A surface of a sampled function: three rings in one.
+// A surface of a sampled function: a ring.
 Scene MakeIsosurface(int sphereParts)
 {
   vtkNew<vtkSuperquadric> ring;

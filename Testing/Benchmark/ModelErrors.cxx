@@ -289,9 +289,9 @@ void WriteRow(const std::vector<Picture>& pictures, double white, int width, int
   const int gap = 4;
   vtkNew<vtkImageData> image;
   image->SetDimensions(count * (width + gap) - gap, height, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
   auto* pixels = static_cast<unsigned char*>(image->GetScalarPointer());
-  std::fill_n(pixels, 3 * image->GetNumberOfPoints(), static_cast<unsigned char>(255));
+  std::fill_n(pixels, image->GetNumberOfPoints(), static_cast<unsigned char>(255));
   for (int p = 0; p < count; ++p)
   {
     for (int y = 0; y < height; ++y)
@@ -300,9 +300,8 @@ void WriteRow(const std::vector<Picture>& pictures, double white, int width, int
       {
         const double value = pictures[p][3 * (static_cast<std::size_t>(y) * width + x) + 1];
         const double shown = vtkGodRays::EncodeDisplay(std::min(1.0, std::max(0.0, value / white)));
-        std::fill_n(pixels +
-            3 * (static_cast<std::size_t>(y) * image->GetDimensions()[0] + p * (width + gap) + x),
-          3, static_cast<unsigned char>(std::lround(255.0 * shown)));
+        pixels[static_cast<std::size_t>(y) * image->GetDimensions()[0] + p * (width + gap) + x] =
+          static_cast<unsigned char>(std::lround(255.0 * shown));
       }
     }
   }
