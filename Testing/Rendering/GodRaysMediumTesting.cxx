@@ -55,4 +55,22 @@ double MediumTest::GetError(std::array<double, 4> light)
   this->SetLight(light);
   return GetErrorOfMedium(this->Renderer, this->Model, light, this->GetScattering());
 }
+
+//------------------------------------------------------------------------------
+void MediumTest::CheckErrors(const std::vector<Case>& cases)
+{
+  for (const Case& each : cases)
+  {
+    const double error = this->GetError(each.Light);
+    std::cout << each.Name << ": " << error << "\n";
+    RecordProperty(each.Name, std::to_string(error));
+    EXPECT_LT(error, each.Bound) << each.Name;
+    auto wrong = each.Light;
+    wrong[0] += 0.2;
+    wrong[2] += 0.2;
+    const double control =
+      GetErrorOfMedium(this->Renderer, this->Model, wrong, this->GetScattering());
+    EXPECT_GT(control, 2.0 * each.Bound) << each.Name;
+  }
+}
 }

@@ -11,6 +11,9 @@
 
 #include "vtkGodRaysHomogeneousModel.h"
 
+#include <array>
+#include <vector>
+
 namespace GodRaysTesting
 {
 /// A homogeneous medium of an optical depth of 1.5 from the eye to its end, without lights or props.
@@ -36,6 +39,17 @@ protected:
 
   /// GetErrorOfMedium() of what the pass draws for this one light.
   double GetError(std::array<double, 4> light);
+
+  struct Case
+  {
+    const char* Name;
+    std::array<double, 4> Light;
+    double Bound; // of the error
+  };
+
+  /// That the error of each light is within its bound, and with the light a little off its place far
+  /// beyond it.
+  void CheckErrors(const std::vector<Case>& cases);
 
   Messages VTKMessages;
   Stage Scene{ Width, Height };
