@@ -76,6 +76,14 @@ vtkShaderProgram* vtkGodRaysQuad::Begin(
 }
 
 //------------------------------------------------------------------------------
+void vtkGodRaysQuad::SetVector(vtkShaderProgram* program, const char* name, const double value[3])
+{
+  const float values[3] = { static_cast<float>(value[0]), static_cast<float>(value[1]),
+    static_cast<float>(value[2]) };
+  program->SetUniform3f(name, values);
+}
+
+//------------------------------------------------------------------------------
 void vtkGodRaysQuad::SetTexture(const char* sampler, vtkTextureObject* texture)
 {
   // one that serves two samplers is activated once: a second time would lose its unit

@@ -51,6 +51,11 @@ public:
   vtkShaderProgram* Begin(vtkOpenGLRenderWindow* window, std::initializer_list<Term> terms = {});
 
   /**
+   * Set a uniform of three numbers.
+   */
+  static void SetVector(vtkShaderProgram* program, const char* name, const double value[3]);
+
+  /**
    * Bind a texture to a sampler of the shader until the next End().
    */
   void SetTexture(const char* sampler, vtkTextureObject* texture);

@@ -17,13 +17,6 @@ vtkStandardNewMacro(vtkGodRaysBlendPass);
 
 namespace
 {
-void SetVector(vtkShaderProgram* program, const char* name, const double value[3])
-{
-  const float v[3] = { static_cast<float>(value[0]), static_cast<float>(value[1]),
-    static_cast<float>(value[2]) };
-  program->SetUniform3f(name, v);
-}
-
 void SetMedium(vtkShaderProgram* program, const vtkGodRaysBlendPass::Request& request)
 {
   const vtkGodRaysMedium& medium = *request.Medium;
@@ -38,11 +31,11 @@ void SetMedium(vtkShaderProgram* program, const vtkGodRaysBlendPass::Request& re
     }
     scaleHeight[i] = static_cast<float>(component.ScaleHeight);
   }
-  SetVector(program, "extinction", extinction[0]);
-  SetVector(program, "secondExtinction", extinction[1]);
+  vtkGodRaysQuad::SetVector(program, "extinction", extinction[0]);
+  vtkGodRaysQuad::SetVector(program, "secondExtinction", extinction[1]);
   program->SetUniform2f("scaleHeight", scaleHeight);
   const double mediumUp[3] = { medium.Up[0], medium.Up[1], -medium.Up[2] }; // as OpenGL's z
-  SetVector(program, "mediumUp", mediumUp);
+  vtkGodRaysQuad::SetVector(program, "mediumUp", mediumUp);
   program->SetUniformf("eyeHeight", static_cast<float>(medium.EyeHeight));
   program->SetUniformf("farLimit", static_cast<float>(medium.FarLimit));
 
@@ -50,9 +43,9 @@ void SetMedium(vtkShaderProgram* program, const vtkGodRaysBlendPass::Request& re
   double right[3];
   double up[3];
   request.View->GetPicture(request.View->Parallel, origin, right, up);
-  SetVector(program, "pictureOrigin", origin);
-  SetVector(program, "pictureRight", right);
-  SetVector(program, "pictureUp", up);
+  vtkGodRaysQuad::SetVector(program, "pictureOrigin", origin);
+  vtkGodRaysQuad::SetVector(program, "pictureRight", right);
+  vtkGodRaysQuad::SetVector(program, "pictureUp", up);
   const int size[2] = { request.Viewport[2], request.Viewport[3] };
   vtkGodRaysView::Pinhole pinhole;
   request.View->GetPinhole(size, pinhole);

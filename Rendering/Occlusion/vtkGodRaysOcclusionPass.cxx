@@ -113,13 +113,6 @@ void JoinOpacity(vtkGodRaysTarget& target, vtkGodRaysCompositor* compositor)
   }
   target.WriteColor(pixels);
 }
-
-void SetVector(vtkShaderProgram* program, const char* name, const double value[3])
-{
-  const float v[3] = { static_cast<float>(value[0]), static_cast<float>(value[1]),
-    static_cast<float>(value[2]) };
-  program->SetUniform3f(name, v);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -370,16 +363,17 @@ bool vtkGodRaysOcclusionPass::Draw(const vtkGodRaysSource& source, bool disc, bo
   double right[3];
   double up[3];
   frame.View->GetPicture(source.Planar, origin, right, up);
-  SetVector(program, "pictureOrigin", origin);
-  SetVector(program, "pictureRight", right);
-  SetVector(program, "pictureUp", up);
+  vtkGodRaysQuad::SetVector(program, "pictureOrigin", origin);
+  vtkGodRaysQuad::SetVector(program, "pictureRight", right);
+  vtkGodRaysQuad::SetVector(program, "pictureUp", up);
   const float pixelStep[2] = { 2.0f / static_cast<float>(self.Width),
     2.0f / static_cast<float>(self.Height) };
   program->SetUniform2f("pixelStep", pixelStep);
-  SetVector(program, "lightPosition", source.Position);
-  SetVector(program, "lightDirection", source.Direction);
+  vtkGodRaysQuad::SetVector(program, "lightPosition", source.Position);
+  vtkGodRaysQuad::SetVector(program, "lightDirection", source.Direction);
   const double white[3] = { 1.0, 1.0, 1.0 };
-  SetVector(program, "lightColor", self.Composed == &self.OneColorLayer ? white : source.Color);
+  vtkGodRaysQuad::SetVector(
+    program, "lightColor", self.Composed == &self.OneColorLayer ? white : source.Color);
   program->SetUniformf("lightDepth", static_cast<float>(source.Depth));
   program->SetUniformf("lightRadius", static_cast<float>(source.Radius));
   program->SetUniformf("leastPixel", static_cast<float>(source.LeastPixel));

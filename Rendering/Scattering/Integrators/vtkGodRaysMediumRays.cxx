@@ -3,6 +3,7 @@
 #include "vtkGodRaysMediumRays.h"
 
 #include "vtkGodRaysMedium.h"
+#include "vtkGodRaysQuad.h"
 #include "vtkGodRaysSum.h"
 #include "vtkShaderProgram.h"
 #include "vtk_glew.h"
@@ -24,13 +25,6 @@ void SetPair(vtkShaderProgram* program, const char* name, double x, double y)
 {
   const float values[2] = { static_cast<float>(x), static_cast<float>(y) };
   program->SetUniform2f(name, values);
-}
-
-void SetVector(vtkShaderProgram* program, const char* name, const double value[3])
-{
-  const float values[3] = { static_cast<float>(value[0]), static_cast<float>(value[1]),
-    static_cast<float>(value[2]) };
-  program->SetUniform3f(name, values);
 }
 
 void SetPhase(vtkShaderProgram* program, const std::string& name, int kind, double asymmetry)
@@ -96,10 +90,10 @@ void vtkGodRaysMediumRays::Set(vtkShaderProgram* program) const
   const vtkGodRaysSource& source = *this->Request.Source;
   const double color[3] = { source.Power * source.Color[0], source.Power * source.Color[1],
     source.Power * source.Color[2] };
-  SetVector(program, "lightColor", color);
+  vtkGodRaysQuad::SetVector(program, "lightColor", color);
   SetNumber(program, "lightHeight",
     Dot(medium.Up, this->Light) + (this->IsInfinite() ? 0.0 : medium.EyeHeight));
-  SetVector(program, "mediumUp", medium.Up);
+  vtkGodRaysQuad::SetVector(program, "mediumUp", medium.Up);
   SetNumber(program, "eyeHeight", medium.EyeHeight);
   const bool closed = this->IsInfinite() && (medium.NumberOfComponents == 1 || !medium.ThinsOut());
   program->SetUniformi("totalParts", closed ? 1 : TotalParts);

@@ -70,9 +70,14 @@ double vtkGodRaysMediumModel::GetFlatGain() const
   double most = 0.0;
   for (int i = 0; i < medium.NumberOfComponents; ++i)
   {
-    const vtkGodRays::PhaseFunction phase = { medium.Components[i].PhaseFunction,
-      medium.Components[i].Asymmetry };
-    most = std::max({ most, vtkGodRays::Phase(phase, 1.0), vtkGodRays::Phase(phase, -1.0) });
+    const vtkGodRaysMedium::Component& component = medium.Components[i];
+    for (const double cosine : { 1.0, -1.0 })
+    {
+      most = std::max(most,
+        vtkGodRays::PhaseMix({ component.PhaseFunction, component.Asymmetry },
+          { component.SecondPhaseFunction, component.SecondAsymmetry }, component.SecondWeight,
+          cosine));
+    }
   }
   return most;
 }
