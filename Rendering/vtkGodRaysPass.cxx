@@ -18,6 +18,7 @@
 #include "vtkGodRaysSum.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysTimers.h"
+#include "vtkGodRaysTransfer.h"
 #include "vtkGodRaysViewDepths.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -86,7 +87,8 @@ struct vtkGodRaysPass::Internals
   bool HasAllLayers = false;
   bool HasBackdrop = false;
   bool KeepAllLayers = false;
-  int NumberOfSources = 0;    // of the last frame
+  int NumberOfSources = 0; // of the last frame
+  vtkGodRaysTransfer Transfer = vtkGodRaysTransfer::SRGB;
   bool DrawsScene = false;    // at this moment
   bool IsOwnDelegate = false; // its delegate called it while it drew the scene
   std::string LightPlan;
@@ -298,6 +300,7 @@ vtkGodRaysSetFiniteMacro(vtkGodRaysPass, BackgroundGlowRadius, 0.0, 180.0);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, BackgroundGlowFalloff, 0.0, 180.0);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, LayerMargin, 0.0, 1.0);
 vtkGodRaysSetModeMacro(vtkGodRaysPass, Blend, SCREEN);
+vtkGodRaysSetModeMacro(vtkGodRaysPass, DisplayTransfer, POWER_TRANSFER);
 vtkGodRaysSetModeMacro(vtkGodRaysPass, Output, SCATTERING);
 vtkGodRaysSetModeMacro(vtkGodRaysPass, Precision, SINGLE);
 
@@ -447,6 +450,9 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
     vtkGodRaysScene::GetViewport(s, viewport);
     vtkGodRaysScene::UpdateStereo(renderer);
     view.Set(renderer, viewport + 2, this->LayerMargin);
+    self.Transfer = self.Model->GetLinearLight()
+      ? vtkGodRaysFindTransfer(this->DisplayTransfer, renderer, this)
+      : vtkGodRaysTransfer::NONE;
     sources = this->FindSources(renderer, view);
     reason = sources.empty() && !this->DimsScene() ? "no light reaches the picture" : nullptr;
     vtkGodRaysView::Pinhole pinhole;
@@ -580,7 +586,7 @@ std::vector<vtkGodRaysSource> vtkGodRaysPass::FindSources(
   finder.BackgroundGlow = this->BackgroundGlow;
   finder.BackgroundGlowRadius = this->BackgroundGlowRadius;
   finder.BackgroundGlowFalloff = this->BackgroundGlowFalloff;
-  finder.LinearLight = self.Model->GetLinearLight();
+  finder.Transfer = self.Transfer;
   finder.CapsMarch = self.Model->CapsMarch();
   finder.LightsMedium = self.MediumModel != nullptr;
   finder.Compositor = self.Compositor;
@@ -672,7 +678,7 @@ bool vtkGodRaysPass::FindOccluders(const vtkRenderState* s, const vtkGodRaysView
   occlusion.UntaggedPropsOcclude = this->UntaggedPropsOcclude;
   occlusion.LampsOcclude = !self.MediumModel;
   occlusion.Dims = !self.MediumModel;
-  occlusion.LinearLight = self.Model->GetLinearLight();
+  occlusion.Transfer = self.Transfer;
   occlusion.Glow = this->BackgroundGlow;
   occlusion.Compositor = self.Compositor;
 
@@ -802,7 +808,7 @@ bool vtkGodRaysPass::DrawOutput(const int viewport[4], const vtkGodRaysView& vie
   request.Tint = light.GetTint();
   request.Intensity = this->Output == OCCLUSION ? 1.0 : this->Intensity;
   request.SceneGain = self.Model->GetSceneGain();
-  request.LinearLight = self.Model->GetLinearLight();
+  request.Transfer = self.Transfer;
   const int blend = this->Blend == MODEL_BLEND ? self.Model->GetBlend() : this->Blend;
   request.Screen = blend == SCREEN;
   request.ShowRays = this->Output != COMPOSITE;
@@ -853,7 +859,10 @@ void vtkGodRaysPass::DescribeStages(double margin)
        << (this->Output != COMPOSITE ? "skipped, one layer is shown"
               : blend == SCREEN      ? "screen"
                                      : "additive")
-       << (self.Model->GetLinearLight() ? ", linear light" : ", shown values") << "\n";
+       << (self.Transfer == vtkGodRaysTransfer::NONE      ? ", shown values"
+              : self.Transfer == vtkGodRaysTransfer::SRGB ? ", linear light"
+                                                          : ", linear light by a power of 2.2")
+       << "\n";
   self.StagePlan = plan.str();
 }
 
@@ -905,6 +914,7 @@ void vtkGodRaysPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BackgroundGlowFalloff: " << this->BackgroundGlowFalloff << "\n";
   os << indent << "LayerMargin: " << this->LayerMargin << "\n";
   os << indent << "Blend: " << this->Blend << "\n";
+  os << indent << "DisplayTransfer: " << this->DisplayTransfer << "\n";
   os << indent << "Output: " << this->Output << "\n";
   os << indent << "Precision: " << this->Precision << "\n";
   os << indent << "MeasureTimes: " << (this->MeasureTimes ? "on" : "off") << "\n";

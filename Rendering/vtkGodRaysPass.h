@@ -261,6 +261,26 @@ public:
   vtkGetMacro(Blend, int);
   ///@}
 
+  /// How the scene's colours stand for light.
+  enum DisplayTransferType
+  {
+    AUTOMATIC_TRANSFER = 0, ///< POWER_TRANSFER within a vtkToneMappingPass, else SRGB_TRANSFER
+    SRGB_TRANSFER = 1,      ///< by sRGB's transfer, as a monitor shows them
+    POWER_TRANSFER = 2 ///< by a power of 2.2, which VTK's tone mapping and PBR shaders take for it
+  };
+
+  ///@{
+  /**
+   * Set/Get how the colours of the scene and of lights stand for light, one of DisplayTransferType. Light
+   * is added between decoding and encoding by it; a tone mapping that comes later must decode as was
+   * encoded. A vtkToneMappingPass is known by itself if it is the renderer's pass, and this one its
+   * delegate, or the delegate of other passes of images between. Formulations that sum shown values do
+   * not depend on it. Default is AUTOMATIC_TRANSFER.
+   */
+  void SetDisplayTransfer(int transfer);
+  vtkGetMacro(DisplayTransfer, int);
+  ///@}
+
   /// What the picture shows.
   enum OutputMode
   {
@@ -393,6 +413,7 @@ private:
   double BackgroundGlowFalloff = 18.0;
   double LayerMargin = 0.0;
   int Blend = MODEL_BLEND;
+  int DisplayTransfer = AUTOMATIC_TRANSFER;
   int Output = COMPOSITE;
   int Precision = HALF;
   int NumberOfGeometryPasses = 0;

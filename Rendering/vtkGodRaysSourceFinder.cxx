@@ -147,12 +147,15 @@ void vtkGodRaysSourceFinder::Add(vtkGodRaysSource& source, const vtkGodRaysView&
     source.SetGlow(view, this->BackgroundGlowRadius, this->BackgroundGlowFalloff);
     this->SetMarch(source, view);
   }
+  const vtkGodRays::Vec3 shown(color[0], color[1], color[2]);
+  const vtkGodRays::Vec3 light = this->Transfer == vtkGodRaysTransfer::NONE
+    ? shown
+    : vtkGodRays::DecodeDisplay(shown, this->Transfer == vtkGodRaysTransfer::POWER);
   double greatest = 0.0;
   for (int i = 0; i < 3; ++i)
   {
-    const double light = this->LinearLight ? vtkGodRays::DecodeDisplay(color[i]) : color[i];
     source.Color[i] =
-      vtkGodRays::Sanitize(source.Fade * intensity * light, std::numeric_limits<float>::max());
+      vtkGodRays::Sanitize(source.Fade * intensity * light[i], std::numeric_limits<float>::max());
     greatest = std::max(greatest, source.Color[i]);
   }
   this->Plan += "light: " + source.Name;

@@ -9,6 +9,7 @@
 #define vtkGodRaysSourceFinder_h
 
 #include "vtkGodRaysSource.h"
+#include "vtkGodRaysTransfer.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
@@ -26,7 +27,7 @@ public:
   double BackgroundGlow;                      ///< fraction of the light's radiance
   double BackgroundGlowRadius;                ///< [degrees]
   double BackgroundGlowFalloff;               ///< [degrees]
-  bool LinearLight;                           ///< see vtkGodRaysModel
+  vtkGodRaysTransfer Transfer;                ///< of the colours of lights
   bool CapsMarch;                             ///< see vtkGodRaysModel
   bool LightsMedium;                          ///< all that shines counts, wherever it is
   vtkGodRaysCompositor* Compositor = nullptr; ///< of a scene on several processes

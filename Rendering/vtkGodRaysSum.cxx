@@ -83,7 +83,7 @@ bool vtkGodRaysSum::Add(vtkGodRaysTarget& colors, const double tint[3], double v
   request.Rays = colors.GetColor();
   request.Tint = colors.HasOneChannel() ? tint : nullptr;
   request.ViewScale = viewScale;
-  request.LinearLight = false; // as it is
+  request.Transfer = vtkGodRaysTransfer::NONE;
   request.ShowRays = true;
   return this->Adding->Draw(request);
 }

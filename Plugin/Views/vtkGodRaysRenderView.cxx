@@ -215,6 +215,8 @@ void vtkGodRaysRenderView::UpdatePasses()
 {
   vtkInternals& self = *this->Internals;
   vtkImageProcessingPass* pass = self.Chain->ToneMapping;
+  self.Pass->SetDisplayTransfer(
+    pass ? vtkGodRaysPass::POWER_TRANSFER : vtkGodRaysPass::SRGB_TRANSFER);
   if (this->UseGodRays)
   {
     pass = pass ? static_cast<vtkImageProcessingPass*>(self.Chain) : self.Pass;

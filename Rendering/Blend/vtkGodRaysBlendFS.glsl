@@ -30,6 +30,7 @@ uniform float farLimit;
 
 //VTK::GodRays::Terms
 // linearLight: whether rays are linear light, or shown values as the scene's colours
+// isPower: whether shown values stand for light by a power
 // screen: SCREEN rather than ADD
 // showRays: the rays alone
 // resized: they are not as large as the viewport
@@ -79,7 +80,7 @@ void main()
   }
   if (showRays)
   {
-    gl_FragData[0] = vec4(linearLight ? EncodeDisplay(light) : light, 1.0);
+    gl_FragData[0] = vec4(linearLight ? EncodeDisplay(light, isPower) : light, 1.0);
     return;
   }
   if (!dimmed && !any(greaterThan(light, vec3(0.0))) && sceneGain == 1.0)
@@ -90,11 +91,11 @@ void main()
   vec3 under =
     hasBackdrop ? (1.0 - shownOver.a) * texelFetch(backdrop, pixel, 0).rgb : vec3(0.0);
   vec3 shown = shownOver.rgb + under;
-  vec3 base = sceneGain * (linearLight ? DecodeDisplay(shown) : shown);
+  vec3 base = sceneGain * (linearLight ? DecodeDisplay(shown, isPower) : shown);
   if (dimmed)
   {
     base *= SceneTransmittance(pixel);
   }
   vec3 sum = screen ? BlendScreen(base, light) : BlendAdd(base, light);
-  gl_FragData[0] = vec4((linearLight ? EncodeDisplay(sum) : sum) - under, 1.0);
+  gl_FragData[0] = vec4((linearLight ? EncodeDisplay(sum, isPower) : sum) - under, 1.0);
 }

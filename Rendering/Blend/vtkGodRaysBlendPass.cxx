@@ -79,10 +79,12 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
     (static_cast<int>(request.Rays->GetWidth()) != request.Viewport[2] ||
       static_cast<int>(request.Rays->GetHeight()) != request.Viewport[3]);
   vtkShaderProgram* program = this->Internal->Quad.Begin(request.Window,
-    { { "linearLight", request.LinearLight }, { "screen", request.Screen && !request.ShowRays },
-      { "showRays", request.ShowRays }, { "resized", resized },
-      { "hasBackdrop", request.Backdrop != nullptr }, { "oneChannel", request.Tint != nullptr },
-      { "hasRays", request.Rays != nullptr }, { "dimmed", request.Medium != nullptr },
+    { { "linearLight", request.Transfer != vtkGodRaysTransfer::NONE },
+      { "isPower", request.Transfer == vtkGodRaysTransfer::POWER },
+      { "screen", request.Screen && !request.ShowRays }, { "showRays", request.ShowRays },
+      { "resized", resized }, { "hasBackdrop", request.Backdrop != nullptr },
+      { "oneChannel", request.Tint != nullptr }, { "hasRays", request.Rays != nullptr },
+      { "dimmed", request.Medium != nullptr },
       { "parallel", request.View && request.View->Parallel },
       { "thinsOut", request.Medium && request.Medium->ThinsOut() },
       { "hasSecond", request.Medium && request.Medium->NumberOfComponents > 1 },

@@ -17,6 +17,7 @@
 #define vtkGodRaysBlendPass_h
 
 #include "vtkGodRaysRenderingModule.h" // For export macro
+#include "vtkGodRaysTransfer.h"        // For vtkGodRaysTransfer
 #include "vtkObject.h"
 
 #include <memory> // For std::unique_ptr
@@ -46,7 +47,7 @@ public:
     vtkTextureObject* Backdrop = nullptr; ///< background that is put under the result later
     double Intensity = 1.0;
     double SceneGain = 1.0;
-    bool LinearLight = true;
+    vtkGodRaysTransfer Transfer = vtkGodRaysTransfer::SRGB;
     bool Screen = false;
     bool ShowRays = false;
     bool Accumulate = false; ///< add to what the framebuffer holds

@@ -213,6 +213,20 @@ FUNCTION Vec3 EncodeDisplay(IN(Vec3) light)
   return Vec3(EncodeDisplay(light.x), EncodeDisplay(light.y), EncodeDisplay(light.z));
 }
 
+// The same, or by the power of 2.2 that VTK's tone mapping and PBR shaders take for it, where light is
+// 0.218 for a value of 0.5, rather than 0.214. Negative values count as 0.
+// Formula: c^2.2. [linear light] vtkToneMappingPass
+FUNCTION Vec3 DecodeDisplay(IN(Vec3) value, bool isPower)
+{
+  return isPower ? pow(max(value, Vec3(0.0)), Vec3(2.2)) : DecodeDisplay(value);
+}
+
+// The inverse. Formula: c^(1/2.2). [display value]
+FUNCTION Vec3 EncodeDisplay(IN(Vec3) light, bool isPower)
+{
+  return isPower ? pow(max(light, Vec3(0.0)), Vec3(1.0 / 2.2)) : EncodeDisplay(light);
+}
+
 // --- Blending ------------------------------------------------------------------------------------
 
 // Rays over a scene as light adds. Formula: a + b. [the unit of both]

@@ -18,6 +18,7 @@ uniform sampler2D occluderDepth;
 // multisampled: whether occluderDepth is of a sample, not the centre, of each pixel
 // planar: separations are lengths in the picture's plane, not angles
 // linearLight: whether the layer holds linear light, or shown values
+// isPower: whether shown values stand for light by a power
 
 uniform sampler2D translucency;   // opacity of what dims, in alpha
 uniform sampler2D propColor;
@@ -111,13 +112,13 @@ void main()
     float propNearest = multisampled ? LeastPropDepth(pixel) : PropDepth(pixel);
     if (PropDepth(pixel) < farthest && propNearest <= depth + 1e-6)
     {
-      light = fade * (linearLight ? DecodeDisplay(shown.rgb) : shown.rgb);
+      light = fade * (linearLight ? DecodeDisplay(shown.rgb, isPower) : shown.rgb);
     }
     if (hazy)
     {
       vec4 veil = texelFetch(haze, pixel, 0);
       light *= 1.0 - veil.a;
-      light += fade * (linearLight ? DecodeDisplay(veil.rgb) : veil.rgb);
+      light += fade * (linearLight ? DecodeDisplay(veil.rgb, isPower) : veil.rgb);
     }
   }
   else if (disc && depth >= min(lightDepth, farthest))

@@ -354,7 +354,8 @@ bool vtkGodRaysOcclusionPass::Draw(const vtkGodRaysSource& source, bool disc, bo
     { { "dimmed", self.Dimmed }, { "prop", source.Prop != nullptr }, { "disc", disc },
       { "hazy", hazy }, { "planar", source.Planar },
       { "multisampled", frame.Multisampled && !this->RenderedOccluders },
-      { "linearLight", frame.LinearLight } });
+      { "linearLight", frame.Transfer != vtkGodRaysTransfer::NONE },
+      { "isPower", frame.Transfer == vtkGodRaysTransfer::POWER } });
   if (!program)
   {
     return false;

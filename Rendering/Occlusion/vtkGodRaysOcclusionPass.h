@@ -23,6 +23,7 @@
 #define vtkGodRaysOcclusionPass_h
 
 #include "vtkGodRaysRenderingModule.h" // For export macro
+#include "vtkGodRaysTransfer.h"        // For vtkGodRaysTransfer
 #include "vtkOpenGLRenderPass.h"
 
 #include <memory> // For std::unique_ptr
@@ -62,7 +63,7 @@ public:
     bool UntaggedPropsOcclude = true;
     bool LampsOcclude = true; ///< whether props tagged LIGHT block the light of others
     bool Dims = true;         ///< whether translucent props and volumes dim light
-    bool LinearLight = true;
+    vtkGodRaysTransfer Transfer = vtkGodRaysTransfer::SRGB;
     double Glow = 0.0;
     vtkGodRaysCompositor* Compositor = nullptr; ///< of a scene on several processes
   };

@@ -288,6 +288,10 @@ TEST(Display, GoesThereAndBack)
   const Vec3 colour(0.02, 0.4, 1.7);
   ExpectNear(EncodeDisplay(DecodeDisplay(colour)), colour, 1e-7);
   EXPECT_EQ(DecodeDisplay(colour).y, DecodeDisplay(0.4));
+  ExpectNear(DecodeDisplay(colour, false), DecodeDisplay(colour), 0.0);
+  ExpectNear(EncodeDisplay(DecodeDisplay(colour, true), true), colour, 1e-15);
+  EXPECT_NEAR(DecodeDisplay(Vec3(0.5), true).x, 0.217637640824031, 1e-15);
+  EXPECT_EQ(DecodeDisplay(Vec3(-1.0), true).x, 0.0);
 }
 
 //------------------------------------------------------------------------------
