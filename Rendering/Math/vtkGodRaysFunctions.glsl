@@ -227,6 +227,23 @@ FUNCTION Vec3 EncodeDisplay(IN(Vec3) light, bool isPower)
   return isPower ? pow(max(light, Vec3(0.0)), Vec3(1.0 / 2.2)) : EncodeDisplay(light);
 }
 
+// --- Tone mapping --------------------------------------------------------------------------------
+
+// Luminance of linear light of the primaries of sRGB. [the unit of the light]
+// [IEC61966-2-1] 5.2: ITU-R BT.709's
+FUNCTION Real Luminance(IN(Vec3) light)
+{
+  return dot(light, Vec3(0.2126, 0.7152, 0.0722));
+}
+
+// Light of any brightness, to be shown; light as bright as white becomes 1, and without a white, where
+// its inverse is 0, nothing does. Formula: c (1 + c/white^2)/(1 + c), at most 1. [linear light]
+// [Reinhard2002] equation 4, for each colour for itself
+FUNCTION Vec3 ToneReinhard(IN(Vec3) light, Real inverseWhite)
+{
+  return min(light * (light * (inverseWhite * inverseWhite) + Vec3(1.0)) / (light + Vec3(1.0)), Vec3(1.0));
+}
+
 // --- Blending ------------------------------------------------------------------------------------
 
 // Rays over a scene as light adds. Formula: a + b. [the unit of both]
