@@ -11,6 +11,8 @@
 #include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysMath.h"
 
+#include <algorithm>
+
 namespace vtkGodRays
 {
 inline Vec3 ToVec3(const double values[3])
@@ -33,6 +35,22 @@ inline SkyAtmosphere MakeSkyAtmosphere(vtkGodRaysAtmosphere* from)
   sky.AirPhase = { vtkGodRaysAtmosphere::RAYLEIGH, 0.0 };
   sky.AerosolPhase = { from->GetMiePhaseFunction(), from->GetMieAsymmetry() };
   return sky;
+}
+
+// The part of what an aerosol scatters that goes on nearly straight, and so is taken to be no scattering
+// where light is scattered more than once. [Joseph1976]
+inline double GetForwardPeak(const SkyAtmosphere& sky)
+{
+  const double g = std::max(sky.AerosolPhase.Asymmetry, 0.0);
+  return sky.AerosolPhase.Kind >= vtkGodRaysAtmosphere::HENYEY_GREENSTEIN ? g * g : 0.0;
+}
+
+// The atmosphere in which light is scattered more than once: the forward peak is left in the light.
+inline SkyAtmosphere MakeDiffuseSky(const SkyAtmosphere& sky)
+{
+  SkyAtmosphere diffuse = sky;
+  diffuse.AerosolExtinction -= GetForwardPeak(sky) * sky.AerosolScattering;
+  return diffuse;
 }
 }
 

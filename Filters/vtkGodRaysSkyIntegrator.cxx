@@ -13,6 +13,8 @@ using namespace vtkGodRays;
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
+constexpr int Slopes = vtkGodRaysSkyIntegrator::Slopes;
+constexpr int Heights = vtkGodRaysSkyIntegrator::Heights;
 
 // Kronrod's rule of 15 points, and Gauss's of 7 within it. [Piessens1983]
 constexpr double Places[8] = { 0.991455371120812639206854697526329,
@@ -28,11 +30,6 @@ constexpr double GaussWeights[4] = { 0.129484966168869693270611432679082,
   0.279705391489276667901467771423780, 0.381830050505118944950369775488975,
   0.417959183673469387755102040816327 };
 
-// The table of multiple scattering: rows of heights, denser towards the ground, of slopes of the way to the
-// sun, denser about the horizon.
-constexpr int Slopes = 48;
-constexpr int Heights = 16;
-
 double MaxComponent(const Vec3& value)
 {
   return std::max(value.x, std::max(value.y, value.z));
@@ -43,10 +40,8 @@ double MaxComponent(const Vec3& value)
 void vtkGodRaysSkyIntegrator::SetAtmosphere(vtkGodRaysAtmosphere* from)
 {
   this->Sky = MakeSkyAtmosphere(from);
-  const double g = std::max(this->Sky.AerosolPhase.Asymmetry, 0.0);
-  this->ForwardPeak = this->Sky.AerosolPhase.Kind >= 2 ? g * g : 0.0;
-  this->DiffuseSky = this->Sky;
-  this->DiffuseSky.AerosolExtinction -= this->ForwardPeak * this->Sky.AerosolScattering;
+  this->ForwardPeak = GetForwardPeak(this->Sky);
+  this->DiffuseSky = MakeDiffuseSky(this->Sky);
   this->Irradiance = ToVec3(from->GetSunIrradiance());
   this->Albedo = ToVec3(from->GetGroundAlbedo());
   this->Multiple.clear();
@@ -61,60 +56,16 @@ void vtkGodRaysSkyIntegrator::SetView(double height, const Vec3& sun, double tol
 }
 
 //------------------------------------------------------------------------------
-vtkGodRaysSkyIntegrator::Way vtkGodRaysSkyIntegrator::GetWay(const Vec3& direction) const
+SkyWay vtkGodRaysSkyIntegrator::GetWay(const Vec3& direction) const
 {
-  return this->GetWay(this->Height, glm::clamp(direction.z, -1.0, 1.0),
+  return MakeSkyWay(this->Sky, this->Height, glm::clamp(direction.z, -1.0, 1.0),
     glm::clamp(this->Sun.z, -1.0, 1.0), glm::clamp(dot(direction, this->Sun), -1.0, 1.0));
-}
-
-//------------------------------------------------------------------------------
-vtkGodRaysSkyIntegrator::Way vtkGodRaysSkyIntegrator::GetWay(
-  double height, double slope, double sunSlope, double cosAngle) const
-{
-  Way way = { height, slope, sunSlope, cosAngle, -1.0, false };
-  const Vec2 within = SkyBelow(this->Sky.GroundRadius, height, slope, this->Sky.TopHeight);
-  if (within.x > within.y)
-  {
-    return way;
-  }
-  if (within.x > 0.0)
-  {
-    const double radius = this->Sky.GroundRadius + height;
-    const double top = this->Sky.GroundRadius + this->Sky.TopHeight;
-    way.Height = this->Sky.TopHeight;
-    way.Slope = glm::clamp((radius * slope + within.x) / top, -1.0, 1.0);
-    way.SunSlope = glm::clamp((radius * sunSlope + within.x * cosAngle) / top, -1.0, 1.0);
-  }
-  const double ground = SkyGroundDistance(this->Sky.GroundRadius, way.Height, way.Slope);
-  way.MeetsGround = ground >= 0.0;
-  way.Length = way.MeetsGround ? ground : within.y - within.x;
-  return way;
-}
-
-//------------------------------------------------------------------------------
-std::array<double, 2> vtkGodRaysSkyIntegrator::GetPoint(const Way& way, double distance) const
-{
-  const double radius = this->Sky.GroundRadius + way.Height;
-  const double rise = SkyRise(radius, way.Slope, distance);
-  return { std::max(way.Height + rise, 0.0),
-    glm::clamp((radius * way.SunSlope + distance * way.CosAngle) / (radius + rise), -1.0, 1.0) };
 }
 
 //------------------------------------------------------------------------------
 bool vtkGodRaysSkyIntegrator::IsInShadow(double height, double sunSlope) const
 {
   return SkyGroundDistance(this->Sky.GroundRadius, height, sunSlope) >= 0.0;
-}
-
-//------------------------------------------------------------------------------
-vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetGround(
-  const SkyAtmosphere& sky, double sunSlope) const
-{
-  if (sunSlope <= 0.0)
-  {
-    return Vec3(0.0);
-  }
-  return this->Albedo / Pi * sunSlope * SkySunTransmittance(sky, 0.0, sunSlope);
 }
 
 //------------------------------------------------------------------------------
@@ -126,7 +77,7 @@ vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetDiffuseScattering(doub
 
 //------------------------------------------------------------------------------
 vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetInscatter(
-  const Way& way, double distance, bool lit, bool multiple) const
+  const SkyWay& way, double distance, bool lit, bool multiple) const
 {
   const SkyAtmosphere& sky = multiple ? this->DiffuseSky : this->Sky;
   Vec3 sum(0.0);
@@ -136,8 +87,8 @@ vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetInscatter(
   }
   if (multiple)
   {
-    const std::array<double, 2> point = this->GetPoint(way, distance);
-    sum += this->GetDiffuseScattering(point[0]) * this->GetMultiple(point[0], point[1]) *
+    const Vec2 point = SkyPoint(this->Sky, way, distance);
+    sum += this->GetDiffuseScattering(point.x) * this->GetMultiple(point.x, point.y) *
       exp(-SkyDepth(sky, way.Height, way.Slope, distance));
   }
   return sum;
@@ -145,7 +96,7 @@ vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetInscatter(
 
 //------------------------------------------------------------------------------
 vtkGodRaysSkyIntegrator::Estimate vtkGodRaysSkyIntegrator::EstimatePart(
-  const Way& way, double begin, double end, bool lit, bool multiple) const
+  const SkyWay& way, double begin, double end, bool lit, bool multiple) const
 {
   const double middle = 0.5 * (begin + end);
   const double reach = 0.5 * (end - begin);
@@ -172,8 +123,9 @@ vtkGodRaysSkyIntegrator::Estimate vtkGodRaysSkyIntegrator::EstimatePart(
 }
 
 //------------------------------------------------------------------------------
-vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::IntegratePart(const Way& way, double begin,
-  double end, bool lit, bool multiple, const Estimate& estimate, double accepted, int depth) const
+vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::IntegratePart(const SkyWay& way,
+  double begin, double end, bool lit, bool multiple, const Estimate& estimate, double accepted,
+  int depth) const
 {
   if (estimate.Error <= accepted || depth == 0)
   {
@@ -190,7 +142,7 @@ vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::IntegratePart(const Way& 
 vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetRadiance(
   const Vec3& direction, bool multiple) const
 {
-  const Way way = this->GetWay(direction);
+  const SkyWay way = this->GetWay(direction);
   if (way.Length < 0.0)
   {
     return Vec3(0.0);
@@ -232,7 +184,7 @@ vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetRadiance(
   {
     const SkyAtmosphere& sky = multiple ? this->DiffuseSky : this->Sky;
     radiance += exp(-SkyDepth(sky, way.Height, way.Slope, way.Length)) *
-      this->GetGround(sky, this->GetPoint(way, way.Length)[1]);
+      SkyGround(sky, this->Albedo, SkyPoint(sky, way, way.Length).y);
   }
   return this->Irradiance * radiance;
 }
@@ -241,28 +193,29 @@ vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetRadiance(
 vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::MarchRadiance(
   const Vec3& direction, int steps) const
 {
-  const Way way = this->GetWay(direction);
+  const SkyWay way = this->GetWay(direction);
   if (way.Length < 0.0)
   {
     return Vec3(0.0);
   }
   const double step = way.Length / steps;
-  Vec3 radiance =
-    way.MeetsGround ? this->GetGround(this->Sky, this->GetPoint(way, way.Length)[1]) : Vec3(0.0);
+  Vec3 radiance = way.MeetsGround
+    ? SkyGround(this->Sky, this->Albedo, SkyPoint(this->Sky, way, way.Length).y)
+    : Vec3(0.0);
   for (int i = steps - 1; i >= 0; --i)
   {
-    const std::array<double, 2> point = this->GetPoint(way, i * step);
-    const double air = SkyDensity(this->Sky.Air, point[0]);
-    const double aerosol = SkyDensity(this->Sky.Aerosol, point[0]);
+    const Vec2 point = SkyPoint(this->Sky, way, i * step);
+    const double air = SkyDensity(this->Sky.Air, point.x);
+    const double aerosol = SkyDensity(this->Sky.Aerosol, point.x);
     const Vec3 extinction = this->Sky.AirScattering * air + this->Sky.AerosolExtinction * aerosol +
-      this->Sky.Absorption * SkyDensity(this->Sky.Absorber, point[0]);
+      this->Sky.Absorption * SkyDensity(this->Sky.Absorber, point.x);
     radiance *= exp(-extinction * step);
-    if (!this->IsInShadow(point[0], point[1]))
+    if (!this->IsInShadow(point.x, point.y))
     {
       radiance +=
         (this->Sky.AirScattering * (air * Phase(this->Sky.AirPhase, way.CosAngle)) +
           this->Sky.AerosolScattering * (aerosol * Phase(this->Sky.AerosolPhase, way.CosAngle))) *
-        SkySunTransmittance(this->Sky, point[0], point[1]) * step;
+        SkySunTransmittance(this->Sky, point.x, point.y) * step;
     }
   }
   return this->Irradiance * radiance;
@@ -271,7 +224,7 @@ vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::MarchRadiance(
 //------------------------------------------------------------------------------
 vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetTransmittance(const Vec3& direction) const
 {
-  const Way way = this->GetWay(direction);
+  const SkyWay way = this->GetWay(direction);
   if (way.Length < 0.0)
   {
     return Vec3(1.0);
@@ -308,7 +261,7 @@ void vtkGodRaysSkyIntegrator::PrepareMultipleScattering()
             const double cosAngle = slope * sunSlope +
               std::sqrt((1.0 - slope * slope) * (1.0 - sunSlope * sunSlope)) *
                 std::cos(Pi * (j + 0.5) / 8.0);
-            const Way way = this->GetWay(height, slope, sunSlope, cosAngle);
+            const SkyWay way = MakeSkyWay(this->Sky, height, slope, sunSlope, cosAngle);
             const double weight = Weights[k] / 16.0; // of all directions
             const double near = 0.15 * way.Length;
             for (int part = 0; part < 2; ++part)
@@ -319,15 +272,15 @@ void vtkGodRaysSkyIntegrator::PrepareMultipleScattering()
               {
                 const int m = std::min(n, 14 - n);
                 const double distance = begin + reach * (1.0 + (n < 7 ? -Places[m] : Places[m]));
-                const std::array<double, 2> point = this->GetPoint(way, distance);
+                const Vec2 point = SkyPoint(this->Sky, way, distance);
                 const Vec3 scattering = (weight * reach * Weights[m]) *
-                  this->GetDiffuseScattering(point[0]) *
+                  this->GetDiffuseScattering(point.x) *
                   exp(-SkyDepth(this->DiffuseSky, way.Height, way.Slope, distance));
                 again += scattering;
-                if (!this->IsInShadow(point[0], point[1]))
+                if (!this->IsInShadow(point.x, point.y))
                 {
                   twice += PhaseIsotropic() * scattering *
-                    SkySunTransmittance(this->DiffuseSky, point[0], point[1]);
+                    SkySunTransmittance(this->DiffuseSky, point.x, point.y);
                 }
               }
             }
@@ -335,7 +288,7 @@ void vtkGodRaysSkyIntegrator::PrepareMultipleScattering()
             {
               twice += weight *
                 exp(-SkyDepth(this->DiffuseSky, way.Height, way.Slope, way.Length)) *
-                this->GetGround(this->DiffuseSky, this->GetPoint(way, way.Length)[1]);
+                SkyGround(this->DiffuseSky, this->Albedo, SkyPoint(this->Sky, way, way.Length).y);
             }
           }
         }
@@ -349,9 +302,9 @@ void vtkGodRaysSkyIntegrator::PrepareMultipleScattering()
 vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetMultiple(
   double height, double sunSlope) const
 {
-  const double u = std::copysign(std::sqrt(std::fabs(sunSlope)), sunSlope);
-  const double x = 0.5 * (u + 1.0) * (Slopes - 1);
-  const double y = std::sqrt(glm::clamp(height / this->Sky.TopHeight, 0.0, 1.0)) * (Heights - 1);
+  const Vec2 position = SkyMultiplePosition(this->Sky.TopHeight, height, sunSlope);
+  const double x = position.x * (Slopes - 1);
+  const double y = position.y * (Heights - 1);
   const int column = std::min(static_cast<int>(x), Slopes - 2);
   const int row = std::min(static_cast<int>(y), Heights - 2);
   const double s = x - column;

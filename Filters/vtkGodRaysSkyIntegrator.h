@@ -22,6 +22,7 @@ class vtkGodRaysSkyIntegrator
 {
 public:
   using Vec3 = vtkGodRays::Vec3;
+  using SkyWay = vtkGodRays::SkyWay;
 
   void SetAtmosphere(vtkGodRaysAtmosphere* atmosphere);
 
@@ -33,6 +34,12 @@ public:
   // forward peak of the aerosol's phase function, a part g^2, is taken to be no scattering at all, after
   // [Joseph1976]; the light that is scattered once keeps the phase function as it is.
   void PrepareMultipleScattering();
+
+  // That table, for an irradiance of 1 [1/sr]: rows of heights, of slopes of the way to the sun; see
+  // SkyMultiplePosition.
+  static constexpr int Slopes = 48;
+  static constexpr int Heights = 16;
+  const std::vector<Vec3>& GetMultipleTable() const { return this->Multiple; }
 
   // Radiance of the sky without the sun's disc [the irradiance's unit/sr].
   Vec3 GetRadiance(const Vec3& direction, bool multiple) const;
@@ -48,35 +55,21 @@ public:
   Vec3 GetMultiple(double height, double sunSlope) const;
 
 private:
-  // A way from the observer, or from where it enters the atmosphere.
-  struct Way
-  {
-    double Height;
-    double Slope;
-    double SunSlope;
-    double CosAngle; // of the angle to the sun
-    double Length;   // negative if there is no atmosphere along it
-    bool MeetsGround;
-  };
-  Way GetWay(const Vec3& direction) const;
-  Way GetWay(double height, double slope, double sunSlope, double cosAngle) const;
-  // Height and slope of the way to the sun at a distance.
-  std::array<double, 2> GetPoint(const Way& way, double distance) const;
+  // The way from the observer.
+  SkyWay GetWay(const Vec3& direction) const;
   bool IsInShadow(double height, double sunSlope) const;
-  // Radiance of the ground, for an irradiance of 1.
-  Vec3 GetGround(const vtkGodRays::SkyAtmosphere& sky, double sunSlope) const;
   // Scattering at a height without the aerosol's forward peak.
   Vec3 GetDiffuseScattering(double height) const;
 
   // What a unit of the way adds: by light straight from the sun, and by other.
-  Vec3 GetInscatter(const Way& way, double distance, bool lit, bool multiple) const;
+  Vec3 GetInscatter(const SkyWay& way, double distance, bool lit, bool multiple) const;
   struct Estimate
   {
     Vec3 Value;
     double Error;
   };
-  Estimate EstimatePart(const Way& way, double begin, double end, bool lit, bool multiple) const;
-  Vec3 IntegratePart(const Way& way, double begin, double end, bool lit, bool multiple,
+  Estimate EstimatePart(const SkyWay& way, double begin, double end, bool lit, bool multiple) const;
+  Vec3 IntegratePart(const SkyWay& way, double begin, double end, bool lit, bool multiple,
     const Estimate& estimate, double accepted, int depth) const;
 
   vtkGodRays::SkyAtmosphere Sky;

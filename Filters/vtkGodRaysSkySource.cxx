@@ -37,11 +37,7 @@ class vtkGodRaysSkySource::vtkInternals
 public:
   void Prepare(vtkGodRaysSkySource* source)
   {
-    if (source->Atmosphere->GetMTime() > this->AtmosphereTime)
-    {
-      this->Integrator.SetAtmosphere(source->Atmosphere);
-      this->AtmosphereTime.Modified();
-    }
+    this->PrepareAtmosphere(source->Atmosphere);
     const double elevation = vtkMath::RadiansFromDegrees(source->SunElevation);
     const double azimuth = vtkMath::RadiansFromDegrees(source->SunAzimuth);
     this->Sun = Vec3(std::cos(elevation) * std::sin(azimuth),
@@ -58,6 +54,22 @@ public:
     this->DiscRadius = source->SunDisc ? radius : 0.0;
     this->DiscRadiance = vtkGodRays::ToVec3(source->Atmosphere->GetSunIrradiance()) /
       (2.0 * vtkMath::Pi() * (1.0 - std::cos(radius)));
+  }
+
+  void PrepareAtmosphere(vtkGodRaysAtmosphere* atmosphere)
+  {
+    if (atmosphere != this->Atmosphere || atmosphere->GetMTime() > this->AtmosphereTime)
+    {
+      this->Integrator.SetAtmosphere(atmosphere);
+      this->Atmosphere = atmosphere;
+      this->AtmosphereTime.Modified();
+    }
+  }
+
+  const std::vector<Vec3>& GetMultipleTable()
+  {
+    this->Integrator.PrepareMultipleScattering();
+    return this->Integrator.GetMultipleTable();
   }
 
   static void GetSize(vtkGodRaysSkySource* source, int size[3])
@@ -151,6 +163,7 @@ public:
 private:
   vtkGodRaysSkySource* Source = nullptr;
   vtkGodRaysSkyIntegrator Integrator;
+  vtkSmartPointer<vtkGodRaysAtmosphere> Atmosphere; // that the integrator has, as it was then
   vtkTimeStamp AtmosphereTime;
   Vec3 Sun;
   Vec3 DiscRadiance;
@@ -162,6 +175,7 @@ private:
 //------------------------------------------------------------------------------
 vtkGodRaysSkySource::vtkGodRaysSkySource()
   : Internals(new vtkInternals)
+  , Atmosphere(vtkSmartPointer<vtkGodRaysAtmosphere>::New())
 {
   this->SetNumberOfInputPorts(0);
 }
@@ -187,6 +201,21 @@ void vtkGodRaysSkySource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Mapping: " << this->Mapping << "\n";
   os << indent << "Resolution: " << this->Resolution << "\n";
   os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSkySource::SetAtmosphere(vtkGodRaysAtmosphere* atmosphere)
+{
+  if (atmosphere && atmosphere == this->Atmosphere)
+  {
+    return;
+  }
+  this->Atmosphere = atmosphere;
+  if (!atmosphere)
+  {
+    this->Atmosphere = vtkSmartPointer<vtkGodRaysAtmosphere>::New();
+  }
+  this->Modified();
 }
 
 //------------------------------------------------------------------------------
@@ -263,6 +292,27 @@ bool vtkGodRaysSkySource::GetSunLight(double irradiance[3])
   for (int c = 0; c < 3; ++c)
   {
     irradiance[c] = transmittance[c] * this->Atmosphere->GetSunIrradiance()[c];
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSkySource::GetMultipleScattering(vtkImageData* table)
+{
+  table->Initialize();
+  if (!this->Prepare())
+  {
+    return false;
+  }
+  table->SetDimensions(vtkGodRaysSkyIntegrator::Slopes, vtkGodRaysSkyIntegrator::Heights, 1);
+  table->AllocateScalars(VTK_FLOAT, 3);
+  auto* to = static_cast<float*>(table->GetScalarPointer());
+  for (const Vec3& value : this->Internals->GetMultipleTable())
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      *to++ = static_cast<float>(value[c]);
+    }
   }
   return true;
 }

@@ -30,11 +30,12 @@
 
 #include "vtkGodRaysFiltersModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
-#include "vtkNew.h" // For vtkNew
+#include "vtkSmartPointer.h" // For vtkSmartPointer
 
 #include <memory> // For std::unique_ptr
 
 class vtkGodRaysAtmosphere;
+class vtkImageData;
 
 class VTKGODRAYSFILTERS_EXPORT vtkGodRaysSkySource : public vtkImageAlgorithm
 {
@@ -43,10 +44,13 @@ public:
   vtkTypeMacro(vtkGodRaysSkySource, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
   /**
-   * The atmosphere, to be changed in place.
+   * Set/Get the atmosphere, which can also be changed in place. Null makes a new one.
    */
+  void SetAtmosphere(vtkGodRaysAtmosphere* atmosphere);
   vtkGodRaysAtmosphere* GetAtmosphere();
+  ///@}
 
   ///@{
   /**
@@ -180,6 +184,15 @@ public:
   bool GetSunLight(double irradiance[3]);
 
   /**
+   * The table by which MultipleScattering goes, whatever that is set to: light that arrives at a point
+   * after two scatterings or more, from everywhere alike, for an irradiance of 1 [1/sr]. A row for each of
+   * 16 heights, (j/15)^2 of the atmosphere's, of 48 slopes of the way to the sun, u |u| for
+   * u = 2 i/47 - 1; 32-bit floats. It depends on the atmosphere alone, and is kept. Returns false after an
+   * error, with an empty image.
+   */
+  bool GetMultipleScattering(vtkImageData* table);
+
+  /**
    * The atmosphere's changes count.
    */
   vtkMTimeType GetMTime() override;
@@ -204,7 +217,7 @@ private:
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
 
-  vtkNew<vtkGodRaysAtmosphere> Atmosphere;
+  vtkSmartPointer<vtkGodRaysAtmosphere> Atmosphere;
   int AtmospherePreset = 0;
   double ObserverHeight = 2.0;
   double SunElevation = 45.0;

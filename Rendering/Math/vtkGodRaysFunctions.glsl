@@ -992,6 +992,117 @@ FUNCTION Vec3 SkyInscatter(IN(SkyAtmosphere) sky, IN(Real) height, IN(Real) slop
     SkySunTransmittance(sky, height + rise, sunSlopeThere);
 }
 
+// Light of the sun that the ground reflects into all directions alike, after Lambert, for an irradiance of
+// 1; 0 at night. Formula: albedo/pi sunSlope SkySunTransmittance. [1/sr]
+FUNCTION Vec3 SkyGround(IN(SkyAtmosphere) sky, IN(Vec3) albedo, IN(Real) sunSlope)
+{
+  if (sunSlope <= 0.0)
+  {
+    return Vec3(0.0);
+  }
+  return albedo * (0.31830988618379067 * sunSlope) * SkySunTransmittance(sky, 0.0, sunSlope);
+}
+
+// Where a table of light that comes from everywhere alike has a height and a slope of the way to the sun,
+// 0 to 1 in each: denser about the horizon, and towards the ground.
+// Formula: (1 + sign(slope) sqrt(|slope|))/2, sqrt(height/topHeight). [no unit]
+FUNCTION Vec2 SkyMultiplePosition(IN(Real) topHeight, IN(Real) height, IN(Real) sunSlope)
+{
+  Real root = sqrt(abs(sunSlope));
+  return Vec2(0.5 * (sunSlope < 0.0 ? 1.0 - root : 1.0 + root),
+    sqrt(clamp(height / topHeight, 0.0, 1.0)));
+}
+
+// A way through the atmosphere, from an observer or from where it enters.
+struct SkyWay
+{
+  Real Height;
+  Real Slope;
+  Real SunSlope;    // of the way to the sun from the start
+  Real CosAngle;    // of the angle to the sun
+  Real Length;      // negative if there is no atmosphere along it
+  bool MeetsGround;
+};
+
+// The slope of the way at the height at which it enters the atmosphere follows from its lowest point, so
+// that single precision does for planets that are seen from far away.
+FUNCTION SkyWay MakeSkyWay(IN(SkyAtmosphere) sky, IN(Real) height, IN(Real) slope, IN(Real) sunSlope,
+  IN(Real) cosAngle)
+{
+  SkyWay way;
+  way.Height = height;
+  way.Slope = slope;
+  way.SunSlope = sunSlope;
+  way.CosAngle = cosAngle;
+  way.Length = -1.0;
+  way.MeetsGround = false;
+  Vec2 within = SkyBelow(sky.GroundRadius, height, slope, sky.TopHeight);
+  if (within.x > within.y)
+  {
+    return way;
+  }
+  if (within.x > 0.0)
+  {
+    Real radius = sky.GroundRadius + height;
+    Real top = sky.GroundRadius + sky.TopHeight;
+    Real under = max(sky.TopHeight - height - SkyRise(radius, slope, -radius * slope), 0.0);
+    way.Height = sky.TopHeight;
+    way.Slope = -min(sqrt(under * (2.0 * top - under)) / top, 1.0);
+    way.SunSlope = clamp((radius * sunSlope + within.x * cosAngle) / top, -1.0, 1.0);
+  }
+  Real ground = SkyGroundDistance(sky.GroundRadius, way.Height, way.Slope);
+  way.MeetsGround = ground >= 0.0;
+  way.Length = way.MeetsGround ? ground : within.y - within.x;
+  return way;
+}
+
+// Height of a point of a way, and the slope of the way to the sun from there.
+// Formula: height + SkyRise, (r sunSlope + distance cosAngle)/(r + SkyRise). [length, no unit]
+FUNCTION Vec2 SkyPoint(IN(SkyAtmosphere) sky, IN(SkyWay) way, IN(Real) distance)
+{
+  Real radius = sky.GroundRadius + way.Height;
+  Real rise = SkyRise(radius, way.Slope, distance);
+  return Vec2(max(way.Height + rise, 0.0),
+    clamp((radius * way.SunSlope + distance * way.CosAngle) / (radius + rise), -1.0, 1.0));
+}
+
+// The slopes at which an observer sees the ground's horizon and the atmosphere's edge; the latter is 1
+// within it. Formula: -sqrt((height - h) (2 GroundRadius + height + h))/(GroundRadius + height). [no unit]
+FUNCTION Vec2 SkyEdges(IN(Real) groundRadius, IN(Real) topHeight, IN(Real) height)
+{
+  Real radius = groundRadius + height;
+  Real above = height - topHeight;
+  return Vec2(-sqrt(height * (groundRadius + radius)) / radius,
+    above < 0.0 ? 1.0 : -sqrt(above * (groundRadius + radius + topHeight)) / radius);
+}
+
+// Tables of all directions in which an observer sees air have rows of slopes, dense about the horizon: -1
+// the nadir, 0 the horizon, 1 the zenith or the atmosphere's edge. This is the slope of a row, and the row
+// of a slope. Formula: horizon + (edge - horizon) row^4, horizon - (1 + horizon) row^4. [no unit]
+FUNCTION Real SkyTableSlope(IN(Vec2) edges, IN(Real) row)
+{
+  Real square = row * row;
+  return edges.x + (row < 0.0 ? -1.0 - edges.x : edges.y - edges.x) * square * square;
+}
+
+FUNCTION Real SkyTableRow(IN(Vec2) edges, IN(Real) slope)
+{
+  Real away = slope - edges.x;
+  Real part = clamp(away < 0.0 ? -away / (1.0 + edges.x) : away / (edges.y - edges.x), 0.0, 1.0);
+  return away < 0.0 ? -sqrt(sqrt(part)) : sqrt(sqrt(part));
+}
+
+// How bright the sun's disc is at a part of its radius from its middle, for each of the colours 680, 550
+// and 440 nm, as a fraction of the mean over the disc: its limb is darker.
+// Formula: (1 + a/2) (1 - part^2)^(a/2), a = 0.292 um/wavelength - 0.023. [no unit] [HestrofferMagnan1998]
+FUNCTION Vec3 SunLimb(IN(Real) part)
+{
+  Vec3 a = Vec3(0.4064, 0.5079, 0.6406);
+  Real square = max(1.0 - part * part, 1e-4);
+  return (1.0 + 0.5 * a) *
+    Vec3(pow(square, 0.5 * a.x), pow(square, 0.5 * a.y), pow(square, 0.5 * a.z));
+}
+
 // What a march of the first order makes of a homogeneous step of optical depth tau, of what it is.
 // Formula: 1/MeanExponential(tau). [no unit]
 FUNCTION Real FirstOrderStepBias(IN(Real) tau)
