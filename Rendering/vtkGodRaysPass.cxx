@@ -3,6 +3,7 @@
 #include "vtkGodRaysPass.h"
 
 #include "vtkCamera.h"
+#include "vtkGodRaysAttachment.h"
 #include "vtkGodRaysBlendPass.h"
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysFramebuffer.h"
@@ -64,9 +65,7 @@ struct vtkGodRaysPass::Internals
   bool IntegratorIsModels = false; // nobody set it
   vtkSmartPointer<vtkGodRaysCompositor> Compositor;
 
-  vtkWeakPointer<vtkRenderer> Attached;
-  vtkSmartPointer<vtkRenderPass> FormerPass;
-  vtkSmartPointer<vtkRenderPass> FormerDelegate;
+  vtkGodRaysAttachment Attachment;
 
   vtkNew<vtkGodRaysScene> RendererSteps;
   vtkNew<vtkGodRaysOcclusionPass> Occlusion;
@@ -313,34 +312,20 @@ void vtkGodRaysPass::Attach(vtkRenderer* renderer)
     return;
   }
   Internals& self = *this->Internal;
-  if (self.Attached == renderer && renderer->GetPass() == this)
+  vtkRenderer* former = self.Attachment.GetRenderer();
+  if (former == renderer && renderer->GetPass() == this)
   {
     return;
   }
-  if (self.Attached)
-  {
-    this->Detach(self.Attached);
-  }
-  else if (self.FormerPass) // of a renderer that is gone
-  {
-    this->SetDelegatePass(self.FormerDelegate);
-  }
-  self.Attached = renderer;
-  self.FormerDelegate = this->DelegatePass;
-  self.FormerPass = renderer->GetPass() == this ? nullptr : renderer->GetPass();
-  if (self.FormerPass)
-  {
-    this->SetDelegatePass(self.FormerPass);
-  }
-  renderer->SetPass(this);
+  this->Detach(former);
+  self.Attachment.Attach(this, renderer);
 }
 
 //------------------------------------------------------------------------------
 void vtkGodRaysPass::Detach(vtkRenderer* renderer)
 {
   Internals& self = *this->Internal;
-  const bool attached = renderer && self.Attached == renderer;
-  if (!renderer || (!attached && renderer->GetPass() != this))
+  if (!self.Attachment.Has(this, renderer))
   {
     return;
   }
@@ -350,18 +335,7 @@ void vtkGodRaysPass::Detach(vtkRenderer* renderer)
     self.Window->MakeCurrent();
     self.Release(self.Window);
   }
-  if (renderer->GetPass() == this)
-  {
-    renderer->SetPass(attached ? self.FormerPass : nullptr);
-  }
-  if (!attached)
-  {
-    return;
-  }
-  this->SetDelegatePass(self.FormerDelegate);
-  self.FormerPass = nullptr;
-  self.FormerDelegate = nullptr;
-  self.Attached = nullptr;
+  self.Attachment.Detach(this, renderer);
 }
 
 //------------------------------------------------------------------------------
