@@ -96,10 +96,24 @@ void vtkGodRaysQuad::SetTexture(const char* sampler, vtkTextureObject* texture)
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysQuad::End()
+void vtkGodRaysQuad::End(Place place)
 {
-  this->Window->GetState()->vtkglDisable(GL_DEPTH_TEST);
-  this->Helper->Render();
+  vtkOpenGLState* state = this->Window->GetState();
+  if (place == EVERYWHERE)
+  {
+    state->vtkglDisable(GL_DEPTH_TEST);
+    this->Helper->Render();
+  }
+  else
+  {
+    // the quad is as far away as nothing is
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDepthMask(GL_FALSE);
+    state->vtkglDepthFunc(place == BEHIND ? GL_LEQUAL : GL_GREATER);
+    glDepthRange(1.0, 1.0); // which vtkOpenGLState does not know
+    this->Helper->Render();
+    glDepthRange(0.0, 1.0);
+  }
   for (const auto& texture : this->Textures)
   {
     texture->Deactivate();

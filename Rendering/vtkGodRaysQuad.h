@@ -60,10 +60,18 @@ public:
    */
   void SetTexture(const char* sampler, vtkTextureObject* texture);
 
+  /// Where to draw.
+  enum Place
+  {
+    EVERYWHERE = 0, ///< without depth test
+    BEHIND = 1,     ///< where the framebuffer's depth is that of nothing
+    BEFORE = 2      ///< where it is that of something
+  };
+
   /**
-   * Draw over the viewport, without depth test, and free the textures' units.
+   * Draw over the viewport, and free the textures' units.
    */
-  void End();
+  void End(Place place = EVERYWHERE);
 
   void Release();
 

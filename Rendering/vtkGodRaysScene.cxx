@@ -33,8 +33,13 @@ class Steps : public vtkRenderPass
 public:
   static Steps* New();
   vtkTypeMacro(Steps, vtkRenderPass);
+  std::function<void()> Backdrop;
   void Render(const vtkRenderState* s) override
   {
+    if (this->Backdrop)
+    {
+      this->Backdrop();
+    }
     vtkRenderer* renderer = s->GetRenderer();
     this->UpdateLightGeometry(renderer);
     this->UpdateLights(renderer);
@@ -68,6 +73,12 @@ void vtkGodRaysScene::Render(const vtkRenderState* s)
     this->InFramebuffer->GetDelegatePass()->Render(s);
   }
   this->NumberOfRenderedProps = s->GetRenderer()->GetNumberOfPropsRendered();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysScene::SetBackdrop(std::function<void()> draw)
+{
+  static_cast<Steps*>(this->InFramebuffer->GetDelegatePass())->Backdrop = std::move(draw);
 }
 
 //------------------------------------------------------------------------------

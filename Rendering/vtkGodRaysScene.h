@@ -13,6 +13,7 @@
 #include "vtkRenderPass.h"
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,12 @@ public:
 
   void Render(const vtkRenderState* s) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  /**
+   * Call a function, in each frame, when the background is there and nothing else: it draws what is behind
+   * the scene.
+   */
+  void SetBackdrop(std::function<void()> draw);
 
   /**
    * Origin and size of the part of the bound framebuffer that a state is for [pixels].

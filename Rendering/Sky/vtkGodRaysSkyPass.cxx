@@ -1,0 +1,466 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysSkyPass.h"
+
+#include "vtkGodRaysAtmosphere.h"
+#include "vtkGodRaysAttachment.h"
+#include "vtkGodRaysFramebuffer.h"
+#include "vtkGodRaysPass.h"
+#include "vtkGodRaysQuad.h"
+#include "vtkGodRaysScene.h"
+#include "vtkGodRaysSetGet.h"
+#include "vtkGodRaysSkyFS.h"
+#include "vtkGodRaysSkyObserver.h"
+#include "vtkGodRaysSkySource.h"
+#include "vtkGodRaysSkyTable.h"
+#include "vtkGodRaysSource.h"
+#include "vtkGodRaysSunPosition.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLError.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+#include "vtk_glew.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+vtkStandardNewMacro(vtkGodRaysSkyPass);
+
+vtkGodRaysSetFiniteMacro(vtkGodRaysSkyPass, SunElevation, -90.0, 90.0);
+vtkGodRaysSetFiniteMacro(vtkGodRaysSkyPass, SunAzimuth, -360.0, 360.0);
+vtkGodRaysSetFinite3Macro(vtkGodRaysSkyPass, Up, -1e30, 1e30);
+vtkGodRaysSetFinite3Macro(vtkGodRaysSkyPass, North, -1e30, 1e30);
+vtkGodRaysSetFinite3Macro(vtkGodRaysSkyPass, Origin, -1e30, 1e30);
+vtkGodRaysSetFiniteMacro(vtkGodRaysSkyPass, WorldUnitInMeters, 1e-12, 1e12);
+vtkGodRaysSetFiniteMacro(vtkGodRaysSkyPass, Exposure, 0.0, 1e30);
+
+using vtkGodRays::ToVec3;
+using vtkGodRays::Vec3;
+
+namespace
+{
+/// The pass of a type among those of a renderer, each the delegate of the one before.
+template <typename Pass>
+Pass* FindPass(vtkRenderer* renderer)
+{
+  vtkRenderPass* pass = renderer->GetPass();
+  while (pass && !Pass::SafeDownCast(pass))
+  {
+    auto outer = vtkImageProcessingPass::SafeDownCast(pass);
+    pass = outer ? outer->GetDelegatePass() : nullptr;
+  }
+  return Pass::SafeDownCast(pass);
+}
+
+/// While it lives, god rays that are all that a renderer has are taken off it.
+class WithoutRays
+{
+public:
+  explicit WithoutRays(vtkRenderer* renderer)
+    : Renderer(renderer)
+    , Rays(vtkGodRaysPass::SafeDownCast(renderer->GetPass()))
+  {
+    if (this->Rays)
+    {
+      this->Rays->Detach(renderer);
+    }
+  }
+  ~WithoutRays()
+  {
+    if (this->Rays)
+    {
+      this->Rays->Attach(this->Renderer);
+    }
+  }
+  WithoutRays(const WithoutRays&) = delete;
+  void operator=(const WithoutRays&) = delete;
+
+private:
+  vtkRenderer* Renderer;
+  vtkSmartPointer<vtkGodRaysPass> Rays;
+};
+
+void SetVector(vtkShaderProgram* program, const char* name, const Vec3& value)
+{
+  vtkGodRaysQuad::SetVector(program, name, &value[0]);
+}
+}
+
+//------------------------------------------------------------------------------
+struct vtkGodRaysSkyPass::Internals
+{
+  vtkNew<vtkGodRaysSkySource> Source; // of the atmosphere's tables and of the sun's colour
+  vtkNew<vtkImageData> Repeated;      // light that is scattered more than once
+  vtkMTimeType RepeatedTime = 0;      // of the atmosphere that it is of
+
+  vtkGodRaysAttachment Attachment;
+  vtkNew<vtkGodRaysScene> RendererSteps;
+  vtkGodRaysSkyTable Table;
+  vtkGodRaysQuad Quad{ "vtkGodRaysSkyFS", vtkGodRaysSkyFS };
+
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the resources
+  vtkMTimeType ContextTime = 0;                 // when its context was made
+  vtkGodRaysView View;                          // of this frame
+  vtkGodRaysSkyObserver Observer;
+  vtkGodRaysSource Sun;
+  bool DrawsScene = false; // at this moment
+  std::string Plan;
+  std::string Complaint; // that has been made already
+
+  void Release(vtkWindow* window)
+  {
+    this->Table.Release(window);
+    this->Quad.Release();
+    this->Window = nullptr;
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkGodRaysSkyPass::vtkGodRaysSkyPass()
+  : Internal(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysSkyPass::~vtkGodRaysSkyPass() = default;
+
+//------------------------------------------------------------------------------
+vtkGodRaysSkyPass* vtkGodRaysSkyPass::Attach(vtkRenderer* renderer)
+{
+  if (!renderer)
+  {
+    vtkGenericWarningMacro("vtkGodRaysSkyPass::Attach needs a vtkRenderer, not null.");
+    return nullptr;
+  }
+  if (auto known = FindPass<vtkGodRaysSkyPass>(renderer))
+  {
+    return known;
+  }
+  const WithoutRays withoutRays(renderer);
+  vtkNew<vtkGodRaysSkyPass> sky;
+  sky->Internal->Attachment.Attach(sky, renderer);
+  return sky;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSkyPass::Detach(vtkRenderer* renderer)
+{
+  vtkSmartPointer<vtkGodRaysSkyPass> sky =
+    renderer ? FindPass<vtkGodRaysSkyPass>(renderer) : nullptr;
+  if (!sky)
+  {
+    return false;
+  }
+  Internals& self = *sky->Internal;
+  if (self.Window)
+  {
+    self.Window->MakeCurrent();
+    self.Release(self.Window);
+  }
+  const WithoutRays withoutRays(renderer);
+  self.Attachment.Detach(sky, renderer);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSkyPass::SetAtmosphere(vtkGodRaysAtmosphere* atmosphere)
+{
+  if (!atmosphere || atmosphere != this->GetAtmosphere())
+  {
+    this->Internal->Source->SetAtmosphere(atmosphere);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysAtmosphere* vtkGodRaysSkyPass::GetAtmosphere()
+{
+  return this->Internal->Source->GetAtmosphere();
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSkyPass::GetSunDirection(double direction[3])
+{
+  return vtkGodRaysSunPosition::ComputeDirection(
+    this->SunAzimuth, this->SunElevation, this->Up, this->North, direction);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSkyPass::PrepareSource()
+{
+  vtkGodRaysSkySource* source = this->Internal->Source;
+  source->SetSunElevation(this->SunElevation);
+  source->SetSunAzimuth(this->SunAzimuth);
+  source->SetMultipleScattering(this->MultipleScattering);
+  source->SetObserverHeight(0.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSkyPass::GetSunColor(double irradiance[3])
+{
+  this->PrepareSource();
+  this->Internal->Source->GetSunLight(irradiance);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSkyPass::UpdateLight(vtkLight* light)
+{
+  double direction[3];
+  if (!light || !this->GetSunDirection(direction))
+  {
+    vtkErrorMacro(
+      "UpdateLight needs a vtkLight, not null, and directions Up and North that are not "
+      "parallel nor 0.");
+    return;
+  }
+  double color[3];
+  this->GetSunColor(color);
+  const double brightest = std::max({ color[0], color[1], color[2] });
+  for (double& channel : color)
+  {
+    channel = vtkGodRays::EncodeDisplay(brightest > 0.0 ? channel / brightest : 0.0);
+  }
+  light->SetLightTypeToSceneLight();
+  light->SetPositional(false);
+  light->SetTransformMatrix(nullptr);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  light->SetPosition(direction);
+  light->SetColor(color);
+  light->SetIntensity(brightest * this->Exposure / vtkMath::Pi());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysSkyPass::GetPlan() const
+{
+  return this->Internal->Plan;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkGodRaysSkyPass::FindReasonForNoSky(
+  const vtkRenderState* s, vtkOpenGLRenderWindow* window)
+{
+  Internals& self = *this->Internal;
+  if (!window)
+  {
+    this->Complain("the render window is not an OpenGL window. Use VTK's OpenGL back end");
+    return "the window is not an OpenGL one";
+  }
+  if (s->GetRenderer()->GetSelector())
+  {
+    return "a hardware selection is made";
+  }
+  int viewport[4];
+  vtkGodRaysScene::GetViewport(s, viewport);
+  if (viewport[2] < 1 || viewport[3] < 1)
+  {
+    return "the viewport is empty";
+  }
+  const std::string fault = this->GetAtmosphere()->FindFault();
+  if (!fault.empty())
+  {
+    this->Complain(fault.substr(0, fault.size() - 1));
+    return "the atmosphere cannot be used";
+  }
+  vtkGodRaysPlanet planet;
+  double sun[3];
+  if (!this->GetSunDirection(sun))
+  {
+    this->Complain("Up and North are parallel, or one of them is 0. Set directions that are not");
+    return "there is no direction to the sun";
+  }
+  planet.Origin = ToVec3(this->Origin);
+  planet.Up = normalize(ToVec3(this->Up));
+  planet.Sun = ToVec3(sun);
+  planet.GroundRadius = this->GetAtmosphere()->GetGroundRadius();
+  planet.WorldUnitInMeters = this->WorldUnitInMeters;
+
+  vtkGodRaysScene::UpdateStereo(s->GetRenderer());
+  self.View.Set(s->GetRenderer(), viewport + 2, 0.0);
+  self.Observer.Set(self.View, planet);
+  const double towards[4] = { sun[0], sun[1], sun[2], 0.0 };
+  self.Sun.Place(
+    self.View, towards, vtkMath::RadiansFromDegrees(this->GetAtmosphere()->GetSunAngularRadius()));
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSkyPass::Render(const vtkRenderState* s)
+{
+  Internals& self = *this->Internal;
+  auto window = vtkOpenGLRenderWindow::SafeDownCast(s->GetRenderer()->GetRenderWindow());
+  if (self.DrawsScene)
+  {
+    this->Complain("the delegate of this pass leads back to it. Set another delegate, or none");
+    self.RendererSteps->Render(s);
+    return;
+  }
+  vtkRenderPass* scene = this->DelegatePass;
+  const bool inBetween = !scene; // between the background and the scene
+  if (inBetween)
+  {
+    scene = self.RendererSteps;
+  }
+  const char* reason = this->FindReasonForNoSky(s, window);
+  if (reason)
+  {
+    self.Plan = std::string("sky: none, ") + reason + "\n";
+  }
+  else if (self.Window != window || self.ContextTime != window->GetContextCreationTime())
+  {
+    // also if the former window, or its context, is gone
+    self.Release(self.Window ? self.Window.Get() : window);
+    self.Window = window;
+    self.ContextTime = window->GetContextCreationTime();
+  }
+
+  self.RendererSteps->SetBackdrop(
+    reason || !inBetween ? std::function<void()>() : [this, s] { this->DrawSky(s); });
+  self.DrawsScene = true;
+  scene->Render(s);
+  self.DrawsScene = false;
+  self.RendererSteps->SetBackdrop(nullptr);
+  this->NumberOfRenderedProps = scene->GetNumberOfRenderedProps();
+  if (!reason && !inBetween)
+  {
+    this->DrawSky(s);
+  }
+  vtkOpenGLCheckErrorMacro("failed after Render");
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSkyPass::DrawSky(const vtkRenderState* s)
+{
+  Internals& self = *this->Internal;
+  vtkGodRaysAtmosphere* atmosphere = this->GetAtmosphere();
+  vtkOpenGLState* state = self.Window->GetState();
+  const vtkGodRaysStateKeeper keeper(state);
+  const vtkGodRaysFramebuffer bound;
+  int viewport[4];
+  vtkGodRaysScene::GetViewport(s, viewport);
+
+  vtkGodRaysSkyTable::Request request;
+  request.Sky = vtkGodRays::MakeSkyAtmosphere(atmosphere);
+  request.Albedo = ToVec3(atmosphere->GetGroundAlbedo());
+  request.Time = atmosphere->GetMTime();
+  request.Height = self.Observer.Height;
+  request.SunSlope = self.Observer.Sun.z;
+  if (this->MultipleScattering)
+  {
+    if (self.RepeatedTime != request.Time)
+    {
+      self.Source->GetMultipleScattering(self.Repeated);
+      self.RepeatedTime = request.Time;
+    }
+    request.Repeated = self.Repeated;
+  }
+  if (!self.Table.Update(self.Window, request))
+  {
+    return false;
+  }
+  std::ostringstream plan;
+  plan << "sky: from " << self.Observer.Height << " m, "
+       << (self.Table.GetReason().empty() ? "the table is kept"
+                                          : "a new table, as " + self.Table.GetReason())
+       << "\n";
+  self.Plan = plan.str();
+  this->NumberOfTables += self.Table.GetReason().empty() ? 0 : 1;
+
+  const vtkGodRays::Vec2 edges = self.Table.GetEdges();
+  const bool discIsSeen =
+    this->SunDisc && !self.View.Parallel && self.Sun.Reaches(self.View, false);
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, bound.Binding);
+  state->vtkglViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglDisable(GL_BLEND);
+  for (int disc = 0; disc < (discIsSeen ? 2 : 1); ++disc)
+  {
+    int part[4] = { 0, viewport[2], 0, viewport[3] };
+    if (disc)
+    {
+      self.Sun.GetDiscBounds(self.View, viewport + 2, part);
+    }
+    state->vtkglScissor(
+      viewport[0] + part[0], viewport[1] + part[2], part[1] - part[0], part[3] - part[2]);
+    const int kind = request.Sky.AerosolPhase.Kind;
+    vtkShaderProgram* program = self.Quad.Begin(self.Window,
+      { { "hasDisc", disc == 1 }, { "hasEdge", edges.y < 1.0 }, { "phaseBit0", (kind & 1) != 0 },
+        { "phaseBit1", (kind & 2) != 0 }, { "phaseBit2", (kind & 4) != 0 } });
+    if (!program)
+    {
+      return false;
+    }
+    self.Table.SetUniforms(self.Quad, program);
+    vtkGodRaysSkyTable::SetAtmosphere(program, request.Sky);
+    program->SetUniformf("height", static_cast<float>(self.Observer.Height));
+    SetVector(program, "sun", self.Observer.Sun);
+    SetVector(program, "pictureOrigin", self.Observer.PictureOrigin);
+    SetVector(program, "pictureRight", self.Observer.PictureRight);
+    SetVector(program, "pictureUp", self.Observer.PictureUp);
+    const float pixelSize[2] = { 2.0f / static_cast<float>(viewport[2]),
+      2.0f / static_cast<float>(viewport[3]) };
+    program->SetUniform2f("pixelSize", pixelSize);
+    const Vec3 irradiance = this->Exposure * ToVec3(atmosphere->GetSunIrradiance());
+    const double radius = vtkMath::RadiansFromDegrees(atmosphere->GetSunAngularRadius());
+    SetVector(program, "irradiance", irradiance);
+    SetVector(
+      program, "discRadiance", irradiance / (2.0 * vtkMath::Pi() * (1.0 - std::cos(radius))));
+    program->SetUniformf("discRadius", static_cast<float>(radius));
+    self.Quad.End(vtkGodRaysQuad::BEHIND);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSkyPass::Complain(const std::string& complaint)
+{
+  if (this->Internal->Complaint != complaint)
+  {
+    this->Internal->Complaint = complaint;
+    vtkErrorMacro("The scene is drawn without sky: " << complaint << ".");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSkyPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Superclass::ReleaseGraphicsResources(window);
+  this->Internal->Release(window);
+  this->Internal->RendererSteps->ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkGodRaysSkyPass::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->GetAtmosphere()->GetMTime());
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSkyPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SunElevation: " << this->SunElevation << "\n";
+  os << indent << "SunAzimuth: " << this->SunAzimuth << "\n";
+  os << indent << "Up: " << this->Up[0] << " " << this->Up[1] << " " << this->Up[2] << "\n";
+  os << indent << "North: " << this->North[0] << " " << this->North[1] << " " << this->North[2]
+     << "\n";
+  os << indent << "Origin: " << this->Origin[0] << " " << this->Origin[1] << " " << this->Origin[2]
+     << "\n";
+  os << indent << "WorldUnitInMeters: " << this->WorldUnitInMeters << "\n";
+  os << indent << "Exposure: " << this->Exposure << "\n";
+  os << indent << "SunDisc: " << (this->SunDisc ? "on" : "off") << "\n";
+  os << indent << "MultipleScattering: " << (this->MultipleScattering ? "on" : "off") << "\n";
+  os << indent << "NumberOfTables: " << this->NumberOfTables << "\n";
+  os << indent << "Atmosphere:\n";
+  this->GetAtmosphere()->PrintSelf(os, indent.GetNextIndent());
+}

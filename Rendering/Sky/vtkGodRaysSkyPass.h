@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysSkyPass
+ * @brief   the physical sky behind a scene, and the air before it
+ *
+ * Draws the light that a vtkGodRaysAtmosphere scatters on its way from the sun to the eye, wherever
+ * nothing else is seen: the sky from the ground, the planet and its limb from space. It is the sky of
+ * vtkGodRaysSkySource, looked up in a table of directions; the aureole about the sun is exact for each
+ * pixel. See Documentation/Sky.md for what it costs and how right it is.
+ *
+ * @code
+ * vtkGodRaysSkyPass* sky = vtkGodRaysSkyPass::Attach(renderer);
+ * sky->SetSunElevation(5.0);
+ * sky->SetSunAzimuth(270.0);
+ * sky->UpdateLight(sun);  // a vtkLight: it has the sun's direction and colour now
+ * rays->AddLight(sun);    // a vtkGodRaysPass; its shafts have that colour, too
+ * rays->Attach(renderer); // the rays are over the sky
+ * @endcode
+ *
+ * Lengths in the scene are in its units, of WorldUnitInMeters. The planet's ground touches the scene at
+ * Origin; Up and North are directions there. Everything is computed relative to the camera, so scenes may
+ * be as large as the planet. A camera below the ground counts as one on it. In a parallel projection all
+ * view rays have the same direction, so that the sky has one colour.
+ *
+ * Without a delegate the sky is drawn between the background and the scene, so that what is translucent is
+ * before it. A delegate draws scene and background at once: the sky is drawn after it, where the depth is
+ * that of nothing, and replaces what is translucent there. So let passes such as vtkSSAAPass and
+ * vtkToneMappingPass have this one as their delegate instead.
+ *
+ * Colours are written as the window shows them: radiance times Exposure is linear light, encoded by the
+ * sRGB transfer, as god rays are. It is not clamped: in a floating-point framebuffer, such as that of a
+ * vtkToneMappingPass that has this pass as its delegate, the sun is brighter than 1. The scene's depth
+ * stays as it is.
+ *
+ * Numbers beyond a valid range are clamped to it. NaN and infinities are errors and change nothing. An
+ * atmosphere that cannot be used is told once, and the scene is drawn without sky.
+ *
+ * @sa vtkGodRaysSkySource vtkGodRaysAtmosphere vtkGodRaysSunPosition vtkGodRaysPass
+ */
+
+#ifndef vtkGodRaysSkyPass_h
+#define vtkGodRaysSkyPass_h
+
+#include "vtkGodRaysRenderingModule.h" // For export macro
+#include "vtkImageProcessingPass.h"
+
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+
+class vtkGodRaysAtmosphere;
+class vtkLight;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkTexture;
+
+class VTKGODRAYSRENDERING_EXPORT vtkGodRaysSkyPass : public vtkImageProcessingPass
+{
+public:
+  static vtkGodRaysSkyPass* New();
+  vtkTypeMacro(vtkGodRaysSkyPass, vtkImageProcessingPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Attach: give a renderer a sky, or return the one that it has. What draws the renderer now becomes the
+   * sky's delegate; god rays that it has stay over the sky. The renderer owns the pass. Null, after an
+   * error, for a null renderer.
+   * Detach: take the sky off and give the renderer back what it had. False if it has none.
+   */
+  static vtkGodRaysSkyPass* Attach(vtkRenderer* renderer);
+  static bool Detach(vtkRenderer* renderer);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the air. It can be changed in place. Null makes a new one, of clear air over the Earth.
+   */
+  void SetAtmosphere(vtkGodRaysAtmosphere* atmosphere);
+  vtkGodRaysAtmosphere* GetAtmosphere();
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get where the sun stands at Origin: its height above the horizontal plane and its azimuth from
+   * North by east [degrees]; see vtkGodRaysSunPosition. Valid ranges: [-90, 90] and [-360, 360]. Default is
+   * 45 and 180.
+   */
+  void SetSunElevation(double degrees);
+  vtkGetMacro(SunElevation, double);
+  void SetSunAzimuth(double degrees);
+  vtkGetMacro(SunAzimuth, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get which way is up, and north, at Origin: directions of the world of any length but 0; of north
+   * the horizontal part counts. That they are parallel is an error when the scene is drawn. Default is
+   * (0, 0, 1) and (0, 1, 0), those of a map.
+   */
+  void SetUp(double x, double y, double z);
+  void SetUp(const double direction[3]) VTK_SIZEHINT(3);
+  vtkGetVector3Macro(Up, double);
+  void SetNorth(double x, double y, double z);
+  void SetNorth(const double direction[3]) VTK_SIZEHINT(3);
+  vtkGetVector3Macro(North, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get a point of the scene that is on the planet's ground [scene units]; the planet's centre is
+   * under it. Valid range: [-1e30, 1e30]. Default is (0, 0, 0).
+   */
+  void SetOrigin(double x, double y, double z);
+  void SetOrigin(const double point[3]) VTK_SIZEHINT(3);
+  vtkGetVector3Macro(Origin, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how long the scene's unit is [m]. Valid range: [1e-12, 1e12]. Default is 1.
+   */
+  void SetWorldUnitInMeters(double meters);
+  vtkGetMacro(WorldUnitInMeters, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the factor from radiance [the unit of the atmosphere's SunIrradiance/sr] to linear light, of
+   * which 1 is as bright as the window shows. Valid range: [0, 1e30]. Default is 4: the sky of a clear day
+   * is bright, and white things in the sun are too bright to be shown, as on a photograph of the sky.
+   */
+  void SetExposure(double exposure);
+  vtkGetMacro(Exposure, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether the sun's disc is drawn, darker towards its limb. Its size is the atmosphere's
+   * SunAngularRadius. Default is on.
+   */
+  vtkSetMacro(SunDisc, bool);
+  vtkGetMacro(SunDisc, bool);
+  vtkBooleanMacro(SunDisc, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether light that is scattered more than once is added, as vtkGodRaysSkySource does. It takes
+   * a table that depends on the atmosphere alone. Default is on.
+   */
+  vtkSetMacro(MultipleScattering, bool);
+  vtkGetMacro(MultipleScattering, bool);
+  vtkBooleanMacro(MultipleScattering, bool);
+  ///@}
+
+  /**
+   * The irradiance of the sun across its light at Origin, on the ground: what the air leaves of the
+   * atmosphere's SunIrradiance, in its unit. 0 after an error, and for a sun below the horizon.
+   */
+  void GetSunColor(double irradiance[3]);
+
+  /**
+   * Make a light that of the sun: a directional scene light from where it stands. In linear light, its
+   * colour times its intensity is irradiance times Exposure/pi, the radiance that a white surface across
+   * it has; so scene, sky and shafts belong together. The brightest colour is 1. Null is an error.
+   */
+  void UpdateLight(vtkLight* light);
+
+  /**
+   * What the last frame needed, as text: the observer, the tables and why they were made anew, and what
+   * was skipped.
+   */
+  std::string GetPlan() const;
+
+  /**
+   * How often the table of directions has been made.
+   */
+  vtkGetMacro(NumberOfTables, int);
+
+  void Render(const vtkRenderState* s) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkGodRaysSkyPass();
+  ~vtkGodRaysSkyPass() override;
+
+private:
+  vtkGodRaysSkyPass(const vtkGodRaysSkyPass&) = delete;
+  void operator=(const vtkGodRaysSkyPass&) = delete;
+
+  const char* FindReasonForNoSky(const vtkRenderState* s, vtkOpenGLRenderWindow* window);
+  bool GetSunDirection(double direction[3]);
+  void PrepareSource();
+  bool DrawSky(const vtkRenderState* s);
+  void Complain(const std::string& complaint);
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+
+  double SunElevation = 45.0;
+  double SunAzimuth = 180.0;
+  double Up[3] = { 0.0, 0.0, 1.0 };
+  double North[3] = { 0.0, 1.0, 0.0 };
+  double Origin[3] = { 0.0, 0.0, 0.0 };
+  double WorldUnitInMeters = 1.0;
+  double Exposure = 4.0;
+  bool SunDisc = true;
+  bool MultipleScattering = true;
+  int NumberOfTables = 0;
+};
+
+#endif
