@@ -6,18 +6,21 @@
 # Build Examples/<Name>/<Name>.cxx as the program build/bin/<Name>, and test it and its twin in
 # Python, <Name>.py, if there is one: each draws Testing/Baseline/Example-<Name>.png. An example
 # takes one argument, the PNG file to write; without it, it opens a window.
+#
+# godrays_add_example(<Name> <variant>...): with a second argument, <variant>, it draws
+# Testing/Baseline/Example-<Name>-<variant>.png.
 function(godrays_add_example name)
   set(components
     CommonColor CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral
-    FiltersModeling FiltersSources IOGeometry IOImage IOLegacy IOPLY IOXML InteractionStyle
-    RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI RenderingVolumeOpenGL2)
+    FiltersModeling FiltersSources IOGeometry IOImage IOImport IOLegacy IOPLY IOXML InteractionStyle
+    InteractionWidgets RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI
+    RenderingVolumeOpenGL2 vtksys)
   find_package(VTK REQUIRED COMPONENTS ${components})
   list(TRANSFORM components PREPEND VTK::)
 
   set(source "${CMAKE_CURRENT_SOURCE_DIR}/${name}/${name}.cxx")
   set(script "${CMAKE_CURRENT_SOURCE_DIR}/${name}/${name}.py")
   set(tests "${PROJECT_SOURCE_DIR}/Testing")
-  set(baseline "${tests}/Baseline/Example-${name}.png")
 
   add_executable(${name} "${source}")
   set(programs ${name})
@@ -30,15 +33,22 @@ function(godrays_add_example name)
     target_compile_definitions(test_${name} PRIVATE
       EXAMPLE_NAME="${name}" EXAMPLE_SOURCE="${source}")
     list(APPEND programs test_${name})
-    add_test(NAME example.${name}.cxx
-      COMMAND test_${name} "${CMAKE_CURRENT_BINARY_DIR}/${name}_cxx.png" "${baseline}")
-    set(added example.${name}.cxx)
-    if(EXISTS "${script}" AND godrays_test_python)
-      add_test(NAME example.${name}.py
-        COMMAND "${Python3_EXECUTABLE}" "${tests}/Examples/test_example.py" "${script}"
-          "${CMAKE_CURRENT_BINARY_DIR}/${name}_py.png" "${baseline}")
-      list(APPEND added example.${name}.py)
-    endif()
+    foreach(variant IN ITEMS "" ${ARGN})
+      set(test ${name})
+      if(variant)
+        set(test ${name}-${variant})
+      endif()
+      set(baseline "${tests}/Baseline/Example-${test}.png")
+      add_test(NAME example.${test}.cxx COMMAND test_${name}
+        "${CMAKE_CURRENT_BINARY_DIR}/${test}_cxx.png" "${baseline}" ${variant})
+      list(APPEND added example.${test}.cxx)
+      if(EXISTS "${script}" AND godrays_test_python)
+        add_test(NAME example.${test}.py
+          COMMAND "${Python3_EXECUTABLE}" "${tests}/Examples/test_example.py" "${script}"
+            "${CMAKE_CURRENT_BINARY_DIR}/${test}_py.png" "${baseline}" ${variant})
+        list(APPEND added example.${test}.py)
+      endif()
+    endforeach()
     set_tests_properties(${added} PROPERTIES
       LABELS      example
       TIMEOUT     300

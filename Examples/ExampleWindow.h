@@ -16,20 +16,11 @@
 #include <cstdlib>
 
 /**
- * Write what the window shows to the PNG file that the first argument names, without opening it;
- * without an argument, open it and let the user look around. Returns the program's exit status.
+ * Write what the window shows to a PNG file, without opening it. Returns the program's exit status.
  */
-inline int ShowOrWrite(vtkRenderWindow* window, int argc, char* argv[])
+inline int WritePicture(vtkRenderWindow* window, const char* file)
 {
   window->SetSize(400, 300);
-  if (argc < 2)
-  {
-    vtkNew<vtkRenderWindowInteractor> interactor;
-    interactor->SetRenderWindow(window);
-    window->Render();
-    interactor->Start();
-    return EXIT_SUCCESS;
-  }
   window->SetMultiSamples(0);
   window->SetOffScreenRendering(true);
   window->Render();
@@ -39,9 +30,27 @@ inline int ShowOrWrite(vtkRenderWindow* window, int argc, char* argv[])
   picture->ShouldRerenderOff();
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(picture->GetOutputPort());
-  writer->SetFileName(argv[1]);
+  writer->SetFileName(file);
   writer->Write();
   return writer->GetErrorCode() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+/**
+ * Write what the window shows to the PNG file that the first argument names, without opening it;
+ * without an argument, open it and let the user look around. Returns the program's exit status.
+ */
+inline int ShowOrWrite(vtkRenderWindow* window, int argc, char* argv[])
+{
+  if (argc > 1)
+  {
+    return WritePicture(window, argv[1]);
+  }
+  window->SetSize(400, 300);
+  vtkNew<vtkRenderWindowInteractor> interactor;
+  interactor->SetRenderWindow(window);
+  window->Render();
+  interactor->Start();
+  return EXIT_SUCCESS;
 }
 
 #endif

@@ -153,34 +153,35 @@ int GetDifference(const std::string& picture, const std::string& baseline)
 
 namespace
 {
-int Run(const std::string& picture)
+/// variant: the example's second argument, or null.
+int Run(const std::string& picture, char* variant)
 {
   std::string name = EXAMPLE_NAME;
   std::string file = picture;
-  char* arguments[] = { &name[0], &file[0], nullptr };
-  return ExampleMain(2, arguments);
+  char* arguments[] = { &name[0], &file[0], variant, nullptr };
+  return ExampleMain(variant ? 3 : 2, arguments);
 }
 }
 
 int main(int argc, char* argv[])
 {
-  if (argc != 3)
+  if (argc != 3 && argc != 4)
   {
-    std::cerr << "Usage: " << argv[0] << " picture.png baseline.png\n";
+    std::cerr << "Usage: " << argv[0] << " picture.png baseline.png [variant]\n";
     return EXIT_FAILURE;
   }
   const std::string picture = argv[1];
   const std::string baseline = argv[2];
   const int levels = 2;
 
-  const int status = Run(picture);
+  const int status = Run(picture, argv[3]);
   const int difference = GetDifference(picture, baseline);
   std::cout << EXAMPLE_NAME << ": " << Checked << " layers checked, root mean square error "
             << WorstError << " of the peak, of a medium " << ErrorOfMedium << "; picture within "
             << difference << " levels of its baseline\n";
 
   setenv("GODRAYS_DISABLE", "1", 1);
-  Run(picture + ".without-rays.png");
+  Run(picture + ".without-rays.png", argv[3]);
   const int without = GetDifference(picture + ".without-rays.png", baseline);
   std::cout << "without rays: " << without << " levels\n";
 

@@ -3,7 +3,7 @@
 """An example in Python: its picture is that of the same example in C++, whose light is checked
 against the processor's; and the picture without rays must not pass for it.
 
-Usage: test_example.py example.py picture.png baseline.png
+Usage: test_example.py example.py picture.png baseline.png [variant]
 """
 
 import os
@@ -27,7 +27,7 @@ def read(file):
 
 def difference(example, picture, baseline, **environment):
     subprocess.run(
-        [sys.executable, example, picture], check=True, env={**os.environ, **environment}
+        [sys.executable, example, picture, *variant], check=True, env={**os.environ, **environment}
     )
     (size, values), (expected_size, expected) = read(picture), read(baseline)
     if size != expected_size or values.shape != expected.shape:
@@ -35,7 +35,7 @@ def difference(example, picture, baseline, **environment):
     return int(numpy.abs(values - expected).max())
 
 
-example, picture, baseline = sys.argv[1:]
+example, picture, baseline, *variant = sys.argv[1:]
 with_rays = difference(example, picture, baseline)
 without = difference(example, picture + ".without-rays.png", baseline, GODRAYS_DISABLE="1")
 print(f"{with_rays} levels from the baseline with rays, {without} without")
