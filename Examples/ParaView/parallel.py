@@ -30,7 +30,7 @@ ball.AmbientColor = ball.DiffuseColor = [1.0, 0.85, 0.5]
 ball.Ambient, ball.Diffuse = 1.0, 0.0
 
 view.LightSource = "What is tagged as a light"
-view.Lights = [ball]
+ball.GodRaysRole = "Light"
 view.CameraPosition = [55, 25, 70]
 view.CameraFocalPoint = [0, 0, 0]
 SaveScreenshot(picture, view)

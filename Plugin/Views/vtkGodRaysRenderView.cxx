@@ -8,8 +8,9 @@
 #include "vtkGodRaysPass.h"
 #include "vtkGodRaysRadialModel.h"
 #include "vtkGodRaysSunPosition.h"
-#include "vtkGodRaysSurfaceRepresentation.h"
 #include "vtkGodRaysViewCompositor.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
@@ -40,29 +41,6 @@ vtkStandardNewMacro(vtkGodRaysRenderView);
 
 namespace
 {
-using ObjectList = std::vector<vtkSmartPointer<vtkObject>>;
-
-bool Add(ObjectList& list, vtkObject* object)
-{
-  if (!object || std::find(list.begin(), list.end(), object) != list.end())
-  {
-    return false;
-  }
-  list.emplace_back(object);
-  return true;
-}
-
-bool Remove(ObjectList& list, vtkObject* object)
-{
-  const auto found = std::find(list.begin(), list.end(), object);
-  if (found == list.end())
-  {
-    return false;
-  }
-  list.erase(found);
-  return true;
-}
-
 template <class Model>
 bool HasPreset(const std::string& name)
 {
@@ -150,13 +128,10 @@ struct vtkGodRaysRenderView::vtkInternals
   vtkNew<vtkGodRaysSunPosition> SunPosition;
   std::string Plan;
 
-  ObjectList Occluders;
-  ObjectList LightSources;
-  ObjectList Ignored;
+  std::vector<vtkSmartPointer<vtkLight>> ChosenLights;
 
   std::set<vtkProp*> KnownProps; // only compared
   std::map<vtkDataRepresentation*, std::vector<vtkWeakPointer<vtkProp>>> Props;
-  std::vector<vtkWeakPointer<vtkProp>> Tagged;
 };
 
 //------------------------------------------------------------------------------
@@ -418,55 +393,24 @@ void vtkGodRaysRenderView::SetWorldUnitInMeters(double meters)
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysRenderView::AddOccluder(vtkObject* representation)
+void vtkGodRaysRenderView::AddChosenLight(vtkLight* light)
 {
-  if (Add(this->Internals->Occluders, representation))
+  auto& lights = this->Internals->ChosenLights;
+  if (light && std::find(lights.begin(), lights.end(), light) == lights.end())
   {
+    lights.emplace_back(light);
     this->Modified();
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysRenderView::RemoveOccluder(vtkObject* representation)
+void vtkGodRaysRenderView::RemoveChosenLight(vtkLight* light)
 {
-  if (Remove(this->Internals->Occluders, representation))
+  auto& lights = this->Internals->ChosenLights;
+  const auto found = std::find(lights.begin(), lights.end(), light);
+  if (found != lights.end())
   {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGodRaysRenderView::AddLightSource(vtkObject* representationOrLight)
-{
-  if (Add(this->Internals->LightSources, representationOrLight))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGodRaysRenderView::RemoveLightSource(vtkObject* representationOrLight)
-{
-  if (Remove(this->Internals->LightSources, representationOrLight))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGodRaysRenderView::AddIgnored(vtkObject* representation)
-{
-  if (Add(this->Internals->Ignored, representation))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGodRaysRenderView::RemoveIgnored(vtkObject* representation)
-{
-  if (Remove(this->Internals->Ignored, representation))
-  {
+    lights.erase(found);
     this->Modified();
   }
 }
@@ -564,8 +508,6 @@ void vtkGodRaysRenderView::AboutToRenderOnLocalProcess(bool interactive)
 //------------------------------------------------------------------------------
 void vtkGodRaysRenderView::UpdateRoles()
 {
-  vtkInternals& self = *this->Internals;
-  std::map<vtkProp*, int> roles;
   vtkCollectionSimpleIterator iterator;
   vtkPropCollection* props = this->GetRenderer()->GetViewProps();
   props->InitTraversal(iterator);
@@ -573,60 +515,28 @@ void vtkGodRaysRenderView::UpdateRoles()
   {
     if (IsAnnotation(prop))
     {
-      roles[prop] = vtkGodRaysPass::IGNORED;
-    }
-  }
-
-  const auto tag = [&](const ObjectList& list, int role)
-  {
-    for (vtkObject* object : list)
-    {
-      auto representation = vtkDataRepresentation::SafeDownCast(object);
-      if (auto composite = vtkCompositeRepresentation::SafeDownCast(object))
-      {
-        representation = composite->GetActiveRepresentation();
-      }
-      const auto found = self.Props.find(representation);
-      if (found != self.Props.end())
-      {
-        for (vtkProp* prop : found->second)
-        {
-          if (prop)
-          {
-            roles[prop] = role;
-          }
-        }
-      }
-    }
-  };
-  tag(self.Occluders, vtkGodRaysPass::OCCLUDER);
-  tag(self.Ignored, vtkGodRaysPass::IGNORED);
-  tag(self.LightSources, vtkGodRaysPass::LIGHT);
-
-  // Props that have lost their role get that of their representation back.
-  for (vtkProp* prop : self.Tagged)
-  {
-    if (prop)
-    {
-      roles.emplace(prop, vtkGodRaysPass::AUTOMATIC);
+      vtkGodRaysPass::SetRole(prop, vtkGodRaysPass::IGNORED);
     }
   }
   for (int i = 0; i < this->GetNumberOfRepresentations(); ++i)
   {
-    auto surface = vtkGodRaysSurfaceRepresentation::SafeDownCast(this->GetRepresentation(i));
-    vtkProp* actor = surface ? surface->GetActor() : nullptr;
-    const auto found = roles.find(actor);
-    if (actor && found != roles.end() && found->second == vtkGodRaysPass::AUTOMATIC)
+    auto representation = vtkCompositeRepresentation::SafeDownCast(this->GetRepresentation(i));
+    vtkInformation* keys = representation ? representation->GetInformation() : nullptr;
+    if (!keys || !keys->Has(vtkGodRaysPass::ROLE()))
     {
-      found->second = surface->GetRole();
+      continue;
     }
-  }
-
-  self.Tagged.clear();
-  for (const auto& each : roles)
-  {
-    vtkGodRaysPass::SetRole(each.first, each.second);
-    self.Tagged.emplace_back(each.first);
+    const auto found = this->Internals->Props.find(representation->GetActiveRepresentation());
+    if (found != this->Internals->Props.end())
+    {
+      for (vtkProp* prop : found->second)
+      {
+        if (prop)
+        {
+          vtkGodRaysPass::SetRole(prop, keys->Get(vtkGodRaysPass::ROLE()));
+        }
+      }
+    }
   }
 }
 
@@ -686,13 +596,7 @@ void vtkGodRaysRenderView::UpdateLights()
       }
     }
   }
-  for (vtkObject* object : self.LightSources)
-  {
-    if (auto light = vtkLight::SafeDownCast(object))
-    {
-      lights.push_back(light);
-    }
-  }
+  lights.insert(lights.end(), self.ChosenLights.begin(), self.ChosenLights.end());
 
   std::vector<vtkLight*> former;
   for (int i = 0; i < self.Pass->GetNumberOfLights(); ++i)

@@ -8,14 +8,13 @@
  * to it; what it adds is ParaView's: a sun by azimuth and elevation or by date and place, presets by name,
  * and roles by representation.
  *
- * Roles given by AddOccluder(), AddLightSource() and AddIgnored() belong to a representation as a
- * whole: they follow its type (surface, volume, ...) when that changes, and take precedence over
- * those of vtkGodRaysSurfaceRepresentation. Axes, grids and the like never block light or shine.
+ * What data do to light is the property God Rays Role of their representation, whatever its type: see
+ * vtkSIGodRaysRoleProperty. Axes, grids and the like never block light or shine.
  *
  * Real numbers and modes are checked by the pass: beyond a valid range they are clamped, NaN and
  * unknown modes are an error and change nothing.
  *
- * @sa vtkGodRaysPass vtkGodRaysSurfaceRepresentation
+ * @sa vtkGodRaysPass vtkSIGodRaysRoleProperty
  */
 
 #ifndef vtkGodRaysRenderView_h
@@ -29,6 +28,7 @@
 class vtkGodRaysIntegrator;
 class vtkGodRaysModel;
 class vtkGodRaysPass;
+class vtkLight;
 
 class VTKGODRAYSVIEWS_EXPORT vtkGodRaysRenderView : public vtkPVRenderView
 {
@@ -155,16 +155,11 @@ public:
 
   ///@{
   /**
-   * Give a representation a role, or take it back; a light source may also be a vtkLight, of the
-   * view or not. A representation that is in several lists shines rather than is ignored, and is
-   * ignored rather than blocks.
+   * Add a light whose rays are shown besides those of SetLightSource(), in the light inspector or not; or
+   * remove it. One that is there already, or is not, changes nothing.
    */
-  void AddOccluder(vtkObject* representation);
-  void RemoveOccluder(vtkObject* representation);
-  void AddLightSource(vtkObject* representationOrLight);
-  void RemoveLightSource(vtkObject* representationOrLight);
-  void AddIgnored(vtkObject* representation);
-  void RemoveIgnored(vtkObject* representation);
+  void AddChosenLight(vtkLight* light);
+  void RemoveChosenLight(vtkLight* light);
   ///@}
 
   ///@{

@@ -254,10 +254,8 @@ class Properties(Case):
         self.assertIn("2001-2-29", messages.text)
 
     def test_role(self):
-        view = make_view()
-        shown = add_pillars(view)[0]
-        shown.Representation = "Surface (God Rays)"
-        domain = shown.SMProxy.GetProperty("Role").FindDomain("vtkSMEnumerationDomain")
+        shown = add_pillars(make_view())[0]
+        domain = shown.SMProxy.GetProperty("GodRaysRole").FindDomain("vtkSMEnumerationDomain")
         roles = {
             domain.GetEntryText(i).upper(): domain.GetEntryValue(i)
             for i in range(domain.GetNumberOfEntries())
@@ -265,6 +263,14 @@ class Properties(Case):
         for name, value in roles.items():
             self.assertEqual(getattr(godrays.vtkGodRaysPass, name), value)
         self.assertEqual(len(roles), 4)
+        for wrong in (-1, 4):
+            with Messages() as messages:
+                shown.SMProxy.GetProperty("GodRaysRole").SetElement(0, wrong)
+                shown.SMProxy.UpdateVTKObjects()
+            self.assertEqual(messages.text.count("stays as it was"), 1, messages.text)
+            with Messages() as messages:
+                simple.Render()
+            self.assertEqual(messages.text, "")
 
 
 main()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What blocks light, shines, or does neither: by the view's lists, and by representation."""
+"""What blocks light, shines, or does neither: a role that every representation has."""
 
 from plugin_testing import *
 
@@ -20,28 +20,30 @@ def role(representation):
 
 
 class Roles(Case):
-    def test_lists_of_the_view(self):
-        view, (middle, *others) = make_scene()
+    def test_each_role(self):
+        view, pillars = make_scene()
+        middle = pillars[0]
         blocked = pixels(view)
-        view.Ignored = [middle]
+        middle.GodRaysRole = "Ignored"
         through = pixels(view)
         self.assertIn("geometry rendered twice", rays(view).GetPlan())
         self.assert_different(through, blocked, 40)
         # behind the pillar is its shadow, or none
         self.assertGreater(through[5, 80].sum(), blocked[5, 80].sum() + 60)
         self.assertEqual(role(middle), godrays.vtkGodRaysPass.IGNORED)
-        view.Ignored = []
+        middle.GodRaysRole = "Automatic"
         self.assert_alike(pixels(view), blocked)
         self.assertEqual(role(middle), godrays.vtkGodRaysPass.AUTOMATIC)
 
         # the same by occluders, where nothing else blocks
         view.UntaggedPropsOcclude = 0
-        view.Occluders = others
+        for each in pillars[1:]:
+            each.GodRaysRole = "Occluder"
         self.assert_alike(pixels(view), through)
-        view.Occluders = [middle] + others
+        middle.GodRaysRole = "Occluder"
         self.assert_alike(pixels(view), blocked, 1)
 
-    def test_a_surface_that_shines(self):
+    def test_data_that_shine(self):
         view, _ = make_scene(LightSource="What is tagged as a light")
         lamp = simple.Show(simple.Sphere(Radius=0.25, Center=[-0.5, 0.3, -2.0]), view)
         lamp.ColorArrayName = ["POINTS", ""]
@@ -49,42 +51,17 @@ class Roles(Case):
         lamp.Ambient, lamp.Diffuse = 1.0, 0.0
         dark = pixels(view)
         self.assertIsNone(layer(view))
-        view.Lights = [lamp]
-        shining = pixels(view)
-        self.assert_different(shining, dark, 60)
+        lamp.GodRaysRole = "Light"
+        self.assert_different(pixels(view), dark, 60)
         light = layer(view)
         self.assertGreater(light[:, :, 0].max(), 2 * light[:, :, 2].max())
         write(view, "PluginLamp")
-        view.Lights = []
+        lamp.GodRaysRole = "Automatic"
         self.assert_alike(pixels(view), dark)
-        lamp.Representation = "Surface (God Rays)"
-        lamp.Role = "Light"
-        self.assert_alike(pixels(view), shining)
-        lamp.Role = "Automatic"
-        self.assert_alike(pixels(view), dark)
-
-    def test_the_role_of_a_representation(self):
-        view, (middle, *_) = make_scene()
-        blocked = pixels(view)
-        middle.Representation = "Surface (God Rays)"
-        self.assert_alike(pixels(view), blocked)
-        middle.Role = "Ignored"
-        through = pixels(view)
-        self.assert_different(through, blocked, 40)
-        # another type has no role
-        middle.Representation = "Surface"
-        self.assert_alike(pixels(view), blocked)
-        middle.Representation = "Surface (God Rays)"
-        self.assert_alike(pixels(view), through)
-        # the view's lists come first, and leave it behind as it was
-        view.Occluders = [middle]
-        self.assert_alike(pixels(view), blocked, 1)
-        view.Occluders = []
-        self.assert_alike(pixels(view), through)
 
     def test_roles_follow_the_representation_type(self):
         view, (middle, *_) = make_scene()
-        view.Ignored = [middle]
+        middle.GodRaysRole = "Ignored"
         through = pixels(view)
         for kind in ("Wireframe", "Points", "Surface With Edges", "3D Glyphs", "Surface"):
             middle.Representation = kind
@@ -95,26 +72,37 @@ class Roles(Case):
 
     def test_a_volume_and_a_slice(self):
         view = make_view(SunElevation=4.0)
-        source = simple.Wavelet(WholeExtent=[-8, 8, -8, 8, -8, 8])
-        data = simple.Transform(Input=source)
-        data.Transform.Scale = [0.15, 0.15, 0.15]
-        data.TransformAllInputVectors = 0
-        image = simple.ResampleToImage(Input=data, SamplingDimensions=[24, 24, 24])
-        shown = simple.Show(image, view)
-        shown.SetRepresentationType("Volume")
-        simple.ColorBy(shown, ("POINTS", "RTData"))
+        shown = add_volume(view)
         dimmed = pixels(view)
-        view.Ignored = [shown]
+        shown.GodRaysRole = "Ignored"
         self.assert_different(pixels(view), dimmed, 10)
         for kind in ("Slice", "Outline"):
             shown.SetRepresentationType(kind)
-            view.Ignored = []
+            shown.GodRaysRole = "Automatic"
             simple.Render(view)
             once = "geometry rendered once" in rays(view).GetPlan()
-            view.Ignored = [shown]
+            shown.GodRaysRole = "Ignored"
             simple.Render(view)
             self.assertTrue(once)
             self.assertIn("geometry rendered twice", rays(view).GetPlan(), kind)
+
+    def test_all_kinds_of_data(self):
+        image = simple.Wavelet(WholeExtent=[-4, 4, -4, 4, -4, 4])
+        plane = [0, 8, 0, 8, 0, 0]
+        for data in (
+            image,
+            simple.Contour(Input=image, ContourBy=["POINTS", "RTData"], Isosurfaces=[150.0]),
+            simple.Tetrahedralize(Input=image),
+            simple.GroupDatasets(Input=[image, simple.Sphere(Radius=4)]),
+            simple.HyperTreeGridRandom(),
+            simple.Transform(Input=simple.Wavelet(WholeExtent=plane)),
+        ):
+            with self.subTest(data.SMProxy.GetXMLName()):
+                view = make_view(SunElevation=4.0, CameraPosition=[0, 0, 40])
+                shown = simple.Show(data, view)
+                shown.GodRaysRole = "Ignored"
+                simple.Render(view)
+                self.assertIn("geometry rendered twice", rays(view).GetPlan())
 
     def test_axes_neither_block_nor_shine(self):
         view, pillars = make_scene()
@@ -132,7 +120,7 @@ class Roles(Case):
 
     def test_roles_end_with_their_representation(self):
         view, (middle, *_) = make_scene()
-        view.Ignored = [middle]
+        middle.GodRaysRole = "Ignored"
         simple.Render(view)
         simple.Hide(middle.Input, view)
         simple.Render(view)

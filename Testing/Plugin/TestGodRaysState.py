@@ -9,8 +9,8 @@ from paraview import smstate, smtrace
 from plugin_testing import *
 
 
-def make_scene(lists=True):
-    """A view in which little is as it was at first; the view's own lists only if wanted."""
+def make_scene():
+    """A view in which little is as it was at first, with data of several types that have roles."""
     view = make_view(
         SunAzimuth=5.0,
         SunElevation=6.0,
@@ -23,11 +23,15 @@ def make_scene(lists=True):
     view.Model.Decay = 0.97
     view.Integrator = "Taps"
     view.Integrator.NumberOfTaps = 64
-    middle, left, *_ = add_pillars(view)
-    if lists:
-        view.Ignored = [middle]
-    left.Representation = "Surface (God Rays)"
-    left.Role = "Ignored"
+    view.UntaggedPropsOcclude = 0
+    pillars = add_pillars(view)
+    for each, kind, role in zip(
+        pillars,
+        ("Surface", "Wireframe", "Surface With Edges", "Surface", "Points"),
+        ("Ignored", "Occluder", "Occluder", "Automatic", "Light"),
+    ):
+        each.Representation = kind
+        each.GodRaysRole = role
     return view
 
 
@@ -42,6 +46,13 @@ class State(Case):
         self.assertEqual(view.Model.Density, 0.9)
         self.assertEqual(view.Integrator.NumberOfTaps, 64)
         self.assertEqual(view.Preset, "custom")
+        self.assertEqual(
+            sorted(
+                shown.SMProxy.GetProperty("GodRaysRole").GetElement(0)
+                for shown in view.Representations
+            ),
+            [0, 1, 1, 2, 3],
+        )
         self.assert_alike(pixels(view), expected)
         view.Intensity = 0.7
         self.assert_different(pixels(view), expected, 5)
@@ -52,25 +63,55 @@ class State(Case):
         simple.SaveState(path("state.pvsm"))
         simple.ResetSession()
         simple.LoadState(path("state.pvsm"))
-        view = self.check_reloaded(expected)
-        view.Intensity = 0.8
-        self.assertEqual(len(view.Ignored), 1)
-        view.Ignored = []
-        self.assert_different(pixels(view), expected)
+        self.check_reloaded(expected)
 
     def test_state_in_python(self):
-        expected = pixels(make_scene(lists=False))
+        expected = pixels(make_scene())
         text = smstate.get_state()
         simple.ResetSession()
         exec(compile(text, "state.py", "exec"), {"__name__": "__main__"})
         self.check_reloaded(expected)
 
-    def test_lists_are_left_out_of_scripts(self):
-        make_scene()
+    def check_round_trips(self, view):
+        """A state file and a script bring back what the view shows."""
+        expected = pixels(view)
+        simple.SaveState(path("state.pvsm"))
         text = smstate.get_state()
-        self.assertNotIn("Ignored = [", text)
-        simple.ResetSession()
-        exec(compile(text, "state.py", "exec"), {"__name__": "__main__"})
+        for load in (
+            lambda: simple.LoadState(path("state.pvsm")),
+            lambda: exec(compile(text, "state.py", "exec"), {"__name__": "__main__"}),
+        ):
+            simple.ResetSession()
+            load()
+            view = simple.GetActiveView()
+            self.assert_alike(pixels(view), expected)
+        return view
+
+    def test_the_role_of_a_volume(self):
+        view = make_view(SunElevation=4.0)
+        shown = add_volume(view)
+        automatic = pixels(view)
+        shown.GodRaysRole = "Ignored"
+        self.assert_different(pixels(view), automatic, 10)
+        view = self.check_round_trips(view)
+        view.Representations[0].GodRaysRole = "Automatic"
+        self.assert_alike(pixels(view), automatic)
+
+    def test_chosen_lights(self):
+        view = make_view(LightSource="What is tagged as a light")
+        add_pillars(view)
+        for height in (1.0, -1.0):
+            lamp = simple.AddLight(view=view)
+            lamp.Coords, lamp.Type = "Scene", "Directional"
+            lamp.Position, lamp.FocalPoint = [0.0, height, -5.0], [0.0, 0.0, 0.0]
+        view.Lights = [lamp]
+        chosen = pixels(view)
+        view.LightSource = "Lights of the Light Inspector"
+        self.assert_different(pixels(view), chosen)
+        view.LightSource = "What is tagged as a light"
+        view = self.check_round_trips(view)
+        view.Lights = []
+        self.assert_different(pixels(view), chosen)
 
     def test_trace(self):
         changes = {
@@ -91,7 +132,7 @@ class State(Case):
         begin = smtrace._create_trace_item_internal
         for proxy, values in (
             (view, changes),
-            (shown, {"Representation": "Surface (God Rays)", "Role": "Occluder"}),
+            (shown, {"Representation": "Wireframe", "GodRaysRole": "Occluder"}),
         ):
             item = begin("PropertiesModified", [proxy.SMProxy])
             for name, value in values.items():
@@ -101,7 +142,7 @@ class State(Case):
         expected = pixels(view)
         text = smtrace.stop_trace()
         self.assertIn("SunElevation = 6.0", text)
-        self.assertIn("Role = 'Occluder'", text)
+        self.assertIn("GodRaysRole = 'Occluder'", text)
         simple.ResetSession()
         exec(compile(text, "trace.py", "exec"), {"__name__": "__main__"})
         view = simple.GetActiveView()
@@ -226,13 +267,11 @@ class Pictures(Case):
             view = make_view(UseFXAA=smooth, **look)
             middle, left, *_ = add_pillars(view)
             middle.Input.XLength = width
-            left.Representation = "Surface (God Rays)"
-            left.Role = "Ignored"
+            left.GodRaysRole = "Ignored"
             expected.append(pixels(view))
         both = make_view("Comparative" + VIEW, (321, 120), Dimensions=[2, 1], **look)
         middle, left, *_ = add_pillars(both)
-        left.Representation = "Surface (God Rays)"
-        left.Role = "Ignored"
+        left.GodRaysRole = "Ignored"
         manager = simple.servermanager.ProxyManager().SMProxyManager
         cue = simple.servermanager._getPyProxy(
             manager.NewProxy("animation", "ComparativeAnimationCue")

@@ -56,13 +56,8 @@ def gradient(view):
 
 def tagged(view):
     shown = add_spheres(view)
-    view.Ignored = shown[1:3]
-
-
-def role(view):
-    shown = add_spheres(view)
-    shown[2].Representation = "Surface (God Rays)"
-    shown[2].Role = "Ignored"
+    for each in shown[1:3]:
+        each.GodRaysRole = "Ignored"
 
 
 def lamp(view):
@@ -72,7 +67,7 @@ def lamp(view):
     shown.ColorArrayName = ["POINTS", ""]
     shown.AmbientColor = shown.DiffuseColor = [1.0, 0.85, 0.5]
     shown.Ambient, shown.Diffuse = 1.0, 0.0
-    view.Lights = [shown]
+    shown.GodRaysRole = "Light"
 
 
 def bright(view):
@@ -107,7 +102,7 @@ def medium(view):
     shown = add_spheres(view)
     view.Preset = "fog"
     view.WorldUnitInMeters = 10.0
-    view.Ignored = shown[1:2]
+    shown[1].GodRaysRole = "Ignored"
 
 
 def shadows(view):
@@ -124,7 +119,7 @@ def one_process(view):
 SCENES = {
     scene.__name__: scene
     for scene in (
-        opaque, gradient, tagged, role, lamp, bright, medium, shadows, translucent, volume,
+        opaque, gradient, tagged, lamp, bright, medium, shadows, translucent, volume,
         one_process,
     )  # fmt: skip
 }

@@ -72,6 +72,19 @@ def add_colonnade(view):
     return shown + [beam]
 
 
+def add_volume(view):
+    """A volume about the origin; returns its representation."""
+    source = simple.Wavelet(WholeExtent=[-8, 8, -8, 8, -8, 8])
+    data = simple.Transform(Input=source)
+    data.Transform.Scale = [0.15, 0.15, 0.15]
+    data.TransformAllInputVectors = 0
+    image = simple.ResampleToImage(Input=data, SamplingDimensions=[24, 24, 24])
+    shown = simple.Show(image, view)
+    shown.SetRepresentationType("Volume")
+    simple.ColorBy(shown, ("POINTS", "RTData"))
+    return shown
+
+
 def pixels(view, magnification=1):
     """What the view shows, in levels of 255: rows from the bottom, red, green and blue."""
     simple.Render(view)
