@@ -150,6 +150,9 @@ class Window(unittest.TestCase):
         above = change[:60].mean((0, 2))  # over the columns, from left to right
         self.assertLess(abs(above.argmax() - LANTERN), 60, "no shaft above the lantern")
         self.assertGreater(above.max() - above.min(), 15)
+        # towards the lantern, which is below, light grows: LightSource has left no sun over the columns
+        over = change[:150, LANTERN - 100 : LANTERN + 100].max((1, 2))
+        self.assertGreater(over[-10:].max(), over[:-30].max(), "a sun shines, too")
         for shown in (lit, plain):
             # text, in its lines, on what is light
             dark = shown[PANEL].max(2) < 100
