@@ -1077,19 +1077,22 @@ FUNCTION Vec2 SkyEdges(IN(Real) groundRadius, IN(Real) topHeight, IN(Real) heigh
 }
 
 // Tables of all directions in which an observer sees air have rows of slopes, dense about the horizon: -1
-// the nadir, 0 the horizon, 1 the zenith or the atmosphere's edge. This is the slope of a row, and the row
-// of a slope. Formula: horizon + (edge - horizon) row^4, horizon - (1 + horizon) row^4. [no unit]
+// the nadir, 0 the horizon, 1 the zenith or the atmosphere's edge, about which they are even in angle. This
+// is the slope of a row, and the row of a slope.
+// Formula: horizon + (edge - horizon) (1 - (1 - row^4)^2), the edge being -1 below the horizon. [no unit]
 FUNCTION Real SkyTableSlope(IN(Vec2) edges, IN(Real) row)
 {
   Real square = row * row;
-  return edges.x + (row < 0.0 ? -1.0 - edges.x : edges.y - edges.x) * square * square;
+  Real fourth = square * square;
+  return edges.x + (row < 0.0 ? -1.0 - edges.x : edges.y - edges.x) * (fourth * (2.0 - fourth));
 }
 
 FUNCTION Real SkyTableRow(IN(Vec2) edges, IN(Real) slope)
 {
   Real away = slope - edges.x;
   Real part = clamp(away < 0.0 ? -away / (1.0 + edges.x) : away / (edges.y - edges.x), 0.0, 1.0);
-  return away < 0.0 ? -sqrt(sqrt(part)) : sqrt(sqrt(part));
+  Real row = sqrt(sqrt(part / (1.0 + sqrt(1.0 - part))));
+  return away < 0.0 ? -row : row;
 }
 
 // How bright the sun's disc is at a part of its radius from its middle, for each of the colours 680, 550

@@ -1,16 +1,18 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 
-// The sky of a picture, looked up in the table of directions.
+// The sky of a picture, looked up in tables of directions; or the air before a scene.
 
 in vec2 texCoord;
 
 //VTK::GodRays::Types
 //VTK::GodRays::Functions
 
-uniform sampler2D table;
-uniform ivec2 halfSize;     // of the table's halves
+uniform sampler2D table;    // see vtkGodRaysSkyTableFS
+uniform sampler2D extinction;
+uniform ivec2 halfSize;     // columns and rows of one half of one of the table's slices
 uniform int rowsBelow;      // the horizon
+uniform int slices;
 uniform SkyAtmosphere sky;
 uniform float height;       // of the observer
 uniform vec2 edges;         // see SkyEdges
@@ -22,8 +24,14 @@ uniform vec2 pixelSize;     // of x and y
 uniform vec3 irradiance;    // of the sun, times the exposure
 uniform vec3 discRadiance;  // the same
 uniform float discRadius;   // [radians]
+uniform sampler2D scene;
+uniform sampler2D depth;    // window depth of what is seen
+uniform vec4 depthTerms;    // see vtkGodRaysView::Pinhole
+uniform vec3 axis;          // of view
+uniform float sceneUnit;    // [m]
 
 //VTK::GodRays::Terms
+// beforeScene: the air before the scene rather than the sky behind it
 // hasDisc: whether the sun's disc may be seen
 // hasEdge: whether the atmosphere's edge may be
 // phaseBit0, phaseBit1, phaseBit2: the kind of the aerosol's phase function
@@ -41,6 +49,41 @@ vec3 DiscLight(vec3 direction, vec3 ray)
     SunLimb(separation / discRadius) * left;
 }
 
+// Light at a place of the table, with its phase function.
+vec3 LookUp(vec2 cell, int slice, float aerosolPhase)
+{
+  vec2 uv = (cell + vec2(0.0, slice * halfSize.y)) / vec2(2 * halfSize.x, halfSize.y * slices);
+  return textureLod(table, uv, 0.0).rgb +
+    aerosolPhase * textureLod(table, uv + vec2(0.5, 0.0), 0.0).rgb;
+}
+
+// The scene through the air.
+vec3 SceneThroughAir(vec3 ray, float slope, bool above, vec2 cell, float aerosolPhase)
+{
+  ivec2 pixel = ivec2(texCoord * vec2(textureSize(depth, 0)));
+  vec3 shown = texelFetch(scene, pixel, 0).rgb;
+  vec2 within = SkyBelow(sky.GroundRadius, height, slope, sky.TopHeight);
+  float rest = 1.0 - texelFetch(depth, pixel, 0).r;
+  float viewDepth = (depthTerms.x + depthTerms.y * rest) / (depthTerms.z + depthTerms.w * rest);
+  float way = viewDepth * sceneUnit * length(ray) / dot(ray, axis) - within.x;
+  if (within.x > within.y || !(way > 0.0))
+  {
+    return shown;
+  }
+  float ground = SkyGroundDistance(sky.GroundRadius, height, slope);
+  float end = above       ? within.y
+    : ground >= 0.0 ? ground
+                    : -(sky.GroundRadius + height) * slope; // just below the horizon
+  float place = sqrt(sqrt(clamp(way / max(end - within.x, 1e-3), 0.0, 1.0)));
+  float slice = clamp(place * float(slices) - 1.0, 0.0, float(slices - 1));
+  vec3 transmittance = exp(-way *
+    textureLod(extinction, vec2((slice + 0.5) / float(slices), cell.y / float(halfSize.y)), 0.0).rgb);
+  int lower = min(int(slice), slices - 2);
+  vec3 light = mix(LookUp(cell, lower, aerosolPhase), LookUp(cell, lower + 1, aerosolPhase),
+    slice - float(lower));
+  return EncodeDisplay(DecodeDisplay(shown) * transmittance + irradiance * light * (1.0 - transmittance));
+}
+
 void main()
 {
   vec2 place = 2.0 * texCoord - 1.0;
@@ -53,11 +96,14 @@ void main()
   vec2 cell = vec2(0.5 + 0.5 * (1.0 + direction.x / level) * float(halfSize.x - 1),
     float(rowsBelow) + (above ? row * float(halfSize.y - rowsBelow - 1) + 0.5
                               : row * float(rowsBelow - 1) - 0.5));
-  vec2 uv = cell / vec2(2 * halfSize.x, halfSize.y);
-  PhaseFunction phase = PhaseFunction(PhaseKind, sky.AerosolPhase.Asymmetry);
-  vec3 light = textureLod(table, uv, 0.0).rgb +
-    Phase(phase, dot(direction, sun)) * textureLod(table, uv + vec2(0.5, 0.0), 0.0).rgb;
-  light *= irradiance;
+  float aerosolPhase =
+    Phase(PhaseFunction(PhaseKind, sky.AerosolPhase.Asymmetry), dot(direction, sun));
+  if (beforeScene)
+  {
+    gl_FragData[0] = vec4(SceneThroughAir(ray, slope, above, cell, aerosolPhase), 1.0);
+    return;
+  }
+  vec3 light = irradiance * LookUp(cell, 0, aerosolPhase);
   if (hasEdge && slope >= edges.y)
   {
     light = vec3(0.0);

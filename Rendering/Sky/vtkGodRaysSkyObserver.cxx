@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 using vtkGodRays::Vec3;
 
@@ -64,4 +65,15 @@ void vtkGodRaysSkyObserver::Set(const vtkGodRaysView& view, const vtkGodRaysPlan
   this->PictureOrigin = ToFrame(origin, view, axes);
   this->PictureRight = ToFrame(right, view, axes);
   this->PictureUp = ToFrame(up, view, axes);
+  const double ahead[3] = { 0.0, 0.0, -1.0 };
+  this->Axis = normalize(ToFrame(ahead, view, axes));
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysSkyObserver::Describe() const
+{
+  std::ostringstream text;
+  text << "observer: " << this->Height << " m above the ground, the sun "
+       << std::asin(std::clamp(this->Sun.z, -1.0, 1.0)) * 57.29577951308232 << " degrees high\n";
+  return text.str();
 }

@@ -10,6 +10,8 @@
 
 #include "vtkGodRaysMath.h"
 
+#include <string>
+
 struct vtkGodRaysView;
 
 /// Where the planet is in the world.
@@ -35,7 +37,12 @@ struct vtkGodRaysSkyObserver
   vtkGodRays::Vec3 PictureUp;
   ///@}
 
+  vtkGodRays::Vec3 Axis; ///< of view, of length 1
+
   void Set(const vtkGodRaysView& view, const vtkGodRaysPlanet& planet);
+
+  /// A line for a plan.
+  std::string Describe() const;
 };
 
 #endif

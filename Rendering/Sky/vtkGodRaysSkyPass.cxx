@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysSkyPass.h"
 
+#include "vtkCamera.h"
 #include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysAttachment.h"
 #include "vtkGodRaysFramebuffer.h"
@@ -15,6 +16,7 @@
 #include "vtkGodRaysSkyTable.h"
 #include "vtkGodRaysSource.h"
 #include "vtkGodRaysSunPosition.h"
+#include "vtkGodRaysTarget.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
@@ -28,12 +30,12 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
+#include "vtkTexture.h"
 #include "vtkWeakPointer.h"
 #include "vtk_glew.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 vtkStandardNewMacro(vtkGodRaysSkyPass);
 
@@ -103,10 +105,15 @@ struct vtkGodRaysSkyPass::Internals
   vtkNew<vtkGodRaysSkySource> Source; // of the atmosphere's tables and of the sun's colour
   vtkNew<vtkImageData> Repeated;      // light that is scattered more than once
   vtkMTimeType RepeatedTime = 0;      // of the atmosphere that it is of
+  vtkNew<vtkTexture> Environment;
+  vtkMTimeType EnvironmentTime = 0;  // of the source when its picture was made
+  double EnvironmentExposure = -1.0; // of that picture
 
   vtkGodRaysAttachment Attachment;
   vtkNew<vtkGodRaysScene> RendererSteps;
-  vtkGodRaysSkyTable Table;
+  vtkGodRaysSkyTable Table{ vtkGodRaysSkyTable::WHOLE };
+  vtkGodRaysSkyTable Air{ vtkGodRaysSkyTable::PARTS };
+  vtkGodRaysTarget Scene; // colour and depth of the viewport
   vtkGodRaysQuad Quad{ "vtkGodRaysSkyFS", vtkGodRaysSkyFS };
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the resources
@@ -121,6 +128,8 @@ struct vtkGodRaysSkyPass::Internals
   void Release(vtkWindow* window)
   {
     this->Table.Release(window);
+    this->Air.Release(window);
+    this->Scene.Release(window);
     this->Quad.Release();
     this->Window = nullptr;
   }
@@ -130,6 +139,13 @@ struct vtkGodRaysSkyPass::Internals
 vtkGodRaysSkyPass::vtkGodRaysSkyPass()
   : Internal(new Internals)
 {
+  Internals& self = *this->Internal;
+  self.Source->SetMapping(vtkGodRaysSkySource::EQUIRECTANGULAR);
+  self.Source->SetResolution(64);
+  self.Source->SetObserverHeight(0.0);
+  self.Environment->SetColorModeToDirectScalars();
+  self.Environment->InterpolateOn();
+  self.Environment->MipmapOn();
 }
 
 //------------------------------------------------------------------------------
@@ -203,7 +219,6 @@ void vtkGodRaysSkyPass::PrepareSource()
   source->SetSunElevation(this->SunElevation);
   source->SetSunAzimuth(this->SunAzimuth);
   source->SetMultipleScattering(this->MultipleScattering);
-  source->SetObserverHeight(0.0);
 }
 
 //------------------------------------------------------------------------------
@@ -238,6 +253,32 @@ void vtkGodRaysSkyPass::UpdateLight(vtkLight* light)
   light->SetPosition(direction);
   light->SetColor(color);
   light->SetIntensity(brightest * this->Exposure / vtkMath::Pi());
+}
+
+//------------------------------------------------------------------------------
+vtkTexture* vtkGodRaysSkyPass::GetEnvironmentTexture()
+{
+  Internals& self = *this->Internal;
+  this->PrepareSource();
+  if (self.Source->GetMTime() == self.EnvironmentTime && this->Exposure == self.EnvironmentExposure)
+  {
+    return self.Environment;
+  }
+  self.Source->Update();
+  vtkImageData* sky = self.Source->GetOutput();
+  if (sky->GetNumberOfPoints() == 0)
+  {
+    return nullptr;
+  }
+  vtkNew<vtkImageData> image;
+  image->DeepCopy(sky);
+  auto* values = static_cast<float*>(image->GetScalarPointer());
+  std::transform(values, values + 3 * image->GetNumberOfPoints(), values,
+    [this](float value) { return static_cast<float>(this->Exposure * value); });
+  self.Environment->SetInputData(image);
+  self.EnvironmentTime = self.Source->GetMTime();
+  self.EnvironmentExposure = this->Exposure;
+  return self.Environment;
 }
 
 //------------------------------------------------------------------------------
@@ -311,12 +352,12 @@ void vtkGodRaysSkyPass::Render(const vtkRenderState* s)
   {
     scene = self.RendererSteps;
   }
-  const char* reason = this->FindReasonForNoSky(s, window);
-  if (reason)
-  {
-    self.Plan = std::string("sky: none, ") + reason + "\n";
-  }
-  else if (self.Window != window || self.ContextTime != window->GetContextCreationTime())
+  const char* withoutSky = this->FindReasonForNoSky(s, window);
+  const char* withoutAir = withoutSky ? withoutSky : this->FindReasonForNoAir(s);
+  self.Plan =
+    withoutSky ? std::string("sky: none, ") + withoutSky + "\n" : self.Observer.Describe();
+  if (!withoutSky &&
+    (self.Window != window || self.ContextTime != window->GetContextCreationTime()))
   {
     // also if the former window, or its context, is gone
     self.Release(self.Window ? self.Window.Get() : window);
@@ -324,31 +365,78 @@ void vtkGodRaysSkyPass::Render(const vtkRenderState* s)
     self.ContextTime = window->GetContextCreationTime();
   }
 
-  self.RendererSteps->SetBackdrop(
-    reason || !inBetween ? std::function<void()>() : [this, s] { this->DrawSky(s); });
+  vtkGodRaysOverlays overlays(s);
+  bool drawn = true;
+  if (!withoutSky && inBetween)
+  {
+    self.RendererSteps->SetBackdrop([&] { drawn = this->DrawSky(s); });
+  }
   self.DrawsScene = true;
   scene->Render(s);
   self.DrawsScene = false;
   self.RendererSteps->SetBackdrop(nullptr);
   this->NumberOfRenderedProps = scene->GetNumberOfRenderedProps();
-  if (!reason && !inBetween)
+  if (!withoutSky && !inBetween)
   {
-    this->DrawSky(s);
+    drawn = this->DrawSky(s);
   }
+  if (withoutAir)
+  {
+    self.Plan += std::string("air: none, ") + withoutAir + "\n";
+  }
+  else
+  {
+    drawn = this->DrawAir(s) && drawn;
+  }
+  if (!drawn)
+  {
+    this->Complain("the framebuffer of this window cannot be copied or drawn into. Render into a "
+                   "window or framebuffer with a depth buffer and 8-bit or floating-point RGBA "
+                   "colours");
+  }
+  overlays.Draw();
   vtkOpenGLCheckErrorMacro("failed after Render");
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysSkyPass::DrawSky(const vtkRenderState* s)
+// Why there is no air before the scene, or null.
+const char* vtkGodRaysSkyPass::FindReasonForNoAir(const vtkRenderState* s)
+{
+  if (!this->AerialPerspective)
+  {
+    return "AerialPerspective is off";
+  }
+  if (s->GetPropArrayCount() == 0)
+  {
+    return "there is no scene";
+  }
+  const double way =
+    s->GetRenderer()->GetActiveCamera()->GetClippingRange()[1] * this->WorldUnitInMeters;
+  const vtkGodRays::SkyAtmosphere sky = vtkGodRays::MakeSkyAtmosphere(this->GetAtmosphere());
+  const Vec3 depth = way * (sky.AirScattering + sky.AerosolExtinction + sky.Absorption);
+  if (std::max({ depth.x, depth.y, depth.z }) < 5e-4)
+  {
+    return "it is too little";
+  }
+  int viewport[4];
+  vtkGodRaysScene::GetViewport(s, viewport);
+  vtkGodRaysView::Pinhole pinhole;
+  if (!this->Internal->View.GetPinhole(viewport + 2, pinhole))
+  {
+    this->Complain(
+      "air is not drawn before it, as the picture is tilted against the axis of view, or "
+      "its pixels are oblong. Use a projection matrix without that, or switch "
+      "AerialPerspective off");
+    return "the projection is not one that it takes";
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSkyPass::UpdateTable(vtkGodRaysSkyTable& table, const char* name)
 {
   Internals& self = *this->Internal;
   vtkGodRaysAtmosphere* atmosphere = this->GetAtmosphere();
-  vtkOpenGLState* state = self.Window->GetState();
-  const vtkGodRaysStateKeeper keeper(state);
-  const vtkGodRaysFramebuffer bound;
-  int viewport[4];
-  vtkGodRaysScene::GetViewport(s, viewport);
-
   vtkGodRaysSkyTable::Request request;
   request.Sky = vtkGodRays::MakeSkyAtmosphere(atmosphere);
   request.Albedo = ToVec3(atmosphere->GetGroundAlbedo());
@@ -364,60 +452,124 @@ bool vtkGodRaysSkyPass::DrawSky(const vtkRenderState* s)
     }
     request.Repeated = self.Repeated;
   }
-  if (!self.Table.Update(self.Window, request))
+  const bool done = table.Update(self.Window, request);
+  const std::string& reason = table.GetReason();
+  self.Plan += name;
+  self.Plan += !done ? "none, after an error"
+    : reason.empty() ? "the table is kept"
+                     : "a new table, as " + reason;
+  self.Plan += "\n";
+  this->NumberOfTables += reason.empty() ? 0 : 1;
+  return done;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSkyPass::DrawSky(const vtkRenderState* s)
+{
+  Internals& self = *this->Internal;
+  vtkOpenGLState* state = self.Window->GetState();
+  const vtkGodRaysStateKeeper keeper(state);
+  const vtkGodRaysFramebuffer bound;
+  int viewport[4];
+  vtkGodRaysScene::GetViewport(s, viewport);
+  if (!this->UpdateTable(self.Table, "sky: "))
   {
     return false;
   }
-  std::ostringstream plan;
-  plan << "sky: from " << self.Observer.Height << " m, "
-       << (self.Table.GetReason().empty() ? "the table is kept"
-                                          : "a new table, as " + self.Table.GetReason())
-       << "\n";
-  self.Plan = plan.str();
-  this->NumberOfTables += self.Table.GetReason().empty() ? 0 : 1;
-
-  const vtkGodRays::Vec2 edges = self.Table.GetEdges();
-  const bool discIsSeen =
-    this->SunDisc && !self.View.Parallel && self.Sun.Reaches(self.View, false);
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, bound.Binding);
-  state->vtkglViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglDisable(GL_BLEND);
-  for (int disc = 0; disc < (discIsSeen ? 2 : 1); ++disc)
+  int part[4] = { 0, viewport[2], 0, viewport[3] };
+  if (!this->Draw(viewport, part, SKY))
   {
-    int part[4] = { 0, viewport[2], 0, viewport[3] };
-    if (disc)
-    {
-      self.Sun.GetDiscBounds(self.View, viewport + 2, part);
-    }
-    state->vtkglScissor(
-      viewport[0] + part[0], viewport[1] + part[2], part[1] - part[0], part[3] - part[2]);
-    const int kind = request.Sky.AerosolPhase.Kind;
-    vtkShaderProgram* program = self.Quad.Begin(self.Window,
-      { { "hasDisc", disc == 1 }, { "hasEdge", edges.y < 1.0 }, { "phaseBit0", (kind & 1) != 0 },
-        { "phaseBit1", (kind & 2) != 0 }, { "phaseBit2", (kind & 4) != 0 } });
-    if (!program)
-    {
-      return false;
-    }
-    self.Table.SetUniforms(self.Quad, program);
-    vtkGodRaysSkyTable::SetAtmosphere(program, request.Sky);
-    program->SetUniformf("height", static_cast<float>(self.Observer.Height));
-    SetVector(program, "sun", self.Observer.Sun);
-    SetVector(program, "pictureOrigin", self.Observer.PictureOrigin);
-    SetVector(program, "pictureRight", self.Observer.PictureRight);
-    SetVector(program, "pictureUp", self.Observer.PictureUp);
+    return false;
+  }
+  if (this->SunDisc && !self.View.Parallel && self.Sun.Reaches(self.View, false))
+  {
+    self.Sun.GetDiscBounds(self.View, viewport + 2, part);
+    return this->Draw(viewport, part, SKY_WITH_SUN);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSkyPass::DrawAir(const vtkRenderState* s)
+{
+  Internals& self = *this->Internal;
+  vtkOpenGLState* state = self.Window->GetState();
+  const vtkGodRaysStateKeeper keeper(state);
+  const vtkGodRaysFramebuffer bound;
+  int viewport[4];
+  vtkGodRaysScene::GetViewport(s, viewport);
+  if (!bound.Formats.Color || !bound.Formats.Depth || !this->UpdateTable(self.Air, "air: "))
+  {
+    return false;
+  }
+  self.Scene.Prepare(self.Window, viewport[2], viewport[3], bound.Formats);
+  if (!self.Scene.Bind())
+  {
+    return false;
+  }
+  bound.CopyTo(state, viewport, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, bound.Binding);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+  const int whole[4] = { 0, viewport[2], 0, viewport[3] };
+  return this->Draw(viewport, whole, AIR);
+}
+
+//------------------------------------------------------------------------------
+// Draw a part of the viewport: first and past the last column, first and past the last row.
+bool vtkGodRaysSkyPass::Draw(const int viewport[4], const int part[4], Stage stage)
+{
+  Internals& self = *this->Internal;
+  vtkGodRaysAtmosphere* atmosphere = this->GetAtmosphere();
+  const vtkGodRaysSkyTable& table = stage == AIR ? self.Air : self.Table;
+  const int kind = atmosphere->GetMiePhaseFunction();
+  vtkShaderProgram* program = self.Quad.Begin(self.Window,
+    { { "beforeScene", stage == AIR }, { "hasDisc", stage == SKY_WITH_SUN },
+      { "hasEdge", stage != AIR && table.GetEdges().y < 1.0 }, { "phaseBit0", (kind & 1) != 0 },
+      { "phaseBit1", (kind & 2) != 0 }, { "phaseBit2", (kind & 4) != 0 } });
+  if (!program)
+  {
+    return false;
+  }
+  table.SetUniforms(self.Quad, program);
+  vtkGodRaysSkyTable::SetAtmosphere(program, vtkGodRays::MakeSkyAtmosphere(atmosphere));
+  program->SetUniformf("height", static_cast<float>(self.Observer.Height));
+  SetVector(program, "sun", self.Observer.Sun);
+  SetVector(program, "pictureOrigin", self.Observer.PictureOrigin);
+  SetVector(program, "pictureRight", self.Observer.PictureRight);
+  SetVector(program, "pictureUp", self.Observer.PictureUp);
+  const Vec3 irradiance = this->Exposure * ToVec3(atmosphere->GetSunIrradiance());
+  SetVector(program, "irradiance", irradiance);
+  if (stage == SKY_WITH_SUN)
+  {
     const float pixelSize[2] = { 2.0f / static_cast<float>(viewport[2]),
       2.0f / static_cast<float>(viewport[3]) };
     program->SetUniform2f("pixelSize", pixelSize);
-    const Vec3 irradiance = this->Exposure * ToVec3(atmosphere->GetSunIrradiance());
     const double radius = vtkMath::RadiansFromDegrees(atmosphere->GetSunAngularRadius());
-    SetVector(program, "irradiance", irradiance);
-    SetVector(
-      program, "discRadiance", irradiance / (2.0 * vtkMath::Pi() * (1.0 - std::cos(radius))));
     program->SetUniformf("discRadius", static_cast<float>(radius));
-    self.Quad.End(vtkGodRaysQuad::BEHIND);
+    const double solidAngle = 2.0 * vtkMath::Pi() * (1.0 - std::cos(radius));
+    SetVector(program, "discRadiance", irradiance / solidAngle);
   }
+  if (stage == AIR)
+  {
+    self.Quad.SetTexture("scene", self.Scene.GetColor());
+    self.Quad.SetTexture("depth", self.Scene.GetDepth());
+    SetVector(program, "axis", self.Observer.Axis);
+    program->SetUniformf("sceneUnit", static_cast<float>(this->WorldUnitInMeters));
+    vtkGodRaysView::Pinhole pinhole;
+    self.View.GetPinhole(viewport + 2, pinhole);
+    const float terms[4] = { static_cast<float>(pinhole.Depth[0]),
+      static_cast<float>(pinhole.Depth[1]), static_cast<float>(pinhole.Depth[2]),
+      static_cast<float>(pinhole.Depth[3]) };
+    program->SetUniform4f("depthTerms", terms);
+  }
+  vtkOpenGLState* state = self.Window->GetState();
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+  state->vtkglScissor(
+    viewport[0] + part[0], viewport[1] + part[2], part[1] - part[0], part[3] - part[2]);
+  self.Quad.End(stage == AIR ? vtkGodRaysQuad::BEFORE : vtkGodRaysQuad::BEHIND);
   return true;
 }
 
@@ -459,6 +611,7 @@ void vtkGodRaysSkyPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WorldUnitInMeters: " << this->WorldUnitInMeters << "\n";
   os << indent << "Exposure: " << this->Exposure << "\n";
   os << indent << "SunDisc: " << (this->SunDisc ? "on" : "off") << "\n";
+  os << indent << "AerialPerspective: " << (this->AerialPerspective ? "on" : "off") << "\n";
   os << indent << "MultipleScattering: " << (this->MultipleScattering ? "on" : "off") << "\n";
   os << indent << "NumberOfTables: " << this->NumberOfTables << "\n";
   os << indent << "Atmosphere:\n";

@@ -49,6 +49,7 @@
 #include <string> // For std::string
 
 class vtkGodRaysAtmosphere;
+class vtkGodRaysSkyTable;
 class vtkLight;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
@@ -146,6 +147,19 @@ public:
 
   ///@{
   /**
+   * Set/Get whether the scene is seen through the air: dimmed, and behind the light that the air before it
+   * scatters. It goes by the scene's depth, so translucent things over the open sky are left as they are;
+   * and where it is seen, multisampling is lost. The scene's own shadows are not looked at. Leave it off
+   * with a vtkGodRaysAtmosphereModel, which computes the same air. It is skipped where it would change less
+   * than 5e-4. Default is on.
+   */
+  vtkSetMacro(AerialPerspective, bool);
+  vtkGetMacro(AerialPerspective, bool);
+  vtkBooleanMacro(AerialPerspective, bool);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get whether light that is scattered more than once is added, as vtkGodRaysSkySource does. It takes
    * a table that depends on the atmosphere alone. Default is on.
    */
@@ -168,13 +182,22 @@ public:
   void UpdateLight(vtkLight* light);
 
   /**
+   * The light of the sky and the ground about Origin, as linear light, for image-based lighting: a texture
+   * for vtkRenderer::SetEnvironmentTexture() and vtkSkybox, with EnvironmentUp set to Up and EnvironmentRight
+   * to the opposite of North. It is equirectangular, 128 x 64, without the sun's disc, which is a light of
+   * its own. It is the same object every time, and made anew by this call when the sun, the atmosphere,
+   * MultipleScattering or Exposure has changed. Null after an error.
+   */
+  vtkTexture* GetEnvironmentTexture();
+
+  /**
    * What the last frame needed, as text: the observer, the tables and why they were made anew, and what
    * was skipped.
    */
   std::string GetPlan() const;
 
   /**
-   * How often the table of directions has been made.
+   * How often tables of directions have been made, one for the sky and one for the air before the scene.
    */
   vtkGetMacro(NumberOfTables, int);
 
@@ -191,9 +214,19 @@ private:
   void operator=(const vtkGodRaysSkyPass&) = delete;
 
   const char* FindReasonForNoSky(const vtkRenderState* s, vtkOpenGLRenderWindow* window);
+  const char* FindReasonForNoAir(const vtkRenderState* s);
   bool GetSunDirection(double direction[3]);
   void PrepareSource();
+  bool UpdateTable(vtkGodRaysSkyTable& table, const char* name);
   bool DrawSky(const vtkRenderState* s);
+  bool DrawAir(const vtkRenderState* s);
+  enum Stage
+  {
+    SKY,
+    SKY_WITH_SUN,
+    AIR
+  };
+  bool Draw(const int viewport[4], const int part[4], Stage stage);
   void Complain(const std::string& complaint);
 
   struct Internals;
@@ -207,6 +240,7 @@ private:
   double WorldUnitInMeters = 1.0;
   double Exposure = 4.0;
   bool SunDisc = true;
+  bool AerialPerspective = true;
   bool MultipleScattering = true;
   int NumberOfTables = 0;
 };

@@ -16,9 +16,20 @@ using namespace vtkGodRays;
 
 namespace
 {
-// Columns of azimuths from the sun, even in their cosine; rows of slopes, see SkyTableRow.
-const int HalfSize[2] = { 32, 192 };
-const int RowsBelow = 64;
+/// Columns of azimuths from the sun, even in their cosine; rows of slopes, see SkyTableRow; and slices.
+struct Layout
+{
+  int HalfSize[2];
+  int RowsBelow; // the horizon
+  int Slices;
+};
+const Layout WholeLayout = { { 32, 192 }, 64, 1 };
+const Layout PartsLayout = { { 8, 64 }, 32, 16 };
+
+const Layout& GetLayout(bool inParts)
+{
+  return inParts ? PartsLayout : WholeLayout;
+}
 
 void SetProfile(vtkShaderProgram* program, const std::string& name, const SkyProfile& profile)
 {
@@ -32,19 +43,12 @@ void SetPhase(vtkShaderProgram* program, const std::string& name, const PhaseFun
   program->SetUniformi((name + ".Kind").c_str(), phase.Kind);
   program->SetUniformf((name + ".Asymmetry").c_str(), static_cast<float>(phase.Asymmetry));
 }
-
-void SetLayout(vtkShaderProgram* program, const Vec2& edges)
-{
-  const float slopes[2] = { static_cast<float>(edges.x), static_cast<float>(edges.y) };
-  program->SetUniform2f("edges", slopes);
-  program->SetUniform2i("halfSize", HalfSize);
-  program->SetUniformi("rowsBelow", RowsBelow);
-}
 }
 
 //------------------------------------------------------------------------------
-vtkGodRaysSkyTable::vtkGodRaysSkyTable()
-  : Quad("vtkGodRaysSkyTableFS", vtkGodRaysSkyTableFS)
+vtkGodRaysSkyTable::vtkGodRaysSkyTable(Kind kind)
+  : InParts(kind == PARTS)
+  , Quad("vtkGodRaysSkyTableFS", vtkGodRaysSkyTableFS)
 {
 }
 
@@ -99,22 +103,43 @@ bool vtkGodRaysSkyTable::Update(vtkOpenGLRenderWindow* window, const Request& re
   {
     this->UploadRepeated(window, request.Repeated);
   }
-  this->Table.Prepare(window, 2 * HalfSize[0], HalfSize[1], { GL_RGBA32F, 0 });
-  vtkShaderProgram* program =
-    this->Quad.Begin(window, { { "repeated", request.Repeated != nullptr } });
-  if (!program || !this->Table.Bind())
+  const Layout& layout = GetLayout(this->InParts);
+  this->Table.Prepare(
+    window, 2 * layout.HalfSize[0], layout.Slices * layout.HalfSize[1], { GL_RGBA32F, 0 });
+  bool made = this->Draw(window, this->Table, false);
+  if (this->InParts)
   {
-    this->Table.Release(window);
+    this->Extinction.Prepare(window, layout.Slices, layout.HalfSize[1], { GL_RGBA32F, 0 });
+    made = made && this->Draw(window, this->Extinction, true);
+  }
+  if (!made)
+  {
+    this->Table.Release(window); // to be tried again
+  }
+  return made;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSkyTable::Draw(
+  vtkOpenGLRenderWindow* window, vtkGodRaysTarget& target, bool ofExtinction)
+{
+  const Request& request = this->Made;
+  const bool repeated = request.Repeated != nullptr;
+  vtkShaderProgram* program = this->Quad.Begin(window,
+    { { "repeated", repeated && !ofExtinction }, { "sliced", this->InParts },
+      { "ofExtinction", ofExtinction } });
+  if (!program || !target.Bind())
+  {
     return false;
   }
-  SetAtmosphere(program, request.Repeated ? MakeDiffuseSky(request.Sky) : request.Sky);
-  SetLayout(program, this->GetEdges());
+  SetAtmosphere(program, repeated ? MakeDiffuseSky(request.Sky) : request.Sky);
+  this->SetLayout(program);
   const Vec3 diffuse = (1.0 - GetForwardPeak(request.Sky)) * request.Sky.AerosolScattering;
   vtkGodRaysQuad::SetVector(program, "diffuseAerosol", &diffuse[0]);
   vtkGodRaysQuad::SetVector(program, "albedo", &request.Albedo[0]);
   program->SetUniformf("height", static_cast<float>(request.Height));
   program->SetUniformf("sunSlope", static_cast<float>(request.SunSlope));
-  if (request.Repeated)
+  if (repeated && !ofExtinction)
   {
     this->Quad.SetTexture("repeatedLight", this->Repeated.GetColor());
   }
@@ -130,10 +155,26 @@ Vec2 vtkGodRaysSkyTable::GetEdges() const
 }
 
 //------------------------------------------------------------------------------
+void vtkGodRaysSkyTable::SetLayout(vtkShaderProgram* program) const
+{
+  const Layout& layout = GetLayout(this->InParts);
+  const Vec2 edges = this->GetEdges();
+  const float slopes[2] = { static_cast<float>(edges.x), static_cast<float>(edges.y) };
+  program->SetUniform2f("edges", slopes);
+  program->SetUniform2i("halfSize", layout.HalfSize);
+  program->SetUniformi("rowsBelow", layout.RowsBelow);
+  program->SetUniformi("slices", layout.Slices);
+}
+
+//------------------------------------------------------------------------------
 void vtkGodRaysSkyTable::SetUniforms(vtkGodRaysQuad& quad, vtkShaderProgram* program) const
 {
   quad.SetTexture("table", this->Table.GetColor());
-  SetLayout(program, this->GetEdges());
+  if (this->InParts)
+  {
+    quad.SetTexture("extinction", this->Extinction.GetColor());
+  }
+  this->SetLayout(program);
 }
 
 //------------------------------------------------------------------------------
@@ -157,5 +198,6 @@ void vtkGodRaysSkyTable::Release(vtkWindow* window)
 {
   this->Quad.Release();
   this->Table.Release(window);
+  this->Extinction.Release(window);
   this->Repeated.Release(window);
 }

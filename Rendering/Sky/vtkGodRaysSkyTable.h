@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGodRaysSkyTable
- * @brief   the sky's light in all directions from one observer; private to this module
+ * @brief   light of the air in all directions from one observer; private to this module
  *
+ * WHOLE is that of the sky, to the ground or the atmosphere's edge; PARTS that of the air up to a distance.
  * It depends on the atmosphere, the observer's height and the sun's elevation there, not on where a camera
  * looks: it is made anew when these change. Phase functions are left out where they are sharp.
  */
@@ -38,7 +39,13 @@ public:
     double SunSlope = 0.0; ///< sine of the sun's elevation there
   };
 
-  vtkGodRaysSkyTable();
+  enum Kind
+  {
+    WHOLE,
+    PARTS
+  };
+
+  explicit vtkGodRaysSkyTable(Kind kind);
   ~vtkGodRaysSkyTable();
 
   /**
@@ -73,9 +80,13 @@ public:
 private:
   std::string FindReason(const Request& request) const;
   void UploadRepeated(vtkOpenGLRenderWindow* window, vtkImageData* repeated);
+  bool Draw(vtkOpenGLRenderWindow* window, vtkGodRaysTarget& target, bool ofExtinction);
+  void SetLayout(vtkShaderProgram* program) const;
 
+  const bool InParts;
   vtkGodRaysQuad Quad;
   vtkGodRaysTarget Table;
+  vtkGodRaysTarget Extinction; // of PARTS
   vtkGodRaysTarget Repeated;
   vtkMTimeType RepeatedTime = 0;
   Request Made;

@@ -1,8 +1,10 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 
-// The table of the sky's light in all directions from one observer: in its left half what is as smooth as
-// the air's phase function, in its right half what the aerosol scatters, without its phase function.
+// Tables of the sky's light from one observer, in all directions: in the left half what is as smooth as the
+// air's phase function, in the right half what the aerosol scatters, without its phase function.
+// With slices, one above the other, ways end before the atmosphere does, and the light is divided by what
+// it would be if it were as bright all along: 1 - transmittance.
 
 in vec2 texCoord;
 
@@ -16,13 +18,17 @@ uniform sampler2D repeatedLight; // see SkyMultiplePosition
 uniform float height;            // of the observer
 uniform float sunSlope;
 uniform vec2 edges;              // see SkyEdges
-uniform ivec2 halfSize;          // of one of the halves
+uniform ivec2 halfSize;          // columns and rows of one half of one slice
 uniform int rowsBelow;           // the horizon
+uniform int slices;
 
 //VTK::GodRays::Terms
 // repeated: whether light is scattered more than once
+// sliced: whether there are slices
+// ofExtinction: the mean extinction along the ways of all slices and rows, and no light
 
 const int Steps = 24;
+const float ShortestWay = 10.0; // of a slice; below, what is read of columns of air is rounded
 
 // Where a part of a way is looked at, and what that stands for: Steps middles of t in [0, 1], the part being
 // t^3 (10 - 15 t + 6 t^2), so that they are dense at both ends and the sum is far better than its order.
@@ -56,20 +62,22 @@ SkyWay WayOfRow(int row, float cosAzimuth)
   return way;
 }
 
-void main()
+float EndOfSlice(SkyWay way, int slice)
 {
-  ivec2 cell = ivec2(texCoord * vec2(2 * halfSize.x, halfSize.y));
-  bool ofAerosol = cell.x >= halfSize.x;
-  float across = float(ofAerosol ? cell.x - halfSize.x : cell.x) / float(halfSize.x - 1);
-  SkyWay way = WayOfRow(cell.y - rowsBelow, 2.0 * across - 1.0);
+  float place = float(slice + 1) / float(slices);
+  return max(way.Length * place * place * place * place, ShortestWay);
+}
 
+// What the way up to a distance adds.
+vec3 Integrate(SkyWay way, float reach, bool ofAerosol)
+{
   // Where the integrand is not smooth: the shadow's edges; and the lowest point, about which it peaks.
   vec2 shadow = SkyShadow(sky.GroundRadius, way.Height, way.Slope, way.SunSlope, way.CosAngle);
   bool shaded = shadow.x < shadow.y;
-  shadow = shaded ? clamp(shadow, 0.0, way.Length) : vec2(0.0);
-  float lowest = clamp(-(sky.GroundRadius + way.Height) * way.Slope, 0.0, way.Length);
-  float ends[5] = float[5](0.0, min(lowest, shadow.x), clamp(lowest, shadow.x, shadow.y),
-    max(lowest, shadow.y), way.Length);
+  shadow = shaded ? clamp(shadow, 0.0, reach) : vec2(0.0);
+  float lowest = clamp(-(sky.GroundRadius + way.Height) * way.Slope, 0.0, reach);
+  float ends[5] = float[5](
+    0.0, min(lowest, shadow.x), clamp(lowest, shadow.x, shadow.y), max(lowest, shadow.y), reach);
 
   vec3 light = vec3(0.0);
   for (int part = 0; part < 4; ++part)
@@ -105,10 +113,35 @@ void main()
       light += size * place.y * scattered * exp(-SkyDepth(sky, way.Height, way.Slope, distance));
     }
   }
-  if (way.MeetsGround && !ofAerosol)
+  return light;
+}
+
+void main()
+{
+  if (ofExtinction)
   {
-    light += exp(-SkyDepth(sky, way.Height, way.Slope, way.Length)) *
-      SkyGround(sky, albedo, SkyPoint(sky, way, way.Length).y);
+    ivec2 cell = ivec2(texCoord * vec2(slices, halfSize.y));
+    SkyWay way = WayOfRow(cell.y - rowsBelow, 1.0);
+    float reach = EndOfSlice(way, cell.x);
+    gl_FragData[0] = vec4(SkyDepth(sky, way.Height, way.Slope, reach) / reach, 1.0);
+    return;
+  }
+  ivec2 cell = ivec2(texCoord * vec2(2 * halfSize.x, halfSize.y * slices));
+  bool ofAerosol = cell.x >= halfSize.x;
+  float across = float(ofAerosol ? cell.x - halfSize.x : cell.x) / float(halfSize.x - 1);
+  SkyWay way = WayOfRow(cell.y % halfSize.y - rowsBelow, 2.0 * across - 1.0);
+  float reach = sliced ? EndOfSlice(way, cell.y / halfSize.y) : way.Length;
+  vec3 light = Integrate(way, reach, ofAerosol);
+  if (sliced)
+  {
+    vec3 depth = SkyDepth(sky, way.Height, way.Slope, reach);
+    light /= max(depth * vec3(MeanExponential(depth.x), MeanExponential(depth.y), MeanExponential(depth.z)),
+      1e-12);
+  }
+  else if (way.MeetsGround && !ofAerosol)
+  {
+    light += exp(-SkyDepth(sky, way.Height, way.Slope, reach)) *
+      SkyGround(sky, albedo, SkyPoint(sky, way, reach).y);
   }
   gl_FragData[0] = vec4(Sanitize(light, 1e30), 1.0);
 }
