@@ -8,7 +8,8 @@
 # takes one argument, the PNG file to write; without it, it opens a window.
 #
 # godrays_add_example(<Name> <variant>...): with a second argument, <variant>, it draws
-# Testing/Baseline/Example-<Name>-<variant>.png.
+# Testing/Baseline/Example-<Name>-<variant>.png. If there are Testing/Examples/Test<Name>.cxx and
+# .py, they test what else the example does, as in its window.
 function(godrays_add_example name)
   set(components
     CommonColor CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral
@@ -49,6 +50,19 @@ function(godrays_add_example name)
         list(APPEND added example.${test}.py)
       endif()
     endforeach()
+    if(EXISTS "${tests}/Examples/Test${name}.cxx")
+      find_package(GTest REQUIRED)
+      add_executable(test_${name}_use "${tests}/Examples/Test${name}.cxx")
+      target_link_libraries(test_${name}_use PRIVATE GTest::gtest_main)
+      list(APPEND programs test_${name}_use)
+      add_test(NAME example.${name}.use.cxx COMMAND test_${name}_use)
+      list(APPEND added example.${name}.use.cxx)
+    endif()
+    if(EXISTS "${tests}/Examples/Test${name}.py" AND godrays_test_python)
+      add_test(NAME example.${name}.use.py
+        COMMAND "${Python3_EXECUTABLE}" "${tests}/Examples/Test${name}.py" "${script}")
+      list(APPEND added example.${name}.use.py)
+    endif()
     set_tests_properties(${added} PROPERTIES
       LABELS      example
       TIMEOUT     300

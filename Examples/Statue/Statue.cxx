@@ -70,6 +70,7 @@ public:
       look->GetPoint1Coordinate()->SetValue(left, 0.07);
       look->GetPoint2Coordinate()->SetCoordinateSystemToNormalizedDisplay();
       look->GetPoint2Coordinate()->SetValue(left + 0.16, 0.07);
+      look->SetSliderLength(0.015);
       look->SetTitleHeight(0.025);
       look->SetLabelHeight(0.02);
       this->Sliders.push_back(vtkSmartPointer<vtkSliderWidget>::New());
@@ -195,12 +196,13 @@ int main(int argc, char* argv[])
     return WritePicture(window, argv[1]);
   }
   window->SetSize(800, 600);
+  window->SetMultiSamples(0); // with them, software OpenGL takes three times as long
   vtkNew<vtkRenderWindowInteractor> interactor;
   interactor->SetRenderWindow(window);
   vtkNew<vtkInteractorStyleTrackballCamera> style;
   interactor->SetInteractorStyle(style);
-  window->Render();
   stage.AddSliders(interactor);
+  window->Render();
   interactor->Start();
   return EXIT_SUCCESS;
 }

@@ -95,10 +95,10 @@ if picture:
     sys.exit()
 
 window.SetSize(800, 600)
+window.SetMultiSamples(0)  # with them, software OpenGL takes three times as long
 interactor = vtk.vtkRenderWindowInteractor()
 interactor.SetRenderWindow(window)
 interactor.SetInteractorStyle(vtk.vtkInteractorStyleTrackballCamera())
-window.Render()
 sliders = []
 for number, (name, (low, high)) in enumerate(PARAMETERS.items()):
     look = vtk.vtkSliderRepresentation2D()
@@ -110,6 +110,7 @@ for number, (name, (low, high)) in enumerate(PARAMETERS.items()):
     for x, point in (0.03, look.GetPoint1Coordinate()), (0.19, look.GetPoint2Coordinate()):
         point.SetCoordinateSystemToNormalizedDisplay()
         point.SetValue(x + 0.195 * number, 0.07)
+    look.SetSliderLength(0.015)
     look.SetTitleHeight(0.025)
     look.SetLabelHeight(0.02)
     slider = vtk.vtkSliderWidget()
@@ -149,4 +150,5 @@ def tick(interactor, event):
 interactor.AddObserver("KeyPressEvent", press)
 interactor.AddObserver("TimerEvent", tick)
 interactor.CreateRepeatingTimer(33)
+window.Render()
 interactor.Start()
