@@ -5,25 +5,16 @@
 // mouse, the keys are pressed, and the light that is scattered is looked at after each. And the models
 // that it reads.
 
-#include "vtkGenericRenderWindowInteractor.h"
-#include "vtkGodRaysPass.h"
+#include "ExampleUser.h"
+
 #include "vtkGodRaysRadialModel.h"
-#include "vtkImageData.h"
-#include "vtkNew.h"
 #include "vtkOBJWriter.h"
-#include "vtkObjectFactory.h"
 #include "vtkPLYWriter.h"
 #include "vtkPNGReader.h"
-#include "vtkPNGWriter.h"
 #include "vtkPropCollection.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
-#include "vtkRendererCollection.h"
 #include "vtkSTLWriter.h"
 #include "vtkSliderRepresentation2D.h"
 #include "vtkSphereSource.h"
-#include "vtkVersion.h"
-#include "vtkWindowToImageFilter.h"
 
 #include <gtest/gtest.h>
 
@@ -49,128 +40,59 @@ double Measure(const std::function<void()>& action)
     .count();
 }
 
-/// Has no event loop: Start() calls a function that sends the events.
-class User : public vtkGenericRenderWindowInteractor
+vtkGodRaysRadialModel* GetModel(User* user)
 {
-public:
-  static User* New();
-  vtkTypeMacro(User, vtkGenericRenderWindowInteractor);
-  static std::function<void(User*)> Act;
+  return vtkGodRaysRadialModel::SafeDownCast(user->GetRays()->GetModel());
+}
 
-  void Start() override { Act(this); }
-
-  vtkRenderer* GetRenderer() { return this->RenderWindow->GetRenderers()->GetFirstRenderer(); }
-  vtkGodRaysPass* GetRays() { return vtkGodRaysPass::SafeDownCast(this->GetRenderer()->GetPass()); }
-  vtkGodRaysRadialModel* GetModel()
+/// The slider with this title; null if there is none.
+vtkSliderRepresentation2D* FindSlider(User* user, const std::string& title)
+{
+  vtkCollectionSimpleIterator iterator;
+  vtkPropCollection* props = user->GetRenderer()->GetViewProps();
+  props->InitTraversal(iterator);
+  while (vtkProp* prop = props->GetNextProp(iterator))
   {
-    return vtkGodRaysRadialModel::SafeDownCast(this->GetRays()->GetModel());
-  }
-
-  /// The slider with this title; null if there is none.
-  vtkSliderRepresentation2D* FindSlider(const std::string& title)
-  {
-    vtkCollectionSimpleIterator iterator;
-    vtkPropCollection* props = this->GetRenderer()->GetViewProps();
-    props->InitTraversal(iterator);
-    while (vtkProp* prop = props->GetNextProp(iterator))
+    auto slider = vtkSliderRepresentation2D::SafeDownCast(prop);
+    if (slider && slider->GetTitleText() == title)
     {
-      auto slider = vtkSliderRepresentation2D::SafeDownCast(prop);
-      if (slider && slider->GetTitleText() == title)
+      return slider;
+    }
+  }
+  return nullptr;
+}
+
+/// Drag a slider from where it is to a value, in steps; returns the milliseconds of each.
+double Drag(User* user, const std::string& title, double value)
+{
+  vtkSliderRepresentation2D* slider = FindSlider(user, title);
+  const auto point = [&](double to)
+  {
+    const double part =
+      (to - slider->GetMinimumValue()) / (slider->GetMaximumValue() - slider->GetMinimumValue());
+    vtkRenderer* renderer = user->GetRenderer();
+    const int left = slider->GetPoint1Coordinate()->GetComputedDisplayValue(renderer)[0];
+    const int* right = slider->GetPoint2Coordinate()->GetComputedDisplayValue(renderer);
+    const double inset = (slider->GetEndCapLength() + 0.5 * slider->GetSliderLength()) *
+      renderer->GetSize()[0]; // from an end to the middle of the knob there
+    user->SetEventInformation(
+      std::lround(left + inset + part * (right[0] - left - 2.0 * inset)), right[1]);
+  };
+  const double start = slider->GetValue();
+  point(start);
+  user->InvokeEvent(vtkCommand::LeftButtonPressEvent);
+  const int steps = 5;
+  const double time = Measure(
+    [&]
+    {
+      for (int i = 1; i <= steps; ++i)
       {
-        return slider;
+        point(start + (value - start) * i / steps);
+        user->InvokeEvent(vtkCommand::MouseMoveEvent);
       }
-    }
-    return nullptr;
-  }
-
-  /// Drag a slider from where it is to a value, in steps; returns the milliseconds of each.
-  double Drag(const std::string& title, double value)
-  {
-    vtkSliderRepresentation2D* slider = this->FindSlider(title);
-    const auto point = [&](double to)
-    {
-      const double part =
-        (to - slider->GetMinimumValue()) / (slider->GetMaximumValue() - slider->GetMinimumValue());
-      vtkRenderer* renderer = this->GetRenderer();
-      const int left = slider->GetPoint1Coordinate()->GetComputedDisplayValue(renderer)[0];
-      const int* right = slider->GetPoint2Coordinate()->GetComputedDisplayValue(renderer);
-      const double inset = (slider->GetEndCapLength() + 0.5 * slider->GetSliderLength()) *
-        renderer->GetSize()[0]; // from an end to the middle of the knob there
-      this->SetEventInformation(
-        std::lround(left + inset + part * (right[0] - left - 2.0 * inset)), right[1]);
-    };
-    const double start = slider->GetValue();
-    point(start);
-    this->InvokeEvent(vtkCommand::LeftButtonPressEvent);
-    const int steps = 5;
-    const double time = Measure(
-      [&]
-      {
-        for (int i = 1; i <= steps; ++i)
-        {
-          point(start + (value - start) * i / steps);
-          this->InvokeEvent(vtkCommand::MouseMoveEvent);
-        }
-      });
-    this->InvokeEvent(vtkCommand::LeftButtonReleaseEvent);
-    return time / steps;
-  }
-
-  void Press(const char* key)
-  {
-    this->SetKeySym(key);
-    this->InvokeEvent(vtkCommand::KeyPressEvent);
-  }
-
-  /// The light scattered into each pixel and colour, of the last frame; empty without rays.
-  std::vector<float> GetLight()
-  {
-    vtkNew<vtkImageData> image;
-    if (!this->GetRays()->GetScatteringImage(image))
-    {
-      return {};
-    }
-    auto values = static_cast<float*>(image->GetScalarPointer());
-    return { values, values + 3 * image->GetNumberOfPoints() };
-  }
-
-  void Write(const char* file)
-  {
-    vtkNew<vtkWindowToImageFilter> picture;
-    picture->SetInput(this->RenderWindow);
-    picture->ReadFrontBufferOff();
-    vtkNew<vtkPNGWriter> writer;
-    writer->SetInputConnection(picture->GetOutputPort());
-    writer->SetFileName(file);
-    writer->Write();
-  }
-};
-vtkStandardNewMacro(User);
-std::function<void(User*)> User::Act;
-
-VTK_CREATE_CREATE_FUNCTION(User);
-
-/// Makes all interactors users.
-class UserFactory : public vtkObjectFactory
-{
-public:
-  static UserFactory* New();
-  vtkTypeMacro(UserFactory, vtkObjectFactory);
-  const char* GetVTKSourceVersion() override { return VTK_SOURCE_VERSION; }
-  const char* GetDescription() override { return "an interactor that a program acts on"; }
-
-protected:
-  UserFactory()
-  {
-    this->RegisterOverride(
-      "vtkRenderWindowInteractor", "User", "a program acts", 1, vtkObjectFactoryCreateUser);
-  }
-};
-vtkStandardNewMacro(UserFactory);
-
-double GetSum(const std::vector<float>& light)
-{
-  return std::accumulate(light.begin(), light.end(), 0.0);
+    });
+  user->InvokeEvent(vtkCommand::LeftButtonReleaseEvent);
+  return time / steps;
 }
 }
 
@@ -178,41 +100,26 @@ double GetSum(const std::vector<float>& light)
 #include "Statue/Statue.cxx"
 #undef main
 
-namespace
-{
-void RunExample(std::function<void(User*)> act)
-{
-  vtkObjectFactory::SetAllEnableFlags(false, "vtkRenderWindowInteractor");
-  vtkNew<UserFactory> factory;
-  vtkObjectFactory::RegisterFactory(factory);
-  User::Act = std::move(act);
-  std::string name = "Statue";
-  char* arguments[] = { &name[0], nullptr };
-  EXPECT_EQ(ExampleMain(1, arguments), EXIT_SUCCESS);
-  vtkObjectFactory::UnRegisterFactory(factory);
-}
-}
-
 TEST(Statue, SlidersChangeTheLight)
 {
   RunExample(
     [](User* user)
     {
-      vtkGodRaysRadialModel* model = user->GetModel();
+      vtkGodRaysRadialModel* model = GetModel(user);
       std::vector<float> before;
       std::vector<float> after;
       const auto drag = [&](const char* title, double to)
       {
         before = user->GetLight();
-        std::cout << title << ": " << user->Drag(title, to) << " ms for a frame\n";
+        std::cout << title << ": " << Drag(user, title, to) << " ms for a frame\n";
         after = user->GetLight();
       };
 
       for (const char* factor : { "exposure", "weight" }) // the light is proportional to both
       {
-        const double value = user->FindSlider(factor)->GetValue();
+        const double value = FindSlider(user, factor)->GetValue();
         drag(factor, 0.5 * value);
-        const double ratio = user->FindSlider(factor)->GetValue() / value;
+        const double ratio = FindSlider(user, factor)->GetValue() / value;
         EXPECT_NEAR(ratio, 0.5, 0.1);
         ASSERT_FALSE(before.empty());
         ASSERT_EQ(after.size(), before.size());
@@ -223,8 +130,8 @@ TEST(Statue, SlidersChangeTheLight)
         }
         EXPECT_LT(worst, 2e-3 * *std::max_element(before.begin(), before.end())) << factor;
       }
-      EXPECT_DOUBLE_EQ(model->GetExposure(), user->FindSlider("exposure")->GetValue());
-      EXPECT_DOUBLE_EQ(model->GetWeight(), user->FindSlider("weight")->GetValue());
+      EXPECT_DOUBLE_EQ(model->GetExposure(), FindSlider(user, "exposure")->GetValue());
+      EXPECT_DOUBLE_EQ(model->GetWeight(), FindSlider(user, "weight")->GetValue());
 
       drag("decay", 0.9);
       EXPECT_NEAR(model->GetDecay(), 0.9, 0.01);
@@ -250,7 +157,7 @@ TEST(Statue, LightMovesAndSumIsChanged)
       user->InvokeEvent(vtkCommand::TimerEvent);
       EXPECT_EQ(user->GetLight(), first) << "the light stands still at first";
       user->Press("g");
-      EXPECT_EQ(user->GetModel()->GetFormulation(), vtkGodRaysRadialModel::GIANASSI);
+      EXPECT_EQ(GetModel(user)->GetFormulation(), vtkGodRaysRadialModel::GIANASSI);
       EXPECT_NE(user->GetLight(), first);
       user->Press("g");
       EXPECT_EQ(user->GetLight(), first);
