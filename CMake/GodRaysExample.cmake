@@ -13,8 +13,8 @@
 function(godrays_add_example name)
   set(components
     CommonColor CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral
-    FiltersModeling FiltersSources IOGeometry IOImage IOImport IOLegacy IOPLY IOXML InteractionStyle
-    InteractionWidgets RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI
+    FiltersGeometry FiltersModeling FiltersSources IOGeometry IOImage IOImport IOLegacy IOPLY IOXML
+    InteractionStyle InteractionWidgets RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI
     RenderingVolumeOpenGL2 vtksys)
   find_package(VTK REQUIRED COMPONENTS ${components})
   list(TRANSFORM components PREPEND VTK::)
@@ -30,7 +30,6 @@ function(godrays_add_example name)
     add_executable(test_${name}
       "${tests}/Examples/TestExample.cxx" "${tests}/Rendering/GodRaysMediumTruth.cxx")
     target_include_directories(test_${name} PRIVATE "${tests}/Rendering")
-    target_link_libraries(test_${name} PRIVATE GodRays::Filters)
     target_compile_definitions(test_${name} PRIVATE
       EXAMPLE_NAME="${name}" EXAMPLE_SOURCE="${source}")
     list(APPEND programs test_${name})
@@ -70,7 +69,7 @@ function(godrays_add_example name)
   endif()
 
   foreach(program IN LISTS programs)
-    target_link_libraries(${program} PRIVATE GodRays::Rendering ${components})
+    target_link_libraries(${program} PRIVATE GodRays::Filters GodRays::Rendering ${components})
     target_include_directories(${program} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
     target_compile_options(${program} PRIVATE ${godrays_warnings})
     vtk_module_autoinit(TARGETS ${program} MODULES ${components})
