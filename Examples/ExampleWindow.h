@@ -7,6 +7,8 @@
 #ifndef ExampleWindow_h
 #define ExampleWindow_h
 
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkRenderWindow.h"
@@ -14,6 +16,7 @@
 #include "vtkWindowToImageFilter.h"
 
 #include <cstdlib>
+#include <functional>
 
 /**
  * Write what the window shows to a PNG file, without opening it. Returns the program's exit status.
@@ -37,9 +40,11 @@ inline int WritePicture(vtkRenderWindow* window, const char* file)
 
 /**
  * Write what the window shows to the PNG file that the first argument names, without opening it;
- * without an argument, open it and let the user look around. Returns the program's exit status.
+ * without an argument, open it and let the user look around, and let the scene advance 25 times a
+ * second if it can. Returns the program's exit status.
  */
-inline int ShowOrWrite(vtkRenderWindow* window, int argc, char* argv[])
+inline int ShowOrWrite(
+  vtkRenderWindow* window, int argc, char* argv[], const std::function<void()>& advance = {})
 {
   if (argc > 1)
   {
@@ -49,6 +54,21 @@ inline int ShowOrWrite(vtkRenderWindow* window, int argc, char* argv[])
   vtkNew<vtkRenderWindowInteractor> interactor;
   interactor->SetRenderWindow(window);
   window->Render();
+  auto tick = [&]()
+  {
+    advance();
+    window->Render();
+  };
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&tick);
+  command->SetCallback([](vtkObject*, unsigned long, void* client, void*)
+    { (*static_cast<decltype(tick)*>(client))(); });
+  if (advance)
+  {
+    interactor->Initialize();
+    interactor->AddObserver(vtkCommand::TimerEvent, command);
+    interactor->CreateRepeatingTimer(40);
+  }
   interactor->Start();
   return EXIT_SUCCESS;
 }
