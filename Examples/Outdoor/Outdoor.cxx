@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Outdoors: the sun behind clouds, mountains, and a fire on a slope with its smoke.
+
+#include "../ExampleWindow.h"
+
+#include "vtkActor.h"
+#include "vtkAssignAttribute.h"
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkGodRaysCloudLayerSource.h"
+#include "vtkGodRaysFireSource.h"
+#include "vtkGodRaysPass.h"
+#include "vtkGodRaysSmokeSource.h"
+#include "vtkGodRaysTerrainSource.h"
+#include "vtkLight.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointGaussianMapper.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkSmartVolumeMapper.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+#include "vtkWarpScalar.h"
+
+int main(int argc, char* argv[])
+{
+  vtkNew<vtkRenderer> renderer;
+  auto add = [&](vtkActor* actor, vtkPolyDataMapper* mapper, vtkAlgorithm* source)
+  {
+    mapper->SetInputConnection(source->GetOutputPort());
+    actor->SetMapper(mapper);
+    renderer->AddActor(actor);
+  };
+
+  // The unit is 100 m; x is east, y north and z up. Mountains, 6 km wide:
+  vtkNew<vtkGodRaysTerrainSource> heights;
+  heights->SetDimensions(801, 801);
+  heights->SetWidth(60.0);
+  heights->SetHeight(13.0);
+  heights->SetFeatures(3.0);
+  heights->SetGain(0.45);
+  heights->SetSeed(3);
+  vtkNew<vtkWarpScalar> warp;
+  warp->SetInputConnection(heights->GetOutputPort());
+  warp->UseNormalOn();
+  warp->SetNormal(0.0, 0.0, 1.0);
+  vtkNew<vtkAssignAttribute> normals;
+  normals->SetInputConnection(warp->GetOutputPort());
+  normals->Assign("Normals", "NORMALS", "POINT_DATA");
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  surface->SetInputConnection(normals->GetOutputPort());
+  vtkNew<vtkPolyDataMapper> colors;
+  colors->SetScalarModeToUsePointFieldData();
+  colors->SelectColorArray("Color");
+  vtkNew<vtkActor> ground;
+  ground->GetProperty()->SetAmbient(0.2);
+  add(ground, colors, surface);
+
+  // Clouds are translucent geometry: they let through what their opacity leaves.
+  vtkNew<vtkGodRaysCloudLayerSource> layer;
+  layer->SetWidth(160.0);
+  layer->SetAltitude(10.0);
+  layer->SetCloudSize(4.0);
+  layer->SetCoverage(0.65);
+  layer->SetSoftness(0.3);
+  layer->SetColor(0.3, 0.3, 0.31);
+  layer->SetResolution(600);
+  layer->SetWindSpeed(1.0);
+  layer->SetSeed(2);
+  layer->SetEndTime(1000.0);
+  vtkNew<vtkActor> clouds;
+  clouds->GetProperty()->LightingOff();
+  clouds->ForceTranslucentOn();
+  add(clouds, vtkNew<vtkPolyDataMapper>(), layer);
+
+  // So does smoke, which is a volume. The fire below it shines.
+  vtkNew<vtkGodRaysSmokeSource> plume;
+  plume->SetDiffusivity(0.002);
+  plume->SetTurbulence(1.0);
+  plume->SetTurbulenceSize(1.0);
+  plume->SetSourceRadius(0.25);
+  plume->SetSourceRate(8.0);
+  plume->SetTimeStep(0.01);
+  plume->SetEndTime(1000.0);
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, 0.0);
+  opacity->AddPoint(1.0, 0.6);
+  vtkNew<vtkColorTransferFunction> grey;
+  grey->AddRGBPoint(0.0, 0.12, 0.12, 0.12);
+  grey->AddRGBPoint(1.0, 0.36, 0.36, 0.36);
+  vtkNew<vtkSmartVolumeMapper> mapper;
+  mapper->SetInputConnection(plume->GetOutputPort());
+  vtkNew<vtkVolume> smoke;
+  smoke->SetMapper(mapper);
+  smoke->SetPosition(3.0, -20.5, -0.1); // on the ground
+  smoke->GetProperty()->SetScalarOpacity(opacity);
+  smoke->GetProperty()->SetScalarOpacityUnitDistance(0.1);
+  smoke->GetProperty()->SetColor(grey);
+  smoke->GetProperty()->SetInterpolationTypeToLinear();
+  renderer->AddVolume(smoke);
+
+  vtkNew<vtkGodRaysFireSource> fire;
+  fire->SetCenter(smoke->GetPosition());
+  fire->SetOpacity(0.03);
+  fire->SetEndTime(1000.0);
+  vtkNew<vtkPointGaussianMapper> particles;
+  particles->SetScaleArray("Size");
+  particles->SetScaleFactor(1.0);
+  particles->EmissiveOn();
+  vtkNew<vtkActor> flames;
+  add(flames, particles, fire);
+
+  vtkNew<vtkLight> sun;
+  sun->SetPosition(-0.065, 0.925, 0.375);
+  sun->SetColor(1.0, 0.9, 0.72);
+  vtkNew<vtkLight> shade; // the light of the sky
+  shade->SetPosition(-0.5, -1.0, 1.0);
+  shade->SetColor(0.2, 0.22, 0.26);
+  renderer->AddLight(sun);
+  renderer->AddLight(shade);
+  renderer->SetBackground(0.62, 0.72, 0.82);
+  renderer->SetBackground2(0.2, 0.38, 0.68);
+  renderer->GradientBackgroundOn();
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(0.0, -29.0, 0.0);
+  camera->SetFocalPoint(0.0, 0.0, 7.5);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  camera->SetViewAngle(55.0);
+  camera->SetClippingRange(0.2, 200.0);
+
+  vtkNew<vtkGodRaysPass> rays;
+  rays->AddLight(sun);
+  vtkGodRaysPass::SetRole(flames, vtkGodRaysPass::LIGHT);
+  rays->ApplyPreset("low-sun");
+  rays->SetSunAngularRadius(6.0); // the sun is hidden: what shines is the bright sky about it
+  rays->SetBackgroundGlow(0.0);
+  rays->Attach(renderer);
+
+  double time = 4.98; // [s]; a second is ten of the clock
+  auto advance = [&]()
+  {
+    time += 0.02;
+    layer->UpdateTimeStep(time);
+    plume->UpdateTimeStep(time);
+    fire->UpdateTimeStep(time);
+  };
+  advance();
+  vtkNew<vtkRenderWindow> window;
+  window->AddRenderer(renderer);
+  return ShowOrWrite(window, argc, argv, advance);
+}

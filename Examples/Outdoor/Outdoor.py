@@ -1,0 +1,153 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Outdoors: the sun behind clouds, mountains, and a fire on a slope with its smoke."""
+
+import sys
+
+import godrays
+import vtkmodules.all as vtk
+
+renderer = vtk.vtkRenderer()
+
+
+def add(mapper, source):
+    mapper.SetInputConnection(source.GetOutputPort())
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    renderer.AddActor(actor)
+    return actor
+
+
+# The unit is 100 m; x is east, y north and z up. Mountains, 6 km wide:
+heights = godrays.vtkGodRaysTerrainSource()
+heights.SetDimensions(801, 801)
+heights.SetWidth(60)
+heights.SetHeight(13)
+heights.SetFeatures(3)
+heights.SetGain(0.45)
+heights.SetSeed(3)
+warp = vtk.vtkWarpScalar()
+warp.SetInputConnection(heights.GetOutputPort())
+warp.UseNormalOn()
+warp.SetNormal(0, 0, 1)
+normals = vtk.vtkAssignAttribute()
+normals.SetInputConnection(warp.GetOutputPort())
+normals.Assign("Normals", "NORMALS", "POINT_DATA")
+surface = vtk.vtkDataSetSurfaceFilter()
+surface.SetInputConnection(normals.GetOutputPort())
+colours = vtk.vtkPolyDataMapper()
+colours.SetScalarModeToUsePointFieldData()
+colours.SelectColorArray("Color")
+add(colours, surface).GetProperty().SetAmbient(0.2)
+
+# Clouds are translucent geometry: they let through what their opacity leaves.
+layer = godrays.vtkGodRaysCloudLayerSource()
+layer.SetWidth(160)
+layer.SetAltitude(10)
+layer.SetCloudSize(4)
+layer.SetCoverage(0.65)
+layer.SetSoftness(0.3)
+layer.SetColor(0.3, 0.3, 0.31)
+layer.SetResolution(600)
+layer.SetWindSpeed(1)
+layer.SetSeed(2)
+layer.SetEndTime(1000)
+clouds = add(vtk.vtkPolyDataMapper(), layer)
+clouds.GetProperty().LightingOff()
+clouds.ForceTranslucentOn()
+
+# So does smoke, which is a volume. The fire below it shines.
+plume = godrays.vtkGodRaysSmokeSource()
+plume.SetDiffusivity(0.002)
+plume.SetTurbulence(1)
+plume.SetTurbulenceSize(1)
+plume.SetSourceRadius(0.25)
+plume.SetSourceRate(8)
+plume.SetTimeStep(0.01)
+plume.SetEndTime(1000)
+opacity = vtk.vtkPiecewiseFunction()
+opacity.AddPoint(0, 0)
+opacity.AddPoint(1, 0.6)
+grey = vtk.vtkColorTransferFunction()
+grey.AddRGBPoint(0, 0.12, 0.12, 0.12)
+grey.AddRGBPoint(1, 0.36, 0.36, 0.36)
+mapper = vtk.vtkSmartVolumeMapper()
+mapper.SetInputConnection(plume.GetOutputPort())
+smoke = vtk.vtkVolume()
+smoke.SetMapper(mapper)
+smoke.SetPosition(3, -20.5, -0.1)  # on the ground
+smoke.GetProperty().SetScalarOpacity(opacity)
+smoke.GetProperty().SetScalarOpacityUnitDistance(0.1)
+smoke.GetProperty().SetColor(grey)
+smoke.GetProperty().SetInterpolationTypeToLinear()
+renderer.AddVolume(smoke)
+
+fire = godrays.vtkGodRaysFireSource()
+fire.SetCenter(smoke.GetPosition())
+fire.SetOpacity(0.03)
+fire.SetEndTime(1000)
+particles = vtk.vtkPointGaussianMapper()
+particles.SetScaleArray("Size")
+particles.SetScaleFactor(1)
+particles.EmissiveOn()
+flames = add(particles, fire)
+
+sun = vtk.vtkLight()
+sun.SetPosition(-0.065, 0.925, 0.375)
+sun.SetColor(1, 0.9, 0.72)
+shade = vtk.vtkLight()
+shade.SetPosition(-0.5, -1, 1)
+shade.SetColor(0.2, 0.22, 0.26)
+renderer.AddLight(sun)
+renderer.AddLight(shade)
+renderer.SetBackground(0.62, 0.72, 0.82)
+renderer.SetBackground2(0.2, 0.38, 0.68)
+renderer.GradientBackgroundOn()
+camera = renderer.GetActiveCamera()
+camera.SetPosition(0, -29, 0)
+camera.SetFocalPoint(0, 0, 7.5)
+camera.SetViewUp(0, 0, 1)
+camera.SetViewAngle(55)
+camera.SetClippingRange(0.2, 200)
+
+rays = godrays.enable(
+    renderer,
+    light=[sun, flames],
+    preset="low-sun",
+    sun_angular_radius=6,
+    background_glow=0,
+)
+
+time = 4.98  # [s]; a second is ten of the clock
+
+
+def advance():
+    global time
+    time += 0.02
+    for source in layer, plume, fire:
+        source.UpdateTimeStep(time)
+
+
+window = vtk.vtkRenderWindow()
+window.AddRenderer(renderer)
+window.SetSize(400, 300)
+advance()
+if len(sys.argv) > 1:
+    window.SetMultiSamples(0)
+    window.SetOffScreenRendering(True)
+    window.Render()
+    picture = vtk.vtkWindowToImageFilter()
+    picture.SetInput(window)
+    picture.ReadFrontBufferOff()
+    picture.ShouldRerenderOff()
+    writer = vtk.vtkPNGWriter()
+    writer.SetInputConnection(picture.GetOutputPort())
+    writer.SetFileName(sys.argv[1])
+    writer.Write()
+else:
+    interactor = vtk.vtkRenderWindowInteractor()
+    interactor.SetRenderWindow(window)
+    interactor.Initialize()
+    interactor.AddObserver("TimerEvent", lambda *_: (advance(), window.Render()))
+    interactor.CreateRepeatingTimer(40)
+    interactor.Start()
