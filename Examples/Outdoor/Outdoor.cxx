@@ -12,6 +12,7 @@
 #include "vtkGodRaysCloudLayerSource.h"
 #include "vtkGodRaysFireSource.h"
 #include "vtkGodRaysPass.h"
+#include "vtkGodRaysSkyPass.h"
 #include "vtkGodRaysSmokeSource.h"
 #include "vtkGodRaysTerrainSource.h"
 #include "vtkLight.h"
@@ -35,11 +36,11 @@ int main(int argc, char* argv[])
     renderer->AddActor(actor);
   };
 
-  // The unit is 100 m; x is east, y north and z up. Mountains, 6 km wide:
+  // The unit is 100 m; x is west, y south and z up. Mountains, 6 km wide:
   vtkNew<vtkGodRaysTerrainSource> heights;
   heights->SetDimensions(801, 801);
   heights->SetWidth(60.0);
-  heights->SetHeight(13.0);
+  heights->SetHeight(11.0);
   heights->SetFeatures(3.0);
   heights->SetGain(0.45);
   heights->SetSeed(3);
@@ -66,10 +67,10 @@ int main(int argc, char* argv[])
   layer->SetCloudSize(4.0);
   layer->SetCoverage(0.65);
   layer->SetSoftness(0.3);
-  layer->SetColor(0.3, 0.3, 0.31);
+  layer->SetColor(0.25, 0.25, 0.26);
   layer->SetResolution(600);
   layer->SetWindSpeed(1.0);
-  layer->SetSeed(2);
+  layer->SetSeed(15);
   layer->SetEndTime(1000.0);
   vtkNew<vtkActor> clouds;
   clouds->GetProperty()->LightingOff();
@@ -79,11 +80,11 @@ int main(int argc, char* argv[])
   // So does smoke, which is a volume. The fire below it shines.
   vtkNew<vtkGodRaysSmokeSource> plume;
   plume->SetDiffusivity(0.002);
-  plume->SetTurbulence(1.0);
-  plume->SetTurbulenceSize(1.0);
+  plume->SetTurbulence(1.4);
+  plume->SetTurbulenceSize(0.8);
   plume->SetSourceRadius(0.25);
   plume->SetSourceRate(8.0);
-  plume->SetTimeStep(0.01);
+  plume->SetTimeStep(0.008);
   plume->SetEndTime(1000.0);
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(0.0, 0.0);
@@ -95,15 +96,16 @@ int main(int argc, char* argv[])
   mapper->SetInputConnection(plume->GetOutputPort());
   vtkNew<vtkVolume> smoke;
   smoke->SetMapper(mapper);
-  smoke->SetPosition(3.0, -20.5, -0.1); // on the ground
+  smoke->SetPosition(3.0, -20.5, 0.3);
   smoke->GetProperty()->SetScalarOpacity(opacity);
-  smoke->GetProperty()->SetScalarOpacityUnitDistance(0.1);
+  smoke->GetProperty()->SetScalarOpacityUnitDistance(0.15);
   smoke->GetProperty()->SetColor(grey);
   smoke->GetProperty()->SetInterpolationTypeToLinear();
   renderer->AddVolume(smoke);
 
   vtkNew<vtkGodRaysFireSource> fire;
-  fire->SetCenter(smoke->GetPosition());
+  fire->SetCenter(3.0, -20.5, -0.05); // on the ground
+  fire->SetTurbulence(0.8);
   fire->SetOpacity(0.03);
   fire->SetEndTime(1000.0);
   vtkNew<vtkPointGaussianMapper> particles;
@@ -113,20 +115,22 @@ int main(int argc, char* argv[])
   vtkNew<vtkActor> flames;
   add(flames, particles, fire);
 
+  vtkGodRaysSkyPass* sky = vtkGodRaysSkyPass::Attach(renderer);
+  sky->SetWorldUnitInMeters(100.0);
+  sky->SetNorth(0.0, -1.0, 0.0);
+  sky->SetSunElevation(11.0);
+  sky->SetSunAzimuth(176.0);
+  sky->SetExposure(4.0);
   vtkNew<vtkLight> sun;
-  sun->SetPosition(-0.065, 0.925, 0.375);
-  sun->SetColor(1.0, 0.9, 0.72);
+  sky->UpdateLight(sun);
   vtkNew<vtkLight> shade; // the light of the sky
   shade->SetPosition(-0.5, -1.0, 1.0);
   shade->SetColor(0.2, 0.22, 0.26);
   renderer->AddLight(sun);
   renderer->AddLight(shade);
-  renderer->SetBackground(0.62, 0.72, 0.82);
-  renderer->SetBackground2(0.2, 0.38, 0.68);
-  renderer->GradientBackgroundOn();
   vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetPosition(0.0, -29.0, 0.0);
-  camera->SetFocalPoint(0.0, 0.0, 7.5);
+  camera->SetPosition(0.0, -29.0, 0.1);
+  camera->SetFocalPoint(0.0, 0.0, 6.2);
   camera->SetViewUp(0.0, 0.0, 1.0);
   camera->SetViewAngle(55.0);
   camera->SetClippingRange(0.2, 200.0);
@@ -135,6 +139,7 @@ int main(int argc, char* argv[])
   rays->AddLight(sun);
   vtkGodRaysPass::SetRole(flames, vtkGodRaysPass::LIGHT);
   rays->ApplyPreset("low-sun");
+  rays->SetIntensity(0.75);
   rays->SetSunAngularRadius(6.0); // the sun is hidden: what shines is the bright sky about it
   rays->SetBackgroundGlow(0.0);
   rays->Attach(renderer);

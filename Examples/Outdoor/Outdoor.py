@@ -18,11 +18,11 @@ def add(mapper, source):
     return actor
 
 
-# The unit is 100 m; x is east, y north and z up. Mountains, 6 km wide:
+# The unit is 100 m; x is west, y south and z up. Mountains, 6 km wide:
 heights = godrays.vtkGodRaysTerrainSource()
 heights.SetDimensions(801, 801)
 heights.SetWidth(60)
-heights.SetHeight(13)
+heights.SetHeight(11)
 heights.SetFeatures(3)
 heights.SetGain(0.45)
 heights.SetSeed(3)
@@ -47,10 +47,10 @@ layer.SetAltitude(10)
 layer.SetCloudSize(4)
 layer.SetCoverage(0.65)
 layer.SetSoftness(0.3)
-layer.SetColor(0.3, 0.3, 0.31)
+layer.SetColor(0.25, 0.25, 0.26)
 layer.SetResolution(600)
 layer.SetWindSpeed(1)
-layer.SetSeed(2)
+layer.SetSeed(15)
 layer.SetEndTime(1000)
 clouds = add(vtk.vtkPolyDataMapper(), layer)
 clouds.GetProperty().LightingOff()
@@ -59,11 +59,11 @@ clouds.ForceTranslucentOn()
 # So does smoke, which is a volume. The fire below it shines.
 plume = godrays.vtkGodRaysSmokeSource()
 plume.SetDiffusivity(0.002)
-plume.SetTurbulence(1)
-plume.SetTurbulenceSize(1)
+plume.SetTurbulence(1.4)
+plume.SetTurbulenceSize(0.8)
 plume.SetSourceRadius(0.25)
 plume.SetSourceRate(8)
-plume.SetTimeStep(0.01)
+plume.SetTimeStep(0.008)
 plume.SetEndTime(1000)
 opacity = vtk.vtkPiecewiseFunction()
 opacity.AddPoint(0, 0)
@@ -75,15 +75,16 @@ mapper = vtk.vtkSmartVolumeMapper()
 mapper.SetInputConnection(plume.GetOutputPort())
 smoke = vtk.vtkVolume()
 smoke.SetMapper(mapper)
-smoke.SetPosition(3, -20.5, -0.1)  # on the ground
+smoke.SetPosition(3, -20.5, 0.3)
 smoke.GetProperty().SetScalarOpacity(opacity)
-smoke.GetProperty().SetScalarOpacityUnitDistance(0.1)
+smoke.GetProperty().SetScalarOpacityUnitDistance(0.15)
 smoke.GetProperty().SetColor(grey)
 smoke.GetProperty().SetInterpolationTypeToLinear()
 renderer.AddVolume(smoke)
 
 fire = godrays.vtkGodRaysFireSource()
-fire.SetCenter(smoke.GetPosition())
+fire.SetCenter(3, -20.5, -0.05)  # on the ground
+fire.SetTurbulence(0.8)
 fire.SetOpacity(0.03)
 fire.SetEndTime(1000)
 particles = vtk.vtkPointGaussianMapper()
@@ -92,20 +93,22 @@ particles.SetScaleFactor(1)
 particles.EmissiveOn()
 flames = add(particles, fire)
 
+sky = godrays.vtkGodRaysSkyPass.Attach(renderer)
+sky.SetWorldUnitInMeters(100)
+sky.SetNorth(0, -1, 0)
+sky.SetSunElevation(11)
+sky.SetSunAzimuth(176)
+sky.SetExposure(4)
 sun = vtk.vtkLight()
-sun.SetPosition(-0.065, 0.925, 0.375)
-sun.SetColor(1, 0.9, 0.72)
-shade = vtk.vtkLight()
+sky.UpdateLight(sun)
+shade = vtk.vtkLight()  # the light of the sky
 shade.SetPosition(-0.5, -1, 1)
 shade.SetColor(0.2, 0.22, 0.26)
 renderer.AddLight(sun)
 renderer.AddLight(shade)
-renderer.SetBackground(0.62, 0.72, 0.82)
-renderer.SetBackground2(0.2, 0.38, 0.68)
-renderer.GradientBackgroundOn()
 camera = renderer.GetActiveCamera()
-camera.SetPosition(0, -29, 0)
-camera.SetFocalPoint(0, 0, 7.5)
+camera.SetPosition(0, -29, 0.1)
+camera.SetFocalPoint(0, 0, 6.2)
 camera.SetViewUp(0, 0, 1)
 camera.SetViewAngle(55)
 camera.SetClippingRange(0.2, 200)
@@ -114,7 +117,8 @@ rays = godrays.enable(
     renderer,
     light=[sun, flames],
     preset="low-sun",
-    sun_angular_radius=6,
+    intensity=0.75,
+    sun_angular_radius=6,  # the sun is hidden: what shines is the bright sky about it
     background_glow=0,
 )
 
