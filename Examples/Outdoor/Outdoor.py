@@ -38,7 +38,8 @@ surface.SetInputConnection(normals.GetOutputPort())
 colours = vtk.vtkPolyDataMapper()
 colours.SetScalarModeToUsePointFieldData()
 colours.SelectColorArray("Color")
-add(colours, surface).GetProperty().SetAmbient(0.2)
+ground = add(colours, surface)
+ground.GetProperty().SetAmbient(0.2)
 
 # Clouds are translucent geometry: they let through what their opacity leaves.
 layer = godrays.vtkGodRaysCloudLayerSource()

@@ -1,0 +1,161 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The outdoor scene: rays blur nothing, smoke is a body from every side, and time runs.
+
+Usage: check_Outdoor.py example.py folder
+"""
+
+import os
+import runpy
+import sys
+
+import numpy
+import vtkmodules.all as vtk
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+
+def shown():
+    """What the window shows, as rows of levels from the bottom up."""
+    window.Render()
+    grabber = vtk.vtkWindowToImageFilter()
+    grabber.SetInput(window)
+    grabber.ReadFrontBufferOff()
+    grabber.ShouldRerenderOff()
+    grabber.Update()
+    return pixels(grabber.GetOutput()).astype(int)
+
+
+def pixels(image):
+    width, height, _ = image.GetDimensions()
+    values = vtk_to_numpy(image.GetPointData().GetScalars())
+    return values.reshape(height, width, -1).copy()
+
+
+def layer(get):
+    image = vtk.vtkImageData()
+    assert get(image), rays.GetPlan()
+    return pixels(image)
+
+
+def linear(level):
+    value = level / 255
+    return numpy.where(value <= 0.04045, value / 12.92, ((value + 0.055) / 1.055) ** 2.4)
+
+
+def encoded(light):
+    light = numpy.minimum(light, 1)
+    curve = 1.055 * numpy.maximum(light, 0.0031308) ** (1 / 2.4) - 0.055
+    return 255 * numpy.where(light <= 0.0031308, 12.92 * light, curve)
+
+
+def check(what, condition, figures):
+    print(f"{'good' if condition else 'BAD'}: {what}: {figures}")
+    failures.extend([] if condition else [what])
+
+
+def with_and_without_rays():
+    """The picture with rays, their light in it, and the picture without them."""
+    intensity = rays.GetIntensity()
+    with_rays = shown()
+    light = intensity * layer(rays.GetScatteringImage)
+    rays.SetIntensity(0)
+    without = shown()
+    rays.SetIntensity(intensity)
+    return with_rays, light, without
+
+
+def check_nothing_is_blurred():
+    """With rays, each pixel is its own light and the rays', and nothing of its neighbours'."""
+    with_rays, light, without = with_and_without_rays()
+    error = numpy.abs(encoded(linear(without) + light) - with_rays).max()
+    check("the picture is the scene and the rays", error <= 0.51, f"{error:.2f} levels")
+    blurred = (without + numpy.roll(without, 1, axis=1)) // 2
+    error = numpy.abs(encoded(linear(blurred) + light) - with_rays).max()
+    check("a blur over two pixels would be seen", error > 10, f"{error:.2f} levels")
+    model = rays.GetModel()
+    density = model.GetDensity()
+    model.SetDensity(density / 2)  # shorter shafts, so that there are places without any
+    with_rays, light, without = with_and_without_rays()
+    model.SetDensity(density)
+    away = light.max(axis=2) == 0
+    same = (with_rays == without).all(axis=2)
+    part = f"{away.mean():.0%} of the picture"
+    check("away from shafts bytes stay", same[away].all() and away.mean() > 0.2, part)
+    check("in shafts they do not", same.mean() < 0.95, f"{same.mean():.0%} are the same")
+
+
+def opacity_of_smoke(side):
+    """What the smoke takes from the light behind it, as seen along x or y: rendered, and expected."""
+    camera = renderer.GetActiveCamera()
+    bounds = smoke.GetBounds()
+    center = numpy.array(smoke.GetCenter())
+    view = numpy.array((0, 1, 0) if side == "y" else (1, 0, 0))
+    camera.ParallelProjectionOn()
+    camera.SetParallelScale((bounds[5] - bounds[4]) / 2)
+    camera.SetPosition(center - 20 * view)
+    camera.SetFocalPoint(center)
+    camera.SetClippingRange(1, 100)
+    sun.SetPosition(100 * view)
+    layers = []
+    for visible in False, True:
+        smoke.SetVisibility(visible)
+        window.Render()
+        layers.append(layer(rays.GetOcclusionImage)[..., 0])
+    rendered = 1 - layers[1] / layers[0]
+
+    density = plume.GetOutput()
+    nx, ny, nz = density.GetDimensions()
+    grid = vtk_to_numpy(density.GetPointData().GetScalars()).reshape(nz, ny, nx)
+    alpha = numpy.minimum(0.6 * grid, 0.6)  # the transfer function of the example
+    unit = smoke.GetProperty().GetScalarOpacityUnitDistance()
+    depth = -numpy.log1p(-alpha).sum(axis=1 if side == "y" else 2) * plume.GetSpacing() / unit
+    if side == "x":
+        depth = depth[:, ::-1]  # from the west, y goes to the left
+    height, width = rendered.shape
+    z = (numpy.arange(height) + 0.5) / height * (nz - 1)
+    x = ((numpy.arange(width) + 0.5) - width / 2) / height * (nz - 1) + (depth.shape[1] - 1) / 2
+    inside = (x >= 0) & (x <= depth.shape[1] - 1)
+    columns = numpy.array([numpy.interp(x[inside], numpy.arange(depth.shape[1]), row) for row in depth])
+    expected = numpy.array([numpy.interp(z, numpy.arange(nz), column) for column in columns.T]).T
+    return rendered[:, inside], 1 - numpy.exp(-expected)
+
+
+def check_smoke_is_a_body():
+    for prop in ground, clouds, flames:
+        prop.VisibilityOff()
+    renderer.SetPass(rays)
+    silhouettes = {}
+    for side in "y", "x":
+        rendered, expected = opacity_of_smoke(side)
+        silhouettes[side] = rendered
+        error = numpy.sqrt(numpy.mean((rendered - expected) ** 2))
+        check(
+            f"smoke along {side} takes what its density says",
+            error < 0.02 and expected.max() > 0.8,
+            f"{error:.4f} root mean square, {expected.max():.2f} at most",
+        )
+    profiles = [silhouettes[side].max(axis=1) * (silhouettes[side] > 0.3).sum(axis=1) for side in "yx"]
+    difference = numpy.abs(profiles[0] - profiles[1]).max()
+    check("the two sides differ", difference > 10, f"{difference:.1f} pixels")
+
+
+def check_time_runs():
+    first = shown()
+    for _ in range(25):
+        advance()
+    later = shown()
+    moved = (numpy.abs(first - later) > 5).any(axis=2).mean()
+    check("half a second of the sources moves the picture", moved > 0.05, f"{moved:.2%} of it")
+
+
+example, folder = sys.argv[1], os.getcwd()
+sys.argv = [example, os.path.join(folder, "Outdoor_checks.png")]
+scene = runpy.run_path(example)
+renderer, window, rays, sun = (scene[name] for name in ("renderer", "window", "rays", "sun"))
+smoke, plume, advance = (scene[name] for name in ("smoke", "plume", "advance"))
+ground, clouds, flames = (scene[name] for name in ("ground", "clouds", "flames"))
+failures = []
+check_nothing_is_blurred()
+check_time_runs()
+check_smoke_is_a_body()
+sys.exit(f"{len(failures)} checks failed" if failures else 0)
