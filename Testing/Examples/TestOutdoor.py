@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The outdoor scene: rays blur nothing, smoke is a body from every side, and time runs.
 
-Usage: check_Outdoor.py example.py folder
+Usage: TestOutdoor.py example.py
 """
 
 import os
