@@ -1,0 +1,144 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The sunrise: sky, sunlight and shafts agree; a film and its frames, of any terrain; errors.
+
+Usage: TestSunrise.py example.py
+"""
+
+import os
+import runpy
+import struct
+import subprocess
+import sys
+
+import numpy
+import vtkmodules.all as vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+
+
+def check(what, condition, figures=""):
+    print(f"{'good' if condition else 'BAD'}: {what} {figures}")
+    failures.extend([] if condition else [what])
+
+
+def run(*arguments):
+    command = [sys.executable, example, *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True)
+
+
+def read(file):
+    reader = vtk.vtkPNGReader()
+    reader.SetFileName(file)
+    reader.Update()
+    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(float)
+
+
+def packets_of(data):
+    """The packets of an Ogg stream of one logical stream; a broken page is an AssertionError."""
+    packets, rest, place, number = [], b"", 0, 0
+    while place < len(data):
+        header = data[place : place + 27]
+        magic, _, _, _, _, sequence, checksum, count = struct.unpack("<4sBBqIIIB", header)
+        assert magic == b"OggS" and sequence == number, f"page {number} at byte {place}"
+        lengths = data[place + 27 : place + 27 + count]
+        end = place + 27 + count + sum(lengths)
+        page = data[place : place + 22] + bytes(4) + data[place + 26 : end]
+        assert checksum_of(page) == checksum, f"checksum of page {number}"
+        place += 27 + count
+        for length in lengths:
+            rest += data[place : place + length]
+            place += length
+            if length < 255:
+                packets.append(rest)
+                rest = b""
+        number += 1
+    return packets
+
+
+def checksum_of(page):
+    """As Ogg has it: the polynomial 0x04c11db7, highest bit first, from 0."""
+    value = 0
+    for byte in page:
+        value ^= byte << 24
+        for _ in range(8):
+            value = (value << 1) ^ (0x104C11DB7 if value & 0x80000000 else 0)
+    return value
+
+
+def check_film():
+    count = 25
+    film = os.path.join(folder, "Sunrise.ogv")
+    done = run(film, count)
+    check("a film is made", done.returncode == 0, done.stderr)
+    check("its progress is told", done.stdout.count("frame ") == count, done.stdout.split("\r")[-1].strip())
+    frames = [read(f"{film[:-4]}-{i:04}.png") for i in range(count)]
+    bright = numpy.array([frame.mean() for frame in frames])
+    morning, evening = bright[:4], bright[-4:]
+    check("it gets brighter in the morning", (numpy.diff(morning) > 5).all(), morning.round(1))
+    check("and darker in the evening", (numpy.diff(evening) < -5).all(), evening.round(1))
+    check("by day it is bright", bright[4:-4].min() > 100, f"{bright[4:-4].min():.1f} at least")
+    difference = [numpy.abs(a - b).mean() for a, b in zip(frames, frames[1:])]
+    check("frames differ", min(difference) > 1, f"by {min(difference):.1f} levels at least")
+
+    with open(film, "rb") as file:
+        header, *packets = packets_of(file.read())
+    name, *_, columns, rows, width, height, _, rate, seconds = struct.unpack(
+        ">7s3BHH3s3sHII", header[:30]
+    )
+    size = [int.from_bytes(each, "big") for each in (width, height)]
+    check("the film is Theora", name == b"\x80theora")
+    check("of the frames' size", size == [400, 300] and (columns, rows) == (25, 19), str(size))
+    check("at 25 frames a second", (rate, seconds) == (25, 1))
+    pictures = [packet for packet in packets if not packet or packet[0] < 0x80]
+    check("with all frames", len(pictures) == count, f"{len(pictures)} of {count}")
+    check("the first of which is whole", pictures[0][0] & 0x40 == 0)
+
+
+def check_light():
+    sys.argv = [example, os.path.join(folder, "Sunrise_checks.png")]
+    scene = runpy.run_path(example)
+    colors = []
+    for hours in scene["day"].GetSunrise() + 0.2, 12:
+        scene["set_time"](hours)
+        scene["window"].Render()
+        image = vtk.vtkImageData()
+        assert scene["rays"].GetScatteringImage(image), scene["rays"].GetPlan()
+        shafts = vtk_to_numpy(image.GetPointData().GetScalars()).mean(axis=0)
+        light = [0.0, 0.0, 0.0]
+        scene["sky"].GetSunColor(light)
+        colors.append(numpy.array(light) / light[0])
+        error = numpy.abs(shafts / shafts[0] - colors[-1]).max()
+        figures = ", ".join(f"{each:.3f}" for each in colors[-1])
+        check(f"at {hours:.1f} h shafts have the sun's colour", error < 2e-3, f"{figures}; {error:.1e}")
+    check("the low sun is redder", colors[0][2] < 0.3 * colors[1][2])
+
+
+def check_elevations():
+    x, y = numpy.meshgrid(numpy.arange(30), numpy.arange(20))
+    heights = 300 + 200 * numpy.sin(0.4 * x) * numpy.cos(0.3 * y)
+    image = vtk.vtkImageData()
+    image.SetDimensions(30, 20, 1)
+    image.SetSpacing(90, 90, 1)
+    image.GetPointData().SetScalars(numpy_to_vtk(heights.ravel(), deep=True))
+    writer = vtk.vtkXMLImageDataWriter()
+    writer.SetInputData(image)
+    elevations = os.path.join(folder, "Sunrise_elevations.vti")
+    writer.SetFileName(elevations)
+    writer.Write()
+    picture = os.path.join(folder, "Sunrise_elevations.png")
+    done = run(picture, elevations)
+    check("elevations are read", done.returncode == 0, done.stderr)
+    default = read(os.path.join(folder, "Sunrise_checks.png"))
+    check("and drawn", numpy.abs(read(picture) - default).mean() > 2)
+    for argument, word in ("nowhere.vti", "make_terrain.py"), ("-1", "Usage"):
+        done = run(argument)
+        told = argument in done.stderr and word in done.stderr and "Traceback" not in done.stderr
+        check(f"{argument} is an error that says what to do", done.returncode == 1 and told)
+
+
+example, folder = sys.argv[1], os.getcwd()
+failures = []
+check_film()
+check_light()
+check_elevations()
+sys.exit(f"{len(failures)} checks failed" if failures else 0)
