@@ -209,13 +209,6 @@ int vtkGodRaysCoverageFilter::RequestData(
   parameters.Medium = this->GetMedium(view);
   parameters.Layers = components / 2;
   parameters.Thickness = this->Thickness;
-  if (!Sweep::Supports(parameters))
-  {
-    return fail(
-      "a point light in a medium that thins out is not supported. Set the fourth number of "
-      "Light or the scale heights to 0, or take vtkGodRaysSingleScatteringReference.");
-  }
-
   const vtkIdType pixels = image->GetNumberOfPoints();
   const Sweep::Planes planes =
     this->Sweep->PrepareInput(dimensions[0], dimensions[1], components + (ends ? 1 : 0));

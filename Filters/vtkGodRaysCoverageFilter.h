@@ -27,9 +27,9 @@
  * processors with other vector instructions they differ by less than 1e-5 of the peak.
  *
  * Supported: directional and point lights anywhere (in the picture, beside it, behind the eye, across
- * the view), perspective and parallel projection, one or two components, homogeneous or, in directional
- * light, thinning out with height. A point light in a medium that thins out is an error. A view ray nearer
- * to a point light than 0.28 pixels is taken to be so far from it: that is the mean over its pixel.
+ * the view), perspective and parallel projection, one or two components, homogeneous or thinning out with
+ * height. A view ray nearer to a point light than 0.28 pixels is taken to be so far from it: that is the
+ * mean over its pixel.
  *
  * Point lights and media that thin out use a table of airlight, made anew when the camera, the light or the
  * medium change; what is read from it differs by less than 0.002 of the picture's peak.

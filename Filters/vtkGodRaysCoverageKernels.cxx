@@ -139,6 +139,7 @@ struct Rays
   using V = hn::Vec<Tag>;
   V Length;
   V Row;
+  V Slice;
   V Foot;   // of a point light
   V Square; // of its distance from the ray
   V Start;  // its distance from the eye
@@ -168,7 +169,8 @@ HWY_INLINE Rays<FloatTag> FindRays(const CoverageSettings& settings, Float colum
   Rays<FloatTag> rays;
   rays.Length =
     settings.Parallel ? one : hn::Sqrt(hn::MulAdd(column, column, hn::Set(d, 1.0f + row * row)));
-  rays.Row = rays.Foot = rays.Square = rays.Start = rays.Way = rays.InverseWidth = zero;
+  rays.Row = rays.Slice = rays.Foot = rays.Square = rays.Start = rays.Way = rays.InverseWidth =
+    zero;
   rays.Gain = one;
   if (table.Kind == CoverageTable::NONE)
   {
@@ -181,6 +183,7 @@ HWY_INLINE Rays<FloatTag> FindRays(const CoverageSettings& settings, Float colum
   if (table.Kind == CoverageTable::POINT)
   {
     Float height;
+    Float about; // of the cosine between up and the way from the light's axis
     if (settings.Parallel)
     {
       const Float x = lightX - column;
@@ -188,6 +191,7 @@ HWY_INLINE Rays<FloatTag> FindRays(const CoverageSettings& settings, Float colum
       height = hn::Max(hn::Sqrt(x * x + y * y), hn::Set(d, table.Nearest));
       rays.Foot = lightZ;
       place = LogOfOnePlus(d, height / hn::Set(d, table.RowUnit));
+      about = (x * set(-settings.Up[0]) + y * set(-settings.Up[1])) / height;
     }
     else
     {
@@ -209,7 +213,13 @@ HWY_INLINE Rays<FloatTag> FindRays(const CoverageSettings& settings, Float colum
       const auto tangent =
         hn::IfThenElse(hn::Gt(cosine, zero), sine / (one + cosine), (one - cosine) / sine);
       place = LogOfOnePlus(d, tangent / hn::Set(d, table.RowUnit));
+      const Float rise =
+        x * set(settings.Up[0]) + y * set(settings.Up[1]) + z * set(settings.Up[2]);
+      about = (rise - cosine * hn::Set(d, table.LightRise)) / sine;
     }
+    rays.Slice = (about * hn::Set(d, table.InverseSide) - hn::Set(d, table.FirstSlice)) *
+      hn::Set(d, table.SlicesPerUnit);
+    rays.Slice = hn::Min(hn::Max(rays.Slice, zero), hn::Set(d, table.Slices - 1.0f));
     rays.Square = height * height;
     rays.Start = hn::Sqrt(rays.Foot * rays.Foot + rays.Square);
     rays.Way = WayFromFoot(d, hn::Neg(rays.Foot), rays.Square, rays.Start);
@@ -249,8 +259,9 @@ HWY_INLINE Rays<FloatTag> Select(const Rays<FloatTag>& rays, hn::Vec<IntTag> num
 {
   const auto indices = hn::IndicesFromVec(FloatTag(), numbers);
   const auto select = [&](Float field) HWY_ATTR { return hn::TableLookupLanes(field, indices); };
-  return { select(rays.Length), select(rays.Row), select(rays.Foot), select(rays.Square),
-    select(rays.Start), select(rays.Way), select(rays.InverseWidth), select(rays.Gain) };
+  return { select(rays.Length), select(rays.Row), select(rays.Slice), select(rays.Foot),
+    select(rays.Square), select(rays.Start), select(rays.Way), select(rays.InverseWidth),
+    select(rays.Gain) };
 }
 
 //------------------------------------------------------------------------------
@@ -261,6 +272,7 @@ struct Place
   hn::Vec<hn::RebindToSigned<Tag>> Index;
   hn::Vec<Tag> Across; // from the row before, [0, 1]
   hn::Vec<Tag> Along;  // from the column before
+  hn::Vec<Tag> Slice;  // from the first of four
 };
 
 template <typename Tag>
@@ -276,7 +288,7 @@ HWY_INLINE Place<Tag> Find(
     const auto way = WayFromFoot(d, beyond, rays.Square, r);
     const auto ratio =
       hn::Div(hn::Mul(distance, hn::Add(way, rays.Way)), hn::Mul(hn::Add(r, rays.Start), rays.Way));
-    const auto depth = hn::Mul(distance, hn::Set(d, table.Extinction));
+    const auto depth = hn::Mul(distance, hn::Set(d, table.Change));
     x = hn::MulAdd(depth, hn::Add(ratio, hn::Set(d, 1.0f)), ratio);
   }
   else
@@ -289,6 +301,15 @@ HWY_INLINE Place<Tag> Find(
   const auto i = hn::Min(hn::ConvertTo(di, rays.Row), hn::Set(di, table.Rows - 2));
   Place<Tag> place;
   place.Index = hn::ShiftLeft<1>(hn::Add(hn::Mul(i, hn::Set(di, table.Columns)), j));
+  if (table.Slices > 1)
+  {
+    // Of the four slices about it, the place is between the second and the third, if that can be.
+    const auto first =
+      hn::Min(hn::Max(hn::Sub(hn::ConvertTo(di, rays.Slice), hn::Set(di, 1)), hn::Zero(di)),
+        hn::Set(di, table.Slices - 4));
+    place.Index = hn::Add(place.Index, hn::Mul(first, hn::Set(di, 2 * table.Rows * table.Columns)));
+    place.Slice = hn::Sub(rays.Slice, hn::ConvertTo(d, first));
+  }
   place.Across = hn::Sub(rays.Row, hn::ConvertTo(d, i));
   place.Along = hn::Sub(column, hn::ConvertTo(d, j));
   return place;
@@ -296,10 +317,9 @@ HWY_INLINE Place<Tag> Find(
 
 //------------------------------------------------------------------------------
 template <typename Tag>
-HWY_INLINE hn::Vec<Tag> Read(
-  Tag d, const CoverageTable& table, const std::vector<float>& plane, const Place<Tag>& place)
+HWY_INLINE hn::Vec<Tag> ReadSlice(
+  Tag d, const CoverageTable& table, const float* values, const Place<Tag>& place)
 {
-  const float* values = plane.data();
   const int next = 2 * table.Columns;
   const auto read = [&](int k)
   {
@@ -317,6 +337,36 @@ HWY_INLINE hn::Vec<Tag> Read(
   sum = hn::MulAdd(t, sum, hn::Sub(hn::Mul(hn::Set(d, 3.0f), change), hn::Add(slopes, slope)));
   sum = hn::MulAdd(t, sum, slope);
   return hn::MulAdd(t, sum, first);
+}
+
+//------------------------------------------------------------------------------
+template <typename Tag>
+HWY_INLINE hn::Vec<Tag> Read(
+  Tag d, const CoverageTable& table, const std::vector<float>& plane, const Place<Tag>& place)
+{
+  const float* values = plane.data();
+  if (table.Slices == 1)
+  {
+    return ReadSlice(d, table, values, place);
+  }
+  // Lagrange's cubic through four slices.
+  const auto set = [&](float value) { return hn::Set(d, value); };
+  const auto a = place.Slice;
+  const auto b = hn::Sub(a, set(1.0f));
+  const auto c = hn::Sub(a, set(2.0f));
+  const auto e = hn::Sub(a, set(3.0f));
+  const hn::Vec<Tag> weights[4] = { hn::Mul(hn::Mul(b, c), hn::Mul(e, set(-1.0f / 6.0f))),
+    hn::Mul(hn::Mul(a, c), hn::Mul(e, set(0.5f))), hn::Mul(hn::Mul(a, b), hn::Mul(e, set(-0.5f))),
+    hn::Mul(hn::Mul(a, b), hn::Mul(c, set(1.0f / 6.0f))) };
+  auto sum = hn::Zero(d);
+  for (int i = 0; i < 4; ++i)
+  {
+    sum = hn::MulAdd(weights[i],
+      ReadSlice(
+        d, table, values + static_cast<std::ptrdiff_t>(2) * i * table.Rows * table.Columns, place),
+      sum);
+  }
+  return sum;
 }
 
 //------------------------------------------------------------------------------

@@ -47,7 +47,10 @@ constexpr int CoverageMaximumPlanes = 6; // colours and components of the medium
 ///  - a point light and parallel rays: ln(1 + the light's distance from the view ray/RowUnit),
 ///  - layers, in perspective: asinh(rise of the view ray/RowUnit),
 ///  - layers and parallel rays: the height at which the view ray begins;
-/// a column to ln((1 + d) (1 + Extinction s)) for point lights, where s is the distance from the eye and
+/// a slice, cubic between slices, to where a ray lies about a point light in layers: the cosine of the
+/// angle between up and the ray's nearest way to the light's axis from the eye, seen along that axis, or,
+/// of parallel rays, seen along the rays;
+/// a column to ln((1 + d) (1 + Change s)) for point lights, where s is the distance from the eye and
 /// ln(1 + d) = asinh((s - foot)/height) - asinh(-foot/height), and to ln(1 + s/width) for layers.
 struct CoverageTable
 {
@@ -60,17 +63,23 @@ struct CoverageTable
   KindType Kind = NONE;
   int Rows = 0;
   int Columns = 0;
+  int Slices = 1; // or at least 4
+  float FirstSlice = 0.0f;
+  float SlicesPerUnit = 0.0f;
   float FirstRow = 0.0f;
   float RowsPerUnit = 0.0f;
   float RowUnit = 1.0f;
   float ColumnsPerUnit = 0.0f;
-  float Extinction = 0.0f;
+  float Change = 0.0f; // of light, for each unit of length, where it is brightest
   float Nearest =
     0.0f; // sine of a point light's angle, or its distance if rays are parallel: at least
-  float Distance = 0.0f;                            // of a point light
-  std::vector<float> InverseWidths;                 // of rows
-  std::vector<float> Values[CoverageMaximumPlanes]; // by rows: value and slope, of each column
-  double Largest[CoverageMaximumPlanes] = {};       // light of a whole ray
+  float Distance = 0.0f;            // of a point light
+  float LightRise = 0.0f;           // of the way to it, for each unit of length
+  float InverseSide = 0.0f;         // of the sine of up and that way, or of up and the view axis
+  std::vector<float> InverseWidths; // of rows
+  std::vector<float>
+    Values[CoverageMaximumPlanes];            // by slices and rows: value and slope, of each column
+  double Largest[CoverageMaximumPlanes] = {}; // light of a whole ray
 };
 
 /// Of a picture; for its transpose, x and y of vectors change places.

@@ -182,11 +182,13 @@ public:
       ", " + std::to_string(this->Settings.Channels) + " extinction(s), " +
       std::to_string(this->Shade.Components) + " component(s), " +
       (this->Settings.Point ? "point light, " : "directional light, ") +
-      (this->Table.Kind == CoverageTable::LAYERS ? "layered" : "homogeneous") + " medium, " +
+      (this->Layered ? "layered" : "homogeneous") + " medium, " +
       (this->Settings.Parallel ? "parallel projection, " : "perspective, ") +
       (this->Table.Kind == CoverageTable::NONE ? std::string()
                                                : "table of " + std::to_string(this->Table.Rows) +
-            " x " + std::to_string(this->Table.Columns) + ", ") +
+            " x " + std::to_string(this->Table.Columns) +
+            (this->Table.Slices > 1 ? " x " + std::to_string(this->Table.Slices) : std::string()) +
+            ", ") +
       (this->HasNoLines() ? std::string("the light is along the direction of view")
                           : std::to_string(this->Lines) + " lines through the light") +
       ", " + std::to_string(this->Overflows) + " overflows";
@@ -222,7 +224,8 @@ private:
     settings.FarLimit = medium.FarLimit;
     settings.Layers = parameters.Layers;
     settings.Thickness = parameters.Thickness;
-    const bool layered = IsLayered(medium);
+    this->Layered = IsLayered(medium);
+    const bool layered = this->Layered;
     bool grey = true;
     bool alike = true; // whether components scatter all colours in one proportion
     for (int k = 0; k < medium.NumberOfComponents; ++k)
@@ -238,8 +241,9 @@ private:
       grey = grey && IsGrey(extinction);
     }
     settings.Channels =
-      (layered ? grey : IsGrey(settings.Extinction) && (alike || !settings.Point)) ? 1 : 3;
-    settings.Planes = settings.Channels * (layered ? medium.NumberOfComponents : 1);
+      (layered ? grey : IsGrey(settings.Extinction)) && (alike || !settings.Point) ? 1 : 3;
+    settings.Planes =
+      settings.Channels * (layered && !settings.Point ? medium.NumberOfComponents : 1);
     settings.Table = &this->Table;
     if (!layered && !settings.Point)
     {
@@ -261,7 +265,7 @@ private:
 
   void PrepareTable(const Parameters& parameters)
   {
-    if (!this->Settings.Point && !IsLayered(parameters.Medium))
+    if (!this->Settings.Point && !this->Layered)
     {
       this->TableKeys[0].clear();
       return;
@@ -497,6 +501,7 @@ private:
   Plane TurnedInput[MaximumPlanes];
   Plane Hidden[CoverageMaximumPlanes];
   Plane TurnedHidden[CoverageMaximumPlanes];
+  bool Layered = false; // the medium
   CoverageTable Table;
   TableKey TableKeys[2]; // of the table, and of what is asked for
   std::array<double, 5> PhaseKeys[vtkGodRaysMedium::MaximumComponents];
@@ -546,14 +551,8 @@ bool vtkGodRaysCoverageSweep::Execute(const Parameters& parameters, const Monito
 {
   const int depths = std::max(1, 2 * parameters.Layers);
   const int planes = this->Internals->NumberOfPlanes;
-  return (planes == depths || planes == depths + 1) && Supports(parameters) &&
+  return (planes == depths || planes == depths + 1) &&
     this->Internals->Execute(parameters, monitor);
-}
-
-//------------------------------------------------------------------------------
-bool vtkGodRaysCoverageSweep::Supports(const Parameters& parameters)
-{
-  return parameters.Light[3] == 0.0 || !IsLayered(parameters.Medium);
 }
 
 //------------------------------------------------------------------------------

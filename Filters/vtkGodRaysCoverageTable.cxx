@@ -20,6 +20,7 @@ using Component = vtkGodRaysMedium::Component;
 constexpr double PointRowStep = 0.03;
 constexpr double PointRowStepOfDepth = 0.1; // [mean free paths]
 constexpr double PointColumnStep = 0.2;
+constexpr double SliceStepOfHeight = 0.5; // [scale heights]
 constexpr double LayerRowStep = 0.025;
 constexpr double LayerColumnStep = 0.12;
 constexpr double LayerColumnStepOfHeight = 0.3; // [scale heights]
@@ -27,6 +28,13 @@ constexpr int FewestRows = 96;
 constexpr int MostRows = 1024;
 constexpr int MostColumns = 1024;
 constexpr int FewestColumns = 8;
+constexpr double ReachOfSlices =
+  4.0; // beyond, layers count as they do there [distances of the light]
+constexpr int FewestSlices = 6;
+constexpr int MostSlices = 48;
+constexpr int MostRowsOfSlices = 512;
+constexpr int MostColumnsOfSlices = 256;
+constexpr double MostPlaces = 500e3; // of all slices, unless there are few
 
 // The mean of 1/distance over a pixel is that at this distance from its centre [pixels].
 constexpr double NearestOfPixel = 0.28;
@@ -90,25 +98,35 @@ double GetLongest(const CoverageSettings& settings, const CoverageImage& image)
 }
 
 //------------------------------------------------------------------------------
-// steps: so many at least.
-void SetRows(const Range& range, double steps, CoverageTable& table)
+// Of steps, which may be any number.
+int CountSteps(double steps, int fewest, int most)
+{
+  return static_cast<int>(std::ceil(std::min(std::max<double>(steps, fewest), most + 0.0)));
+}
+
+//------------------------------------------------------------------------------
+// steps: so many at least, unless that is too many.
+void SetRows(const Range& range, double steps, int most, CoverageTable& table)
 {
   table.FirstRow = static_cast<float>(range.Low);
   const double size = range.High - range.Low;
-  table.Rows = static_cast<int>(
-    std::ceil(std::min(std::max<double>(steps, FewestRows), static_cast<double>(MostRows))));
+  table.Rows = CountSteps(steps, FewestRows, most);
   table.RowsPerUnit = static_cast<float>((table.Rows - 1.0) / std::max(size, 1e-6));
 }
 
 //------------------------------------------------------------------------------
-void SetColumns(double end, double step, int planes, CoverageTable& table)
+void SetColumns(double end, double step, int most, CoverageTable& table)
 {
-  table.Columns =
-    std::min(std::max(static_cast<int>(std::ceil(end / step)) + 1, FewestColumns), MostColumns);
+  table.Columns = CountSteps(end / step + 1.0, FewestColumns, most);
   table.ColumnsPerUnit = static_cast<float>((table.Columns - 1.0) / end);
+}
+
+//------------------------------------------------------------------------------
+void MakeRoom(int planes, CoverageTable& table)
+{
   for (int p = 0; p < planes; ++p)
   {
-    table.Values[p].resize(static_cast<std::size_t>(2 * table.Columns) * table.Rows);
+    table.Values[p].resize(static_cast<std::size_t>(2 * table.Columns) * table.Rows * table.Slices);
   }
 }
 
@@ -125,7 +143,7 @@ struct PointRay
 {
   double Foot;
   double Height;
-  double Extinction;
+  double Change;
 
   double GetDistance(double s) const { return std::hypot(this->Height, s - this->Foot); }
 
@@ -136,12 +154,12 @@ struct PointRay
     const double way = PointLightWay(s - this->Foot, this->Height);
     return std::log1p(
              s * (way + start) / ((this->GetDistance(s) + this->GetDistance(0.0)) * start)) +
-      std::log1p(this->Extinction * s);
+      std::log1p(this->Change * s);
   }
 
   double GetUnitsPerLength(double s) const
   {
-    return 1.0 / this->GetDistance(s) + this->Extinction / (1.0 + this->Extinction * s);
+    return 1.0 / this->GetDistance(s) + this->Change / (1.0 + this->Change * s);
   }
 
   // From there to so many units, by Newton's method with steps that are exact where nothing is dimmed.
@@ -164,22 +182,23 @@ struct PointRay
 };
 
 //------------------------------------------------------------------------------
+// Of a row.
 PointRay GetPointRay(const CoverageSettings& settings, const CoverageTable& table, double units)
 {
   const double place = table.RowUnit * std::expm1(units);
   const double nearest = table.Nearest;
   if (settings.Parallel)
   {
-    return { settings.Light[2], std::max(place, nearest), table.Extinction };
+    return { settings.Light[2], std::max(place, nearest), table.Change };
   }
   const double angle = 2.0 * std::atan(place);
   return { table.Distance * std::cos(angle), table.Distance * std::max(std::sin(angle), nearest),
-    table.Extinction };
+    table.Change };
 }
 
 //------------------------------------------------------------------------------
 void SetPointRows(
-  const CoverageSettings& settings, const CoverageImage& image, CoverageTable& table)
+  const CoverageSettings& settings, const CoverageImage& image, int most, CoverageTable& table)
 {
   const Vec3 light(settings.Light[0], settings.Light[1], settings.Light[2]);
   table.Distance = static_cast<float>(std::max(length(light), 1e-9 * settings.FarLimit));
@@ -221,70 +240,177 @@ void SetPointRows(
   const double width = settings.Parallel
     ? range.High - range.Low
     : 2.0 * table.Distance * (std::atan(range.High) - std::atan(range.Low));
-  const double depth = table.Extinction * width;
+  const double depth = table.Change * width;
   SetRows({ std::log1p(range.Low / table.RowUnit), std::log1p(range.High / table.RowUnit) },
-    std::max(steps, depth / PointRowStepOfDepth), table);
+    std::max(steps, depth / PointRowStepOfDepth), most, table);
+}
+
+//------------------------------------------------------------------------------
+// What the rays of a row share, but for where they lie about the light.
+LitRay GetLitRay(
+  const CoverageSettings& settings, const CoverageTable& table, const PointRay& ray, double about)
+{
+  const double* light = settings.Light;
+  const double* up = settings.Up;
+  const double rise = light[0] * up[0] + light[1] * up[1];
+  const double aside = ray.Height * about;
+  LitRay lit = { 0, ray.Foot, ray.Height, settings.EyeHeight, up[2],
+    settings.EyeHeight + rise + light[2] * up[2] };
+  if (settings.Parallel)
+  {
+    lit.Height += rise + aside;
+  }
+  else
+  {
+    lit.Slope = (ray.Foot * table.LightRise + aside) / table.Distance;
+    lit.Slope = std::min(std::max(lit.Slope, -1.0), 1.0);
+  }
+  return lit;
+}
+
+//------------------------------------------------------------------------------
+// Where rays lie about a point light; only in layers does that matter.
+void SetSlices(const CoverageSettings& settings, const CoverageImage& image, double scale,
+  double longest, CoverageTable& table)
+{
+  const double reach = std::min(longest, ReachOfSlices * table.Distance);
+  table.Slices = 1;
+  table.FirstSlice = table.SlicesPerUnit = table.InverseSide = 0.0f;
+  if (scale <= 0.0)
+  {
+    return;
+  }
+  const Vec3 light(settings.Light[0], settings.Light[1], settings.Light[2]);
+  const Vec3 up(settings.Up[0], settings.Up[1], settings.Up[2]);
+  table.LightRise = static_cast<float>(dot(up, light) / table.Distance);
+  const Vec3 axis = settings.Parallel ? Vec3(0.0, 0.0, 1.0) : light / double(table.Distance);
+  const double side = length(cross(axis, up));
+  table.InverseSide = static_cast<float>(1.0 / std::max(side, 1e-6));
+  Range range;
+  double widest = 0.0; // way from the light's axis
+  VisitEdge(image,
+    [&](double x, double y)
+    {
+      const Vec3 place = GetRay(settings, image, x, y);
+      const Vec3 ray = settings.Parallel ? place - light : place / length(place);
+      const Vec3 away = ray - dot(ray, axis) * axis;
+      const double size = length(away);
+      range.Add(std::min(std::max(dot(away, up) / std::max(size * side, 1e-9), -1.0), 1.0));
+      widest = std::max(widest, size * (settings.Parallel ? 1.0 : reach));
+    });
+  if (Shows(settings, image, light) || Shows(settings, image, axis))
+  {
+    range = { -1.0, 1.0 };
+  }
+  const double size = range.High - range.Low;
+  const double steps = size * side * widest / scale / SliceStepOfHeight;
+  const double room = MostPlaces / (static_cast<double>(table.Rows) * table.Columns);
+  table.Slices = CountSteps(std::min(steps, room), FewestSlices, MostSlices);
+  table.FirstSlice = static_cast<float>(range.Low);
+  table.SlicesPerUnit = static_cast<float>((table.Slices - 1.0) / std::max(size, 1e-6));
+}
+
+//------------------------------------------------------------------------------
+// The least scale height; 0 if there is none.
+double GetLeastScale(const vtkGodRaysMedium& medium)
+{
+  double scale = 0.0;
+  for (int k = 0; k < medium.NumberOfComponents; ++k)
+  {
+    const double height = medium.Components[k].ScaleHeight;
+    scale = height > 0.0 && !(scale > 0.0 && scale < height) ? height : scale;
+  }
+  return scale;
+}
+
+//------------------------------------------------------------------------------
+// How fast light changes along rays where it is brightest, at the eye or at a point light: what of it
+// is extinguished for each unit of length, and how fast layers thin out.
+double GetChange(const CoverageSettings& settings, const vtkGodRaysMedium& medium, double longest)
+{
+  const double* light = settings.Light;
+  const double* up = settings.Up;
+  const double rise = light[0] * up[0] + light[1] * up[1] + light[2] * up[2];
+  const double lower = settings.EyeHeight + std::min(rise, 0.0);
+  double extinction = 0.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    double sum = 0.0;
+    for (int k = 0; k < medium.NumberOfComponents; ++k)
+    {
+      const Component& component = medium.Components[k];
+      sum += (component.Scattering[c] + component.Absorption[c]) *
+        (component.ScaleHeight > 0.0 ? ExponentialDensity(lower, component.ScaleHeight) : 1.0);
+    }
+    extinction = std::max(extinction, sum);
+  }
+  const double scale = GetLeastScale(medium);
+  return std::min(extinction + (scale > 0.0 ? 1.0 / scale : 0.0), 1e6 / longest);
+}
+
+//------------------------------------------------------------------------------
+MediumComponent GetComponent(const vtkGodRaysMedium& medium, int k, int color)
+{
+  const Component none;
+  const Component& from = k < medium.NumberOfComponents ? medium.Components[k] : none;
+  return { from.Scattering[color], from.Scattering[color] + from.Absorption[color],
+    from.ScaleHeight, { from.PhaseFunction, from.Asymmetry },
+    { from.SecondPhaseFunction, from.SecondAsymmetry }, from.SecondWeight };
 }
 
 //------------------------------------------------------------------------------
 void MakePointTable(const CoverageSettings& settings, const CoverageImage& image,
   const vtkGodRaysMedium& medium, CoverageTable& table)
 {
-  table.Extinction =
-    static_cast<float>(*std::max_element(settings.Extinction, settings.Extinction + 3));
-  SetPointRows(settings, image, table);
   const double longest = GetLongest(settings, image);
+  const double scale = GetLeastScale(medium);
+  MediumComponent components[3][2];
+  double wholes[3]; // of which a plane's scattering is a part
+  for (int c = 0; c < 3; ++c)
+  {
+    components[c][0] = GetComponent(medium, 0, c);
+    components[c][1] = GetComponent(medium, 1, c);
+    wholes[c] = components[c][0].Scattering + components[c][1].Scattering;
+  }
+  const int brightest = static_cast<int>(std::max_element(wholes, wholes + 3) - wholes);
+  table.Change = static_cast<float>(GetChange(settings, medium, longest));
+  SetPointRows(settings, image, scale > 0.0 ? MostRowsOfSlices : MostRows, table);
   double end = 0.0;
   for (int row = 0; row < table.Rows; ++row)
   {
     end = std::max(end, GetPointRay(settings, table, GetRowUnits(table, row)).ToUnits(longest));
   }
-  SetColumns(end, PointColumnStep, settings.Planes, table);
+  SetColumns(end, PointColumnStep, scale > 0.0 ? MostColumnsOfSlices : MostColumns, table);
+  SetSlices(settings, image, scale, longest, table);
+  MakeRoom(settings.Planes, table);
 
-  vtkSMPTools::For(0, table.Rows, 1,
+  vtkSMPTools::For(0, static_cast<vtkIdType>(table.Slices) * table.Rows, 1,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType row = first; row < last; ++row)
       {
-        const PointRay ray = GetPointRay(settings, table, GetRowUnits(table, row));
+        const PointRay ray = GetPointRay(settings, table, GetRowUnits(table, row % table.Rows));
+        const double about = table.Slices == 1
+          ? 0.0
+          : (table.FirstSlice + row / table.Rows / double(table.SlicesPerUnit)) / table.InverseSide;
+        const LitRay lit = GetLitRay(settings, table, ray, about);
         double sums[CoverageMaximumPlanes] = {};
         double before = 0.0;
         for (int column = 0; column < table.Columns; ++column)
         {
           const double s = ray.Invert(before, column / static_cast<double>(table.ColumnsPerUnit));
           const double r = ray.GetDistance(s);
+          const double perColumn = 1.0 / (r * r * ray.GetUnitsPerLength(s) * table.ColumnsPerUnit);
           for (int p = 0; p < settings.Planes; ++p)
           {
-            double slope = 0.0;
-            double whole = 0.0;
-            for (int k = 0; k < medium.NumberOfComponents; ++k)
-            {
-              whole += medium.Components[k].Scattering[p];
-            }
-            for (int k = 0; k < medium.NumberOfComponents; ++k)
-            {
-              const Component& component = medium.Components[k];
-              const PhaseFunction phases[2] = { { component.PhaseFunction, component.Asymmetry },
-                { component.SecondPhaseFunction, component.SecondAsymmetry } };
-              const double part = whole > 0.0 ? component.Scattering[p] / whole : 0.0;
-              for (int i = 0; i < 2; ++i)
-              {
-                const double weight =
-                  part * (i == 0 ? 1.0 - component.SecondWeight : component.SecondWeight);
-                if (weight > 0.0)
-                {
-                  sums[p] += weight *
-                    PointAirlight(
-                      phases[i], settings.Extinction[p], ray.Foot, ray.Height, before, s);
-                  slope += weight * Phase(phases[i], (ray.Foot - s) / r);
-                }
-              }
-            }
-            slope *= std::exp(-settings.Extinction[p] * (s + r)) / (r * r) /
-              (ray.GetUnitsPerLength(s) * table.ColumnsPerUnit);
+            const int color = settings.Planes == 1 ? brightest : p;
+            const MediumComponent& one = components[color][0];
+            const MediumComponent& other = components[color][1];
+            const double gain = wholes[color] > 0.0 ? ray.Height / wholes[color] : 0.0;
+            sums[p] += gain * MediumAirlight(one, other, lit, before, s);
             float* values = table.Values[p].data() + 2 * (row * table.Columns + column);
-            values[0] = static_cast<float>(ray.Height * sums[p]);
-            values[1] = static_cast<float>(ray.Height * slope);
+            values[0] = static_cast<float>(sums[p]);
+            values[1] = static_cast<float>(gain * perColumn * MediumIntegrand(one, other, lit, s));
           }
           before = s;
         }
@@ -343,12 +469,8 @@ void MakeLayeredTable(const CoverageSettings& settings, const CoverageImage& ima
   const Vec3 light(settings.Light[0], settings.Light[1], settings.Light[2]);
   const double lightSlope = dot(light, up);
   const double longest = GetLongest(settings, image);
-  double scale = 1e300;
-  for (int k = 0; k < medium.NumberOfComponents; ++k)
-  {
-    const double height = medium.Components[k].ScaleHeight;
-    scale = height > 0.0 ? std::min(scale, height) : scale;
-  }
+  const double scale = GetLeastScale(medium);
+  table.Slices = 1;
 
   // Rows
   Range range;
@@ -378,7 +500,7 @@ void MakeLayeredTable(const CoverageSettings& settings, const CoverageImage& ima
       add(up.z > 0.0 ? 1.0 : -1.0);
     }
   }
-  SetRows(range, (range.High - range.Low) / step, table);
+  SetRows(range, (range.High - range.Low) / step, MostRows, table);
   const auto getRay = [&](vtkIdType row) -> LayeredRay
   {
     const double units = GetRowUnits(table, row);
@@ -420,8 +542,8 @@ void MakeLayeredTable(const CoverageSettings& settings, const CoverageImage& ima
     drop = std::max(
       drop, std::min(most, ray.Height / scale - std::log(std::min(ground * scale, 1.0) + 1e-30)));
   }
-  SetColumns(
-    end, std::min(LayerColumnStep, LayerColumnStepOfHeight / drop), settings.Planes, table);
+  SetColumns(end, std::min(LayerColumnStep, LayerColumnStepOfHeight / drop), MostColumns, table);
+  MakeRoom(settings.Planes, table);
 
   vtkSMPTools::For(0, table.Rows, 1,
     [&](vtkIdType first, vtkIdType last)
@@ -485,10 +607,11 @@ void MakeCoverageTable(const CoverageSettings& settings, const CoverageImage& im
   for (int p = 0; p < settings.Planes; ++p)
   {
     table.Largest[p] = 0.0;
-    for (int row = 0; row < table.Rows; ++row)
+    for (vtkIdType row = 0; row < static_cast<vtkIdType>(table.Slices) * table.Rows; ++row)
     {
-      const double gain =
-        settings.Point ? 1.0 / GetPointRay(settings, table, GetRowUnits(table, row)).Height : 1.0;
+      const double gain = settings.Point
+        ? 1.0 / GetPointRay(settings, table, GetRowUnits(table, row % table.Rows)).Height
+        : 1.0;
       const double value = table.Values[p][2 * (row * table.Columns + table.Columns - 1)];
       table.Largest[p] = std::max(table.Largest[p], gain * value);
     }

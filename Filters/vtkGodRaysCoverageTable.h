@@ -19,9 +19,8 @@ struct CoverageImage;
 struct CoverageSettings;
 struct CoverageTable;
 
-/// The table of a point light in a homogeneous medium, or of a directional light in one that thins out,
-/// for the view rays of a picture. Plane c is of colour c, or k Channels + c of component k of a medium
-/// that thins out.
+/// The table of a point light, or of a directional light in a medium that thins out, for the view rays of a
+/// picture. Plane c is of colour c, or, of a directional light, k Channels + c of component k.
 void MakeCoverageTable(const CoverageSettings& settings, const CoverageImage& image,
   const vtkGodRaysMedium& medium, CoverageTable& table);
 }

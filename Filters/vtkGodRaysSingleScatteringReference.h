@@ -12,8 +12,6 @@
  * quadrature of 15 points in double precision, to Tolerance. A ray straight at or away from the light,
  * within 1e-9 radians, is lit beyond its last, or before its first, surface.
  *
- * Here the light may also be a point light in a medium that thins out: nothing is left out.
- *
  * Input: vtkPolyData, the occluders, in world coordinates: polygons, which are convex, and triangle
  * strips; both sides block. Without input nothing blocks. Cost: each ray looks at the triangles in its
  * plane, found by a tree of boxes: of the order of 10 us in scenes of 100 000 triangles.

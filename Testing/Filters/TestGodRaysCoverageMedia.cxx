@@ -12,8 +12,10 @@
 #include "vtkDoubleArray.h"
 #include "vtkSMPTools.h"
 
+#include <array>
 #include <functional>
 #include <limits>
+#include <utility>
 
 using namespace GodRaysFiltersTesting;
 using namespace GodRaysMediumScenes;
@@ -217,6 +219,113 @@ TEST(CoverageMedia, LayersShineAsTheIntegral)
 }
 
 //------------------------------------------------------------------------------
+// Point lights above, in and below two components that thin out, against sums of many steps.
+TEST(CoverageMedia, PointLightsInLayersShineAsTheIntegral)
+{
+  Random random(45);
+  double worst = 0.0;
+  for (int i = 0; i < 60; ++i)
+  {
+    vtkNew<Filter> filter;
+    const double scale = random.Log(1e-3, 1e3); // the lesser height
+    const double far = random.Log(0.3, 100.0) * scale;
+    filter->SetFarLimit(far);
+    filter->SetViewAngle(random.Uniform(10.0, 90.0));
+    filter->SetParallelProjection(i % 2 == 1);
+    filter->SetParallelScale(random.Uniform(0.1, 4.0) * scale);
+    const double b = random.Log(1e-3, 1.0) / scale;
+    const double gas = random.Log(1e-3, 1.0) / scale;
+    const double g = random.Uniform(-0.9, 0.9);
+    const double gasScale = random.Log(1.0, 10.0) * scale;
+    filter->SetScatteringCoefficient(b, b, b);
+    filter->SetPhaseFunction(i % 5);
+    filter->SetAsymmetry(g);
+    filter->SetScaleHeight(scale);
+    filter->SetGasScatteringCoefficient(gas, gas, gas);
+    filter->SetGasScaleHeight(i % 4 == 0 ? 0.0 : gasScale);
+    const Vec3 up = i % 3 == 0 ? Vec3(0.0, 1.0, 0.0) : random.Direction();
+    filter->SetMediumUp(up.x, up.y, up.z);
+    const double eye = random.Uniform(-1.0, 3.0) * scale;
+    filter->SetGroundLevel(-eye);
+    const vtkGodRays::MediumComponent first = { b, b, scale, { i % 5, g }, {}, 0.0 };
+    const vtkGodRays::MediumComponent second = { gas, gas, filter->GetGasScaleHeight(),
+      { Filter::RAYLEIGH, 0.0 }, {}, 0.0 };
+    Vec3 light;
+    double depth;
+    do // not where only darkness comes from
+    {
+      light = random.Log(0.1, 20.0) * scale * random.Direction();
+      const double distance = vtkGodRays::length(light);
+      depth =
+        b * vtkGodRays::MediumDepth(eye, vtkGodRays::dot(light, up) / distance, scale, distance) +
+        gas *
+          vtkGodRays::MediumDepth(
+            eye, vtkGodRays::dot(light, up) / distance, second.ScaleHeight, distance);
+    } while (depth > 10.0);
+    filter->SetLight(light.x, light.y, light.z, 1.0);
+    const double most = random.Uniform(0.05, 1.0);
+    const double error = CompareEnds(
+      filter, [&](int x, int y) { return most * far * (1 + (x + y) % 7) / 7.0; },
+      [&](const Ray& ray, double end)
+      {
+        const double length = vtkGodRays::length(ray.Step);
+        const Vec3 along = ray.Step / length;
+        const Vec3 to = light - ray.Origin;
+        const double nearest = 0.28 * GetPixelSize(filter) *
+          (filter->GetParallelProjection() ? 1.0 : light.z * light.z / vtkGodRays::length(light));
+        const vtkGodRays::LitRay lit = { 0, vtkGodRays::dot(to, along),
+          std::max(nearest, vtkGodRays::length(vtkGodRays::cross(to, along))),
+          eye + vtkGodRays::dot(up, ray.Origin), vtkGodRays::dot(up, along),
+          eye + vtkGodRays::dot(up, light) };
+        // Steps of angle and of length.
+        constexpr int parts = 60;
+        std::array<double, 2 * parts> places;
+        for (int k = 0; k < parts; ++k)
+        {
+          const double t = (k + 1.0) / parts;
+          places[2 * k] = vtkGodRays::MediumPlace(lit, 0.0, end * length, t);
+          places[2 * k + 1] = t * end * length;
+        }
+        std::sort(places.begin(), places.end());
+        double sum = 0.0;
+        double begin = 0.0;
+        for (const double place : places)
+        {
+          sum += vtkGodRays::MediumAirlight(first, second, lit, begin, place);
+          begin = place;
+        }
+        return sum;
+      });
+    EXPECT_LE(error, 2e-3) << i << " " << filter->GetPlan() << " eye " << eye / scale << " far "
+                           << far / scale << " light " << light.x / scale << " " << light.y / scale
+                           << " " << light.z / scale << " up " << vtkGodRays::dot(up, light) / scale
+                           << " depths " << b * scale << " " << gas * scale;
+    worst = std::max(worst, error);
+  }
+  std::cout << "largest difference " << worst << " of the peak\n";
+}
+
+//------------------------------------------------------------------------------
+// Layers that do not thin out in the picture are no layers.
+TEST(CoverageMedia, PointLightsInThickLayersShineAsInNone)
+{
+  const Picture depths = MakePicture(
+    Width, Height, [](int x, int y) { return (x / 5 + y / 4) % 3 == 0 ? 2.0 + 0.1 * x : sky; });
+  for (const double z : { -6.0, 0.0, 2.0 })
+  {
+    vtkNew<Filter> filter;
+    filter->SetFarLimit(20.0);
+    filter->SetLight(0.5, 0.7, z, 1.0);
+    const Picture without = Scatter(filter, depths);
+    filter->SetScaleHeight(1e8);
+    const Picture with = Scatter(filter, depths);
+    EXPECT_LE(GetLargestDifference(with, without), 1e-3 * without.GetMaximum());
+    filter->SetScaleHeight(1.0);
+    EXPECT_GT(GetLargestDifference(Scatter(filter, depths), without), 0.05 * without.GetMaximum());
+  }
+}
+
+//------------------------------------------------------------------------------
 // Shadows of point lights before, beside, above and behind things, and behind the eye: the ground truth.
 // Without shadows it would be far off.
 TEST(CoverageMedia, PointLightsCastShadows)
@@ -231,7 +340,8 @@ TEST(CoverageMedia, PointLightsCastShadows)
     }
     for (const double* light : lights)
     {
-      for (const bool parallel : { false, true })
+      for (const auto& [parallel, layered] :
+        { std::pair(false, false), { true, false }, { false, true }, { true, true } })
       {
         vtkNew<Reference> reference;
         vtkNew<Filter> filter;
@@ -242,10 +352,12 @@ TEST(CoverageMedia, PointLightsCastShadows)
           either->SetLight(light[0], light[1], light[2], 1.0);
           either->SetParallelProjection(parallel);
           either->SetParallelScale(3.5);
+          either->SetScaleHeight(layered ? 2.0 : 0.0);
+          either->SetGroundLevel(-1.0);
         }
         reference->SetInputData(scene.Occluders);
         reference->SetSize(240, 135);
-        reference->SetTolerance(1e-5);
+        reference->SetTolerance(1e-3);
         reference->SetNumberOfLayers(1);
         reference->Update();
         const Picture truth = FromImage(reference->GetOutput());
@@ -272,8 +384,8 @@ TEST(CoverageMedia, PointLightsCastShadows)
         const double rms = std::sqrt(squares / shadowed.Values.size());
         const double wrong = std::sqrt(without / shadowed.Values.size());
         std::cout << scene.Name << " " << light[0] << " " << light[1] << " " << light[2]
-                  << (parallel ? " parallel" : "") << ": rms " << rms << ", without shadows "
-                  << wrong << "\n";
+                  << (parallel ? " parallel" : "") << (layered ? " layered" : "") << ": rms " << rms
+                  << ", without shadows " << wrong << "\n";
         // Slats are a few pixels wide, and known to half a pixel.
         EXPECT_LE(rms, scene.Name == "slats" ? 0.04 : 0.025);
         EXPECT_GT(wrong, 3.0 * rms);
@@ -402,6 +514,9 @@ TEST(CoverageMedia, IsFiniteForAnyMedium)
     {
       const Vec3 direction = random.Direction();
       filter->SetLight(direction.x, direction.y, direction.z, 0.0);
+    }
+    if (!point || i % 3 == 0)
+    {
       filter->SetScaleHeight(random.Log(1e-6, 1e9));
       filter->SetGroundLevel(random.Uniform(-1.0, 1.0) * random.Log(1e-6, 1e9));
       filter->SetGasScatteringCoefficient(b, b, random.Log(1e-12, 1e3));
@@ -441,7 +556,7 @@ TEST(CoverageMedia, BytesDoNotDependOnThreads)
 {
   const Picture depths = MakePicture(
     200, 130, [](int x, int y) { return (x / 9 + y / 7) % 3 == 0 ? 2.0 + 0.02 * x : sky; });
-  for (const bool point : { false, true })
+  for (const auto& [point, scale] : { std::pair(false, 2.0), { true, 0.0 }, { true, 2.0 } })
   {
     Picture pictures[2];
     for (const int threads : { 1, 2 })
@@ -451,7 +566,7 @@ TEST(CoverageMedia, BytesDoNotDependOnThreads)
         {
           vtkNew<Filter> filter;
           filter->SetLight(0.5, 0.7, -4.0, point ? 1.0 : 0.0);
-          filter->SetScaleHeight(point ? 0.0 : 2.0);
+          filter->SetScaleHeight(scale);
           pictures[threads - 1] = Scatter(filter, depths);
         });
     }

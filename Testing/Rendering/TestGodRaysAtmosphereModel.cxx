@@ -74,11 +74,13 @@ protected:
 const std::array<double, 4> InFront = { 0.15, 0.1, -1.0, 0.0 };
 const std::array<double, 4> Beside = { 1.0, 0.3, -0.1, 0.0 };
 const std::array<double, 4> Behind = { 0.3, 0.4, 1.0, 0.0 };
+const std::array<double, 4> LampInFront = { 0.0, 0.5, -2.0, 1.0 };
+const std::array<double, 4> LampBeside = { 6.0, 1.0, 0.5, 1.0 };
 }
 
 TEST_F(GodRaysAtmosphereModel, IsTheIntegralWithoutOccluders)
 {
-  for (const auto& light : { InFront, Beside, Behind })
+  for (const auto& light : { InFront, Beside, Behind, LampInFront })
   {
     EXPECT_LT(this->GetErrorOfAir(light, this->GetTruth(light)), 2e-5);
   }
@@ -96,7 +98,7 @@ TEST_F(GodRaysAtmosphereModel, IsTheGroundTruthWithOccluders)
   vtkNew<vtkGodRaysDepthWeightedTapsIntegrator> taps;
   const std::array<vtkGodRaysIntegrator*, 3> integrators = { coverage, shadows, taps };
   const std::pair<std::array<double, 4>, double> cases[] = { { InFront, 0.01 }, { Beside, 0.005 },
-    { Behind, 0.006 } };
+    { Behind, 0.006 }, { LampInFront, 0.008 }, { LampBeside, 0.0002 } };
   for (const auto& [light, bound] : cases)
   {
     const auto truth = this->GetTruth(light);
