@@ -13,6 +13,7 @@ uniform sampler2D extinction;
 uniform ivec2 halfSize;     // columns and rows of one half of one of the table's slices
 uniform int rowsBelow;      // the horizon
 uniform int slices;
+uniform int extinctionSlices;
 uniform SkyAtmosphere sky;
 uniform float height;       // of the observer
 uniform vec2 edges;         // see SkyEdges
@@ -76,8 +77,8 @@ vec3 SceneThroughAir(vec3 ray, float slope, bool above, vec2 cell, float aerosol
                     : -(sky.GroundRadius + height) * slope; // just below the horizon
   float place = sqrt(sqrt(clamp(way / max(end - within.x, 1e-3), 0.0, 1.0)));
   float slice = clamp(place * float(slices) - 1.0, 0.0, float(slices - 1));
-  vec3 transmittance = exp(-way *
-    textureLod(extinction, vec2((slice + 0.5) / float(slices), cell.y / float(halfSize.y)), 0.0).rgb);
+  vec2 uv = vec2(place - 0.5 / float(extinctionSlices), cell.y / float(halfSize.y));
+  vec3 transmittance = exp(-way * textureLod(extinction, uv, 0.0).rgb);
   int lower = min(int(slice), slices - 2);
   vec3 light = mix(LookUp(cell, lower, aerosolPhase), LookUp(cell, lower + 1, aerosolPhase),
     slice - float(lower));

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysSkyPass.h"
 
+#include "vtkActor.h"
+#include "vtkActor2D.h"
 #include "vtkCamera.h"
 #include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysAttachment.h"
@@ -26,6 +28,7 @@
 #include "vtkOpenGLError.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkProp.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
@@ -92,6 +95,21 @@ private:
   vtkRenderer* Renderer;
   vtkSmartPointer<vtkGodRaysPass> Rays;
 };
+
+/// Whether the sky can be drawn after the scene, where nothing is, which takes less: all of it has depth,
+/// and edges are not smoothed with what is behind them.
+bool IsOpaque(const vtkRenderState* s)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  vtkProp** props = s->GetPropArray();
+  return !renderer->GetUseFXAA() && !renderer->GetUseSSAO() &&
+    std::all_of(props, props + s->GetPropArrayCount(),
+      [](vtkProp* prop)
+      {
+        return vtkActor2D::SafeDownCast(prop) ||
+          (vtkActor::SafeDownCast(prop) && !prop->HasTranslucentPolygonalGeometry());
+      });
+}
 
 void SetVector(vtkShaderProgram* program, const char* name, const Vec3& value)
 {
@@ -347,8 +365,8 @@ void vtkGodRaysSkyPass::Render(const vtkRenderState* s)
     return;
   }
   vtkRenderPass* scene = this->DelegatePass;
-  const bool inBetween = !scene; // between the background and the scene
-  if (inBetween)
+  const bool inBetween = !scene && !IsOpaque(s); // between the background and the scene
+  if (!scene)
   {
     scene = self.RendererSteps;
   }

@@ -23,8 +23,8 @@
  * be as large as the planet. A camera below the ground counts as one on it. In a parallel projection all
  * view rays have the same direction, so that the sky has one colour.
  *
- * Without a delegate the sky is drawn between the background and the scene, so that what is translucent is
- * before it. A delegate draws scene and background at once: the sky is drawn after it, where the depth is
+ * Without a delegate the sky is drawn between the background and the scene if anything is translucent, so
+ * that it is before the sky. A delegate draws scene and background at once: the sky is drawn after it, where the depth is
  * that of nothing, and replaces what is translucent there. So let passes such as vtkSSAAPass and
  * vtkToneMappingPass have this one as their delegate instead.
  *

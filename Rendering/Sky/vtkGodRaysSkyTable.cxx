@@ -24,11 +24,13 @@ struct Layout
   int Slices;
 };
 const Layout WholeLayout = { { 32, 192 }, 64, 1 };
-const Layout PartsLayout = { { 8, 64 }, 32, 16 };
+const Layout SpaceLayout = { { 96, 128 }, 64, 1 }; // the edge between day and night is in sight
+const Layout PartsLayout = { { 8, 48 }, 24, 32 };
+const int ExtinctionSlices = 128; // of the mean extinction up to a distance, which is little work
 
-const Layout& GetLayout(bool inParts)
+const Layout& GetLayout(bool inParts, const vtkGodRaysSkyTable::Request& request)
 {
-  return inParts ? PartsLayout : WholeLayout;
+  return inParts ? PartsLayout : request.Height > request.Sky.TopHeight ? SpaceLayout : WholeLayout;
 }
 
 void SetProfile(vtkShaderProgram* program, const std::string& name, const SkyProfile& profile)
@@ -103,13 +105,13 @@ bool vtkGodRaysSkyTable::Update(vtkOpenGLRenderWindow* window, const Request& re
   {
     this->UploadRepeated(window, request.Repeated);
   }
-  const Layout& layout = GetLayout(this->InParts);
+  const Layout& layout = GetLayout(this->InParts, this->Made);
   this->Table.Prepare(
     window, 2 * layout.HalfSize[0], layout.Slices * layout.HalfSize[1], { GL_RGBA32F, 0 });
   bool made = this->Draw(window, this->Table, false);
   if (this->InParts)
   {
-    this->Extinction.Prepare(window, layout.Slices, layout.HalfSize[1], { GL_RGBA32F, 0 });
+    this->Extinction.Prepare(window, ExtinctionSlices, layout.HalfSize[1], { GL_RGBA32F, 0 });
     made = made && this->Draw(window, this->Extinction, true);
   }
   if (!made)
@@ -157,13 +159,14 @@ Vec2 vtkGodRaysSkyTable::GetEdges() const
 //------------------------------------------------------------------------------
 void vtkGodRaysSkyTable::SetLayout(vtkShaderProgram* program) const
 {
-  const Layout& layout = GetLayout(this->InParts);
+  const Layout& layout = GetLayout(this->InParts, this->Made);
   const Vec2 edges = this->GetEdges();
   const float slopes[2] = { static_cast<float>(edges.x), static_cast<float>(edges.y) };
   program->SetUniform2f("edges", slopes);
   program->SetUniform2i("halfSize", layout.HalfSize);
   program->SetUniformi("rowsBelow", layout.RowsBelow);
   program->SetUniformi("slices", layout.Slices);
+  program->SetUniformi("extinctionSlices", ExtinctionSlices);
 }
 
 //------------------------------------------------------------------------------

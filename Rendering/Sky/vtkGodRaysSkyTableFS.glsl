@@ -21,13 +21,14 @@ uniform vec2 edges;              // see SkyEdges
 uniform ivec2 halfSize;          // columns and rows of one half of one slice
 uniform int rowsBelow;           // the horizon
 uniform int slices;
+uniform int extinctionSlices;
 
 //VTK::GodRays::Terms
 // repeated: whether light is scattered more than once
 // sliced: whether there are slices
 // ofExtinction: the mean extinction along the ways of all slices and rows, and no light
 
-const int Steps = 24;
+const int Steps = sliced ? 16 : 24; // slices are short, and many
 const float ShortestWay = 10.0; // of a slice; below, what is read of columns of air is rounded
 
 // Where a part of a way is looked at, and what that stands for: Steps middles of t in [0, 1], the part being
@@ -62,9 +63,9 @@ SkyWay WayOfRow(int row, float cosAzimuth)
   return way;
 }
 
-float EndOfSlice(SkyWay way, int slice)
+float EndOfSlice(SkyWay way, int slice, int count)
 {
-  float place = float(slice + 1) / float(slices);
+  float place = float(slice + 1) / float(count);
   return max(way.Length * place * place * place * place, ShortestWay);
 }
 
@@ -120,9 +121,9 @@ void main()
 {
   if (ofExtinction)
   {
-    ivec2 cell = ivec2(texCoord * vec2(slices, halfSize.y));
+    ivec2 cell = ivec2(texCoord * vec2(extinctionSlices, halfSize.y));
     SkyWay way = WayOfRow(cell.y - rowsBelow, 1.0);
-    float reach = EndOfSlice(way, cell.x);
+    float reach = EndOfSlice(way, cell.x, extinctionSlices);
     gl_FragData[0] = vec4(SkyDepth(sky, way.Height, way.Slope, reach) / reach, 1.0);
     return;
   }
@@ -130,7 +131,7 @@ void main()
   bool ofAerosol = cell.x >= halfSize.x;
   float across = float(ofAerosol ? cell.x - halfSize.x : cell.x) / float(halfSize.x - 1);
   SkyWay way = WayOfRow(cell.y % halfSize.y - rowsBelow, 2.0 * across - 1.0);
-  float reach = sliced ? EndOfSlice(way, cell.y / halfSize.y) : way.Length;
+  float reach = sliced ? EndOfSlice(way, cell.y / halfSize.y, slices) : way.Length;
   vec3 light = Integrate(way, reach, ofAerosol);
   if (sliced)
   {
