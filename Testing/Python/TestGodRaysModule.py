@@ -251,6 +251,54 @@ class Parameters(unittest.TestCase):
         self.assertIsNone(self.renderer.GetPass())
 
 
+class Sky(unittest.TestCase):
+    def test_it_is_behind_the_scene_and_under_the_rays(self):
+        window, renderer, _ = make_scene()
+        bare = pixels(window)
+        light = vtkLight()
+        sky = godrays.sky(
+            renderer, sun=(200, 5), light=light, atmosphere="earth-hazy", up=(0, 1, 0),
+            north=(0, 0, -1), exposure=2, MultipleScattering=False)
+        self.assertIs(renderer.GetPass(), sky)
+        self.assertEqual((sky.GetSunAzimuth(), sky.GetSunElevation()), (200, 5))
+        self.assertEqual((sky.GetUp(), sky.GetExposure()), ((0, 1, 0), 2))
+        red, _, blue = light.GetDiffuseColor()
+        self.assertLess(blue, 0.9 * red)
+        seen = pixels(window)
+        self.assertNotEqual(bare[:3], seen[:3])
+        rays = godrays.enable(renderer, light=light)
+        self.assertIs(rays.GetDelegatePass(), sky)
+        self.assertIs(godrays.sky(window), sky)
+        godrays.disable(renderer)
+        self.assertEqual(seen, pixels(window))
+        self.assertTrue(godrays.vtkGodRaysSkyPass.Detach(renderer))
+        self.assertEqual(bare, pixels(window))
+
+    def test_the_sun_as_a_direction(self):
+        _, renderer, _ = make_scene()
+        for azimuth, elevation in ((0, 0), (80, 40), (-100, -10), (170, 89)):
+            direction = [0, 0, 0]
+            up, north = (0, 3, 0), (2, 1, 0)
+            godrays.vtkGodRaysSunPosition.ComputeDirection(
+                azimuth, elevation, up, north, direction)
+            sky = godrays.sky(renderer, up=up, north=north, sun=direction)
+            self.assertAlmostEqual(sky.GetSunAzimuth(), azimuth, 6)
+            self.assertAlmostEqual(sky.GetSunElevation(), elevation, 6)
+
+    def test_errors_change_nothing(self):
+        _, renderer, _ = make_scene()
+        for error, words, wrong in (
+            (TypeError, "no parameter expo; there are: aerial_perspective", {"expo": 1}),
+            (TypeError, "no parameter sun_azimuth", {"sun_azimuth": 1}),
+            (ValueError, "azimuth, elevation", {"sun": (1, 2, 3, 4)}),
+            (TypeError, "vtkLight, not str", {"light": "sun"}),
+            (ValueError, "no atmosphere 'venus'", {"atmosphere": "venus"}),
+        ):
+            with self.subTest(words), self.assertRaisesRegex(error, words):
+                godrays.sky(renderer, **wrong)
+        self.assertIsNone(renderer.GetPass())
+
+
 class Tag(unittest.TestCase):
     def test_roles(self):
         actor = vtkActor()

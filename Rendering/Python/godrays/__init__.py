@@ -5,6 +5,7 @@
     import godrays
     rays = godrays.enable(renderer, light=(1, 2, 1), occluders=[actor], density=0.9)
     rays.SetIntensity(0.5)
+    godrays.sky(renderer, sun=(250, 8), light=rays.GetLight(0))
     godrays.disable(renderer)
 
 The classes are those of C++, vtkGodRaysPass first of all; their documentation is theirs.
@@ -12,6 +13,7 @@ The classes are those of C++, vtkGodRaysPass first of all; their documentation i
 
 import math
 import numbers
+import operator
 
 try:
     import vtkmodules.vtkRenderingOpenGL2  # the OpenGL classes behind vtkRenderer and the like
@@ -118,6 +120,49 @@ def enable(target, light=None, occluders=(), ignored=(), preset=None, **paramete
     if not known:
         rays.Attach(renderer)
     return rays
+
+
+def sky(target, sun=None, light=None, atmosphere=None, **parameters):
+    """Put the physical sky behind a scene and return its vtkGodRaysSkyPass, attached to the renderer.
+
+    target: as of enable(). God rays and sky can be put on in any order.
+    sun: where it stands, two numbers, (azimuth from north by east, elevation) [degrees], or three, the
+        direction from which its light comes, such as sun() gives. None leaves it.
+    light: a vtkLight that is given the sun's direction and colour, e.g. that of enable(). It is so once:
+        call its UpdateLight() after a change of the sun.
+    atmosphere: a vtkGodRaysAtmosphere, or the name of one, such as "earth-hazy"; see its LoadPreset().
+    parameters: every property of the pass, in the spelling ``world_unit_in_meters`` or
+        ``WorldUnitInMeters``.
+
+    A renderer that has a sky keeps it, changed. vtkGodRaysSkyPass.Detach(renderer) takes it off.
+    """
+    renderer = _renderer(target)
+    own = {"Atmosphere", "SunElevation", "SunAzimuth"}
+    settings = _named(parameters, _properties(vtkGodRaysSkyPass()) - own)
+    if sun is not None:
+        sun = [float(number) for number in sun]
+        if len(sun) not in (2, 3):
+            raise ValueError(f"sun={sun} should be (azimuth, elevation) or a direction (x, y, z)")
+    if light is not None and not isinstance(light, vtkLight):
+        raise TypeError(f"light should be a vtkLight, not {type(light).__name__}")
+    if isinstance(atmosphere, str):
+        name, atmosphere = atmosphere, vtkGodRaysAtmosphere()
+        atmosphere.AddObserver("ErrorEvent", lambda *_: None)  # told as an exception
+        if not atmosphere.LoadPreset(name):
+            raise ValueError(f"there is no atmosphere {name!r}; see vtkGodRaysAtmosphere.LoadPreset")
+
+    found = vtkGodRaysSkyPass.Attach(renderer)
+    for name, value in settings.items():
+        getattr(found, "Set" + name)(value)
+    if atmosphere is not None:
+        found.SetAtmosphere(atmosphere)
+    if sun is not None:
+        azimuth, elevation = sun if len(sun) == 2 else _angles(sun, found.GetUp(), found.GetNorth())
+        found.SetSunAzimuth(azimuth)
+        found.SetSunElevation(elevation)
+    if light is not None:
+        found.UpdateLight(light)
+    return found
 
 
 def disable(target):
@@ -298,9 +343,20 @@ def _sun(direction):
     return sun
 
 
+def _angles(direction, up, north):
+    """Azimuth and elevation of a direction [degrees]."""
+    z = [value / math.hypot(*up) for value in up]
+    east = [north[i - 2] * z[i - 1] - north[i - 1] * z[i - 2] for i in range(3)]
+    east = [value / math.hypot(*east) for value in east]
+    level = [z[i - 2] * east[i - 1] - z[i - 1] * east[i - 2] for i in range(3)]
+    x, y, height = (sum(map(operator.mul, axis, direction)) for axis in (east, level, z))
+    return math.degrees(math.atan2(x, y)), math.degrees(math.atan2(height, math.hypot(x, y)))
+
+
 def _properties(owner):
     """The names of an object's own properties, as in SetName and GetName."""
-    base = vtkImageProcessingPass if isinstance(owner, vtkGodRaysPass) else vtkObject
+    is_pass = isinstance(owner, vtkImageProcessingPass)
+    base = vtkImageProcessingPass if is_pass else vtkObject
     names = set(dir(owner)) - set(dir(base))
     return {
         name[3:] for name in names if name.startswith("Set") and "Get" + name[3:] in names
@@ -328,6 +384,16 @@ def _with_model(rays, preset, parameters):
     return {**parameters, "model": known[preset]()}
 
 
+def _named(parameters, properties):
+    """The parameters under these names of properties, or a TypeError."""
+    names = {name.lower(): name for name in properties}
+    unknown = [name for name in parameters if name.replace("_", "").lower() not in names]
+    if unknown:
+        valid = ", ".join(sorted(_snake(name) for name in names.values()))
+        raise TypeError(f"there is no parameter {', '.join(unknown)}; there are: {valid}")
+    return {names[name.replace("_", "").lower()]: value for name, value in parameters.items()}
+
+
 def _settings(rays, parameters):
     """The parameters of enable() under their properties' names, or a TypeError."""
     simple = {name.replace("_", "").lower(): value for name, value in parameters.items()}
@@ -336,12 +402,7 @@ def _settings(rays, parameters):
         simple.get("model") or rays.GetModel(),
         simple.get("integrator") or _integrator(rays, simple.get("model")),
     )
-    names = {name.lower(): name for owner in owners for name in _properties(owner)}
-    unknown = [name for name in parameters if name.replace("_", "").lower() not in names]
-    if unknown:
-        valid = ", ".join(sorted(_snake(name) for name in names.values()))
-        raise TypeError(f"there is no parameter {', '.join(unknown)}; there are: {valid}")
-    settings = {names[name]: value for name, value in simple.items()}
+    settings = _named(parameters, set().union(*map(_properties, owners)))
     for name, value in settings.items():
         owner = next(owner for owner in owners if name in _properties(owner))
         if isinstance(value, str):
