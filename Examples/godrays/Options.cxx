@@ -6,6 +6,7 @@
 #include "Failure.h"
 #include "Files.h"
 
+#include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysSunPosition.h"
 #include "vtkNamedColors.h"
 #include "vtkNew.h"
@@ -18,6 +19,9 @@
 
 namespace
 {
+const std::string Airs = "earth-clear, earth-hazy, earth-polluted, mars, bruneton-2008, "
+                         "nishita-1993, lodato-2015";
+
 //------------------------------------------------------------------------------
 std::string Quoted(const std::string& text)
 {
@@ -165,7 +169,7 @@ void AddRayOptions(Parser& parser, Options& options)
   parser.Add("--optical-depth", options.OpticalDepth, 1e-6, 100.0,
     "How thick a medium is across the scene, in green: 1 lets a third of the light through");
   parser.Add("--world-unit", options.WorldUnit, 1e-12, 1e12,
-    "How long the scene's unit is in metres, for a medium (1)");
+    "How long the scene's unit is in metres, for a medium or --sky (1)");
   parser.Add("--tolerance", options.Tolerance, 1e-6, 0.1,
     "Error that the rays may have, as a fraction of the brightest possible");
   parser.App
@@ -227,6 +231,21 @@ void AddLookOptions(Parser& parser, Options& options)
       {
         throw Failure("--background: " + Quoted(text) + " has more than two colours");
       }
+    });
+  parser.AddCall("--sky", "AIR",
+    "The physical sky instead, in the sun's own colours, and air before the scene: " + Airs +
+      "; see --world-unit",
+    [&options](const std::string& text)
+    {
+      vtkNew<vtkGodRaysAtmosphere> atmosphere;
+      vtkObject::GlobalWarningDisplayOff(); // it is told below
+      const bool known = atmosphere->LoadPreset(text);
+      vtkObject::GlobalWarningDisplayOn();
+      if (!known)
+      {
+        throw Failure("--sky: " + Quoted(text) + " should be one of " + Airs);
+      }
+      options.Sky = text;
     });
   parser.AddCall("--scalars", "NAME", "Array to colour by, or none",
     [&options](const std::string& text) { options.Scalars = text; });
@@ -306,7 +325,8 @@ std::string FormatClock(double hours)
 }
 
 //------------------------------------------------------------------------------
-std::array<double, 2> FindSun(const std::string& date, const std::array<double, 2>& place)
+std::array<double, 2> FindSun(
+  const std::string& date, const std::array<double, 2>& place, bool mayBeDown)
 {
   if (std::abs(place[0]) > 90.0 || std::abs(place[1]) > 180.0)
   {
@@ -325,7 +345,7 @@ std::array<double, 2> FindSun(const std::string& date, const std::array<double, 
   sun->SetLatitude(place[0]);
   sun->SetLongitude(place[1]);
   const double elevation = sun->GetElevation();
-  if (elevation < 0.0)
+  if (elevation < 0.0 && !mayBeDown)
   {
     const bool rises = sun->GetDayType() == vtkGodRaysSunPosition::RISES_AND_SETS;
     throw Failure("--date: the sun is below the horizon then" +
@@ -359,6 +379,14 @@ void CheckTogether(const Options& options)
   if (options.Place && (options.Sun || options.Light))
   {
     throw Failure("--date and --place say where the sun is; leave out --sun and --light");
+  }
+  if (options.Light && !options.Sky.empty())
+  {
+    throw Failure("--sky has a sun, and --light is a lamp; leave out one of them");
+  }
+  if (options.Background != "sky" && !options.Sky.empty())
+  {
+    throw Failure("--sky is drawn over --background; leave out one of them");
   }
   if (options.Sun && std::abs((*options.Sun)[1]) > 90.0)
   {
@@ -415,7 +443,7 @@ std::optional<Options> ParseCommandLine(int argc, char* argv[])
   CheckTogether(options);
   if (options.Place)
   {
-    options.Sun = FindSun(options.Date, *options.Place);
+    options.Sun = FindSun(options.Date, *options.Place, !options.Sky.empty());
   }
   return options;
 }

@@ -16,10 +16,12 @@
 #include "Viewpoint.h"
 
 #include "vtkCamera.h"
+#include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysEpipolarIntegrator.h"
 #include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysPass.h"
 #include "vtkGodRaysRadialModel.h"
+#include "vtkGodRaysSkyPass.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
@@ -29,6 +31,7 @@
 #include <cstdlib>
 #include <iomanip>
 #include <iostream>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -41,6 +44,7 @@ constexpr double GlowRadius = 1.0;
 constexpr double SunGlowAngle = 5.0;
 constexpr double LampGlowAngle = 14.0;
 constexpr double Intensity = 1.7;
+constexpr double SkyExposure = 2.5; // a white wall in the sun is about as bright as can be shown
 
 /// What --stats tells apart from the pass's own plan and times.
 struct Measured
@@ -90,7 +94,8 @@ void CheckPreset(const Options& options)
   }
   for (const auto& [name, given] : mediums)
   {
-    if (given && !isMedium)
+    const bool isOfSky = name == std::string("--world-unit") && !options.Sky.empty();
+    if (given && !isMedium && !isOfSky)
     {
       throw Failure(std::string(name) + " needs a --preset that is a medium, such as fog or haze");
     }
@@ -133,6 +138,34 @@ void AddFill(vtkRenderer* renderer, const Scene& scene, double fill)
   eye->SetColor(0.85, 0.90, 1.0);
   eye->SetIntensity(fill);
   renderer->AddLight(eye);
+}
+
+//------------------------------------------------------------------------------
+/**
+ * The physical sky; the sun's light gets its colour.
+ */
+void AddSky(vtkRenderer* renderer, const Scene& scene, const Viewpoint& view, vtkLight* light,
+  const Options& options)
+{
+  double azimuth = 0.0;
+  double elevation = 0.0;
+  scene.GetAngles(view.LightDirection, azimuth, elevation);
+  Vector3 ground;
+  scene.Bounds.GetCenter(ground.data());
+  for (int i = 0; i < 3; ++i)
+  {
+    ground[i] -= 0.5 * scene.GetExtent(scene.Up) * scene.Up[i];
+  }
+  vtkGodRaysSkyPass* sky = vtkGodRaysSkyPass::Attach(renderer);
+  sky->GetAtmosphere()->LoadPreset(options.Sky);
+  sky->SetSunAzimuth(azimuth);
+  sky->SetSunElevation(elevation);
+  sky->SetUp(scene.Up.data());
+  sky->SetNorth(scene.North.data());
+  sky->SetOrigin(ground.data());
+  sky->SetWorldUnitInMeters(options.WorldUnit.value_or(1.0));
+  sky->SetExposure(SkyExposure);
+  sky->UpdateLight(light);
 }
 
 //------------------------------------------------------------------------------
@@ -344,7 +377,15 @@ bool Draw(const Scene& scene, const Viewpoint& view, const Options& options, Mea
   const auto light = MakeLight(view, options);
   renderer->AddLight(light);
   AddFill(renderer, scene, options.Fill);
-  const Sky sky(renderer, scene, view, options.LightSize.value_or(SunRadius), options);
+  std::optional<Sky> background;
+  if (options.Sky.empty())
+  {
+    background.emplace(renderer, scene, view, options.LightSize.value_or(SunRadius), options);
+  }
+  else
+  {
+    AddSky(renderer, scene, view, light, options);
+  }
 
   vtkNew<vtkGodRaysPass> rays;
   SetRays(rays, scene, view, options);
@@ -379,6 +420,7 @@ bool Draw(const Scene& scene, const Viewpoint& view, const Options& options, Mea
     PrintRays(rays, renderWindow, options.Rays);
   }
   rays->Detach(renderer);
+  vtkGodRaysSkyPass::Detach(renderer);
   return !TellMessages(messages);
 }
 

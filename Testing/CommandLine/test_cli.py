@@ -215,6 +215,9 @@ class Arguments(ProgramTest):
             (["--date", "2024-06-21T23:30+02:00", "--place", "48.137,11.575"],
              ["below the horizon", "05:1", "21:1"]),
             (["--date", "2024-12-21T12:00Z", "--place", "80,0"], ["below the horizon"]),
+            (["--sky", "venus"], ["--sky", "'venus'", "earth-hazy"]),
+            (["--sky", "mars", "--light", "1,2,3"], ["--sky", "--light"]),
+            (["--sky", "mars", "--background", "red"], ["--sky", "--background"]),
             (["--light", "1,2"], ["--light", "X,Y,Z"]),
             (["--light-color", "1,2,3"], ["--light-color", "r,g,b"]),
             (["--light-color", "nocolor"], ["--light-color"]),
@@ -305,7 +308,8 @@ class Pictures(ProgramTest):
             ["--exposure", "3"], ["--glow", "0"], ["--glow-angle", "60"],
             ["--show", "occlusion"], ["--show", "rays"], ["--camera-position", "0,-5,1"],
             ["--focal-point", "0.3,0,0"], ["--view-up", "1,0,0"], ["--view-angle", "60"],
-            ["--parallel"], ["--up", "Y"], ["--background", "black"],
+            ["--parallel"], ["--up", "Y"], ["--background", "black"], ["--sky", "earth-clear"],
+            ["--sky", "mars", "--world-unit", "1000"],
             ["--background", "#200000:navy"], ["--scalars", "none"], ["--colormap", "inferno"],
             ["--range", "0,9"], ["--color", "1,0,0"], ["--opacity", "0.3"], ["--edges"],
             ["--elevation-scale", "2"],
@@ -328,6 +332,17 @@ class Pictures(ProgramTest):
             self.mesh, "--date", "2003-10-17T12:30:30-07:00", "--place", "39.742476,-105.1786")
         self.assertLess(abs(given - self.draw(self.mesh, "--sun", "194.34,39.888")).max(), 4)
         self.assertGreater(abs(given - self.draw(self.mesh, "--sun", "195.5,39.888")).max(), 8)
+
+    def test_the_physical_sky_reddens_and_goes_dark(self):
+        camera = ["--camera-position", "0,-5,0.2", "--focal-point", "0,0,0.4", "--no-rays"]
+        def light(*sun):
+            picture = self.draw(self.mesh, "--sky", "earth-clear", *sun, *camera)
+            return picture[-10:].mean((0, 1))  # of the uppermost rows
+        noon, evening = light("--sun", "180,60"), light("--sun", "0,1")
+        self.assertGreater(noon[2] / noon[0], 1.5)
+        self.assertLess(evening[2] / evening[0], 1.2)
+        night = light("--date", "2024-06-21T23:30+02:00", "--place", "30,11.575")
+        self.assertLess(night.max(), 5)
 
     def test_every_camera_and_sun_gives_a_picture(self):
         for arguments in (
