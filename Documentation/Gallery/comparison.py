@@ -105,8 +105,14 @@ def measure(visitor, scene, preset):
         return visitor.light()
 
     limit = sum_of(8000)
-    for count in samples // 2, 2 * samples, samples:  # the last one is timed
+    for count in samples // 2, samples, 2 * samples:
         report(f"{scene}, published, {count} samples", sum_of(count), limit)
+    brightness = []
+    for count in samples // 2, samples, 2 * samples:
+        model.ApplyPreset(preset)
+        model.SetNumberOfSamples(count)
+        brightness.append(f"{visitor.light().mean():.3f} with {count}")
+    model.ApplyPreset(preset)
     times = []
     for each, integrator in (model, taps), (ours, None):
         rays.SetModel(each)
@@ -117,6 +123,7 @@ def measure(visitor, scene, preset):
             visitor.Render()
         times.append((time.perf_counter() - began) / 5)
     report(f"{scene}, ours", converged, ours_limit)
+    print(f"{scene}, published, mean by the number of samples: {', '.join(brightness)}")
     print(f"{scene}: {1000 * times[0]:.0f} ms a frame, published; {1000 * times[1]:.0f} ms, ours")
 
 
