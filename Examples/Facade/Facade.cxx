@@ -60,7 +60,8 @@ public:
   void OnKey(vtkObject* caller, unsigned long, void*)
   {
     auto interactor = vtkRenderWindowInteractor::SafeDownCast(caller);
-    if (interactor->GetKeySym() == std::string("n"))
+    const char* key = interactor->GetKeySym(); // null for a key that X does not know
+    if (key && key == std::string("n"))
     {
       this->Look(!this->Near);
       interactor->Render();

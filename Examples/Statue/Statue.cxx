@@ -103,7 +103,8 @@ private:
 
   void OnKey()
   {
-    const std::string key = this->Interactor->GetKeySym();
+    const char* name = this->Interactor->GetKeySym(); // null for a key that X does not know
+    const std::string key = name ? name : "";
     this->Moves ^= key == "space";
     if (key == "g") // the sum as published, tap by tap, and back
     {

@@ -45,6 +45,8 @@ public:
 
   vtkRenderer* GetRenderer() { return this->RenderWindow->GetRenderers()->GetFirstRenderer(); }
   vtkGodRaysPass* GetRays() { return vtkGodRaysPass::SafeDownCast(this->GetRenderer()->GetPass()); }
+
+  /// The name of the key, or null for one that has none.
   void Press(const char* key)
   {
     this->SetKeySym(key);

@@ -26,13 +26,14 @@ TEST(Facade, GoesNearAndBack)
       EXPECT_GT(GetSum(near), 0.0);
       EXPECT_NE(near, far);
       user->Press("x");
+      user->Press(nullptr);
       EXPECT_EQ(user->GetLight(), near);
       user->Press("n");
       EXPECT_EQ(user->GetLight(), far);
     });
 }
 
-// No step towards a window, nor through its pane, makes light that is no number, or has it jump.
+// No step towards a window makes light that is no number, or has it jump.
 TEST(Facade, LightIsContinuousUpToThePane)
 {
   RunExample(

@@ -162,6 +162,7 @@ TEST(Statue, LightMovesAndSumIsChanged)
       user->Press("g");
       EXPECT_EQ(user->GetLight(), first);
 
+      user->Press(nullptr);
       user->Press("space");
       const int frames = 20;
       const double time = Measure(
