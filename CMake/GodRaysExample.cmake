@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# godrays_add_example(<Name>)
+# godrays_add_example(<Name> [WITHOUT_RAYS])
 #
 # Build Examples/<Name>/<Name>.cxx as the program build/bin/<Name>, and test it and its twin in
 # Python, <Name>.py, if there is one: each draws Testing/Baseline/Example-<Name>.png. An example
@@ -9,12 +9,14 @@
 #
 # godrays_add_example(<Name> <variant>...): with a second argument, <variant>, it draws
 # Testing/Baseline/Example-<Name>-<variant>.png. If there are Testing/Examples/Test<Name>.cxx and
-# .py, they test what else the example does, as in its window.
+# .py, they test what else the example does, as in its window; Test<Name>.py gets the script and the
+# program, and leaves its files where it runs. They are the only tests of an example WITHOUT_RAYS.
 function(godrays_add_example name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "WITHOUT_RAYS" "" "")
   set(components
     CommonColor CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral
     FiltersGeometry FiltersModeling FiltersSources IOGeometry IOImage IOImport IOLegacy IOOggTheora IOPLY
-    IOXML InteractionStyle InteractionWidgets RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI
+    IOXML ImagingMath InteractionStyle InteractionWidgets RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI
     RenderingVolumeOpenGL2 vtksys)
   find_package(VTK REQUIRED COMPONENTS ${components})
   list(TRANSFORM components PREPEND VTK::)
@@ -25,7 +27,8 @@ function(godrays_add_example name)
 
   add_executable(${name} "${source}")
   set(programs ${name})
-  if(GODRAYS_BUILD_TESTING)
+  set(added)
+  if(GODRAYS_BUILD_TESTING AND NOT arg_WITHOUT_RAYS)
     # The example itself, in a program that looks at what it draws
     add_executable(test_${name}
       "${tests}/Examples/TestExample.cxx" "${tests}/Rendering/GodRaysMediumTruth.cxx")
@@ -33,7 +36,7 @@ function(godrays_add_example name)
     target_compile_definitions(test_${name} PRIVATE
       EXAMPLE_NAME="${name}" EXAMPLE_SOURCE="${source}")
     list(APPEND programs test_${name})
-    foreach(variant IN ITEMS "" ${ARGN})
+    foreach(variant IN ITEMS "" ${arg_UNPARSED_ARGUMENTS})
       set(test ${name})
       if(variant)
         set(test ${name}-${variant})
@@ -49,19 +52,22 @@ function(godrays_add_example name)
         list(APPEND added example.${test}.py)
       endif()
     endforeach()
-    if(EXISTS "${tests}/Examples/Test${name}.cxx")
-      find_package(GTest REQUIRED)
-      add_executable(test_${name}_use "${tests}/Examples/Test${name}.cxx")
-      target_link_libraries(test_${name}_use PRIVATE GTest::gtest_main)
-      list(APPEND programs test_${name}_use)
-      add_test(NAME example.${name}.use.cxx COMMAND test_${name}_use)
-      list(APPEND added example.${name}.use.cxx)
-    endif()
-    if(EXISTS "${tests}/Examples/Test${name}.py" AND godrays_test_python)
-      add_test(NAME example.${name}.use.py
-        COMMAND "${Python3_EXECUTABLE}" "${tests}/Examples/Test${name}.py" "${script}")
-      list(APPEND added example.${name}.use.py)
-    endif()
+  endif()
+  if(GODRAYS_BUILD_TESTING AND EXISTS "${tests}/Examples/Test${name}.cxx")
+    find_package(GTest REQUIRED)
+    add_executable(test_${name}_use "${tests}/Examples/Test${name}.cxx")
+    target_link_libraries(test_${name}_use PRIVATE GTest::gtest_main)
+    list(APPEND programs test_${name}_use)
+    add_test(NAME example.${name}.use.cxx COMMAND test_${name}_use)
+    list(APPEND added example.${name}.use.cxx)
+  endif()
+  if(GODRAYS_BUILD_TESTING AND EXISTS "${tests}/Examples/Test${name}.py" AND godrays_test_python)
+    add_test(NAME example.${name}.use.py
+      COMMAND "${Python3_EXECUTABLE}" "${tests}/Examples/Test${name}.py" "${script}"
+        "$<TARGET_FILE:${name}>")
+    list(APPEND added example.${name}.use.py)
+  endif()
+  if(added)
     set_tests_properties(${added} PROPERTIES
       LABELS      example
       TIMEOUT     300

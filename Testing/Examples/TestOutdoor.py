@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The outdoor scene: rays blur nothing, smoke is a body from every side, and time runs.
 
-Usage: TestOutdoor.py example.py
+Usage: TestOutdoor.py example.py program
 """
 
 import os
@@ -148,7 +148,8 @@ def check_time_runs():
     check("half a second of the sources moves the picture", moved > 0.05, f"{moved:.2%} of it")
 
 
-example, folder = sys.argv[1], os.getcwd()
+folder = os.getcwd()
+example, _ = sys.argv[1:]
 sys.argv = [example, os.path.join(folder, "Outdoor_checks.png")]
 scene = runpy.run_path(example)
 renderer, window, rays, sun = (scene[name] for name in ("renderer", "window", "rays", "sun"))

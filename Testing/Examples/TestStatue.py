@@ -15,7 +15,7 @@ import unittest
 import vtkmodules.all as vtk
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-EXAMPLE = sys.argv.pop()
+EXAMPLE, _ = sys.argv[1:]
 
 
 class User(vtk.vtkGenericRenderWindowInteractor):
@@ -121,4 +121,4 @@ class Window(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(argv=sys.argv[:1])

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The sunrise: sky, sunlight and shafts agree; a film and its frames, of any terrain; errors.
 
-Usage: TestSunrise.py example.py
+Usage: TestSunrise.py example.py program
 """
 
 import os
@@ -94,6 +94,18 @@ def check_film():
     check("the first of which is whole", pictures[0][0] & 0x40 == 0)
 
 
+def check_program():
+    """The film of the program in C++ is that of the script."""
+    frames = []
+    for name, command in ("a", [program]), ("b", [sys.executable, example]):
+        film = os.path.join(folder, f"Sunrise_{name}.ogv")
+        done = subprocess.run([*command, film, "3"], capture_output=True, text=True)
+        check(f"{command[-1]} makes a film", done.returncode == 0, done.stdout.splitlines()[-1])
+        frames.append(numpy.array([read(f"{film[:-4]}-{i:04}.png") for i in range(3)]))
+    difference = numpy.abs(frames[0] - frames[1]).max()
+    check("both are the same", difference <= 2, f"to {difference:.0f} levels")
+
+
 def check_light():
     sys.argv = [example, os.path.join(folder, "Sunrise_checks.png")]
     scene = runpy.run_path(example)
@@ -136,9 +148,11 @@ def check_elevations():
         check(f"{argument} is an error that says what to do", done.returncode == 1 and told)
 
 
-example, folder = sys.argv[1], os.getcwd()
+folder = os.getcwd()
+example, program = sys.argv[1:]
 failures = []
 check_film()
+check_program()
 check_light()
 check_elevations()
 sys.exit(f"{len(failures)} checks failed" if failures else 0)

@@ -1,0 +1,76 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A picture of the whole sky: its radiance as .hdr, or as .png to look at.
+
+Usage: SkyImage.py picture.hdr|picture.png [paraboloid|equirectangular|fisheye]
+                   [time latitude longitude | elevation azimuth]
+Times are as 2024-06-21T20:45+02:00; angles are in degrees, azimuths from north by east.
+"""
+
+import sys
+
+import godrays
+import vtkmodules.all as vtk
+
+sky = godrays.vtkGodRaysSkySource()
+sky.SetResolution(256)
+sky.SunDiscOn()
+sky.MultipleScatteringOn()
+output, *arguments = sys.argv[1:] or [""]
+if not output.endswith((".hdr", ".png")):
+    sys.exit(__doc__)
+mappings = {
+    "paraboloid": sky.PARABOLOID,
+    "equirectangular": sky.EQUIRECTANGULAR,
+    "fisheye": sky.FISHEYE,
+}
+if arguments and arguments[0] in mappings:
+    sky.SetMapping(mappings[arguments.pop(0)])
+
+time, numbers = "2024-06-21T20:00+02:00", (43.77, 11.26)  # Florence on an evening in June
+if len(arguments) in (2, 3):
+    try:
+        numbers = [float(each) for each in arguments[-2:]]
+    except ValueError:
+        sys.exit(__doc__)
+elif arguments:
+    sys.exit(__doc__)
+if len(arguments) != 2:
+    sun = godrays.vtkGodRaysSunPosition()
+    if not sun.SetDateTime(arguments[0] if arguments else time):
+        sys.exit(1)
+    sun.SetLatitude(numbers[0])
+    sun.SetLongitude(numbers[1])
+    numbers = sun.GetElevation(), sun.GetAzimuth()
+sky.SetSunElevation(numbers[0])
+sky.SetSunAzimuth(numbers[1])
+
+
+def after(step, source):
+    step.SetInputConnection(source.GetOutputPort())
+    return step
+
+
+if output.endswith(".hdr"):
+    writer = after(godrays.vtkGodRaysHDRWriter(), sky)
+else:
+    # 255 sqrt(1 - e^(-k radiance)): a shoulder for what is bright, and nearly a display's curve.
+    # The exposure k goes by the blue of the zenith.
+    zenith = [0, 0, 0]
+    sky.GetRadiance((0, 0, 1), zenith)
+    exposed = after(vtk.vtkImageShiftScale(), sky)
+    exposed.SetScale(-0.4 / max(zenith[2], 1e-6))
+    rest = after(vtk.vtkImageMathematics(), exposed)
+    rest.SetOperationToExp()
+    light = after(vtk.vtkImageShiftScale(), rest)
+    light.SetShift(-1)
+    light.SetScale(-1)
+    shown = after(vtk.vtkImageMathematics(), light)
+    shown.SetOperationToSquareRoot()
+    pixels = after(vtk.vtkImageShiftScale(), shown)
+    pixels.SetScale(255)
+    pixels.SetOutputScalarTypeToUnsignedChar()
+    writer = after(vtk.vtkPNGWriter(), pixels)
+writer.SetFileName(output)
+writer.Write()
+sys.exit(1 if writer.GetErrorCode() else 0)
