@@ -16,7 +16,7 @@ function(godrays_add_example name)
   set(components
     CommonColor CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral
     FiltersGeometry FiltersModeling FiltersSources IOGeometry IOImage IOImport IOLegacy IOOggTheora IOPLY
-    IOXML ImagingMath InteractionStyle InteractionWidgets RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI
+    IOXML InteractionStyle InteractionWidgets RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI
     RenderingVolumeOpenGL2 vtksys)
   find_package(VTK REQUIRED COMPONENTS ${components})
   list(TRANSFORM components PREPEND VTK::)

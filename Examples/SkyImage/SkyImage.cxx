@@ -5,12 +5,10 @@
 #include "vtkGodRaysHDRWriter.h"
 #include "vtkGodRaysSkySource.h"
 #include "vtkGodRaysSunPosition.h"
-#include "vtkImageMathematics.h"
-#include "vtkImageShiftScale.h"
+#include "vtkGodRaysToneMappingFilter.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <map>
@@ -97,27 +95,8 @@ int main(int argc, char* argv[])
   {
     return Write(vtkNew<vtkGodRaysHDRWriter>(), sky, output);
   }
-  // 255 sqrt(1 - e^(-k radiance)): a shoulder for what is bright, and nearly a display's curve. The
-  // exposure k goes by the blue of the zenith.
-  const double up[3] = { 0.0, 0.0, 1.0 };
-  double zenith[3];
-  sky->GetRadiance(up, zenith);
-  vtkNew<vtkImageShiftScale> exposed;
-  exposed->SetInputConnection(sky->GetOutputPort());
-  exposed->SetScale(-0.4 / std::max(zenith[2], 1e-6));
-  vtkNew<vtkImageMathematics> rest;
-  rest->SetInputConnection(exposed->GetOutputPort());
-  rest->SetOperationToExp();
-  vtkNew<vtkImageShiftScale> light;
-  light->SetInputConnection(rest->GetOutputPort());
-  light->SetShift(-1.0);
-  light->SetScale(-1.0);
-  vtkNew<vtkImageMathematics> shown;
-  shown->SetInputConnection(light->GetOutputPort());
-  shown->SetOperationToSquareRoot();
-  vtkNew<vtkImageShiftScale> bytes;
-  bytes->SetInputConnection(shown->GetOutputPort());
-  bytes->SetScale(255.0);
-  bytes->SetOutputScalarTypeToUnsignedChar();
-  return Write(vtkNew<vtkPNGWriter>(), bytes, output);
+  vtkNew<vtkGodRaysToneMappingFilter> shown;
+  shown->SetInputConnection(sky->GetOutputPort());
+  shown->SetKey(0.36); // a bright picture
+  return Write(vtkNew<vtkPNGWriter>(), shown, output);
 }

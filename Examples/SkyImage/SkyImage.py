@@ -45,32 +45,15 @@ if len(arguments) != 2:
 sky.SetSunElevation(numbers[0])
 sky.SetSunAzimuth(numbers[1])
 
-
-def after(step, source):
-    step.SetInputConnection(source.GetOutputPort())
-    return step
-
-
 if output.endswith(".hdr"):
-    writer = after(godrays.vtkGodRaysHDRWriter(), sky)
+    writer = godrays.vtkGodRaysHDRWriter()
+    writer.SetInputConnection(sky.GetOutputPort())
 else:
-    # 255 sqrt(1 - e^(-k radiance)): a shoulder for what is bright, and nearly a display's curve.
-    # The exposure k goes by the blue of the zenith.
-    zenith = [0, 0, 0]
-    sky.GetRadiance((0, 0, 1), zenith)
-    exposed = after(vtk.vtkImageShiftScale(), sky)
-    exposed.SetScale(-0.4 / max(zenith[2], 1e-6))
-    rest = after(vtk.vtkImageMathematics(), exposed)
-    rest.SetOperationToExp()
-    light = after(vtk.vtkImageShiftScale(), rest)
-    light.SetShift(-1)
-    light.SetScale(-1)
-    shown = after(vtk.vtkImageMathematics(), light)
-    shown.SetOperationToSquareRoot()
-    pixels = after(vtk.vtkImageShiftScale(), shown)
-    pixels.SetScale(255)
-    pixels.SetOutputScalarTypeToUnsignedChar()
-    writer = after(vtk.vtkPNGWriter(), pixels)
+    shown = godrays.vtkGodRaysToneMappingFilter()
+    shown.SetInputConnection(sky.GetOutputPort())
+    shown.SetKey(0.36)  # a bright picture
+    writer = vtk.vtkPNGWriter()
+    writer.SetInputConnection(shown.GetOutputPort())
 writer.SetFileName(output)
 writer.Write()
 sys.exit(1 if writer.GetErrorCode() else 0)

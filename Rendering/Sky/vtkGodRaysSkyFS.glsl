@@ -33,6 +33,7 @@ uniform float sceneUnit;    // [m]
 
 //VTK::GodRays::Terms
 // beforeScene: the air before the scene rather than the sky behind it
+// isPower: whether shown values stand for light by a power of 2.2, not by sRGB's transfer
 // hasDisc: whether the sun's disc may be seen
 // hasEdge: whether the atmosphere's edge may be
 // phaseBit0, phaseBit1, phaseBit2: the kind of the aerosol's phase function
@@ -82,7 +83,8 @@ vec3 SceneThroughAir(vec3 ray, float slope, bool above, vec2 cell, float aerosol
   int lower = min(int(slice), slices - 2);
   vec3 light = mix(LookUp(cell, lower, aerosolPhase), LookUp(cell, lower + 1, aerosolPhase),
     slice - float(lower));
-  return EncodeDisplay(DecodeDisplay(shown) * transmittance + irradiance * light * (1.0 - transmittance));
+  return EncodeDisplay(
+    DecodeDisplay(shown, isPower) * transmittance + irradiance * light * (1.0 - transmittance), isPower);
 }
 
 void main()
@@ -113,5 +115,5 @@ void main()
   {
     light += DiscLight(direction, ray);
   }
-  gl_FragData[0] = vec4(EncodeDisplay(light), 1.0);
+  gl_FragData[0] = vec4(EncodeDisplay(light, isPower), 1.0);
 }

@@ -19,6 +19,7 @@
 #include "vtkGodRaysSource.h"
 #include "vtkGodRaysSunPosition.h"
 #include "vtkGodRaysTarget.h"
+#include "vtkGodRaysTransfer.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
@@ -49,6 +50,7 @@ vtkGodRaysSetFinite3Macro(vtkGodRaysSkyPass, North, -1e30, 1e30);
 vtkGodRaysSetFinite3Macro(vtkGodRaysSkyPass, Origin, -1e30, 1e30);
 vtkGodRaysSetFiniteMacro(vtkGodRaysSkyPass, WorldUnitInMeters, 1e-12, 1e12);
 vtkGodRaysSetFiniteMacro(vtkGodRaysSkyPass, Exposure, 0.0, 1e30);
+vtkGodRaysSetModeMacro(vtkGodRaysSkyPass, DisplayTransfer, vtkGodRaysPass::POWER_TRANSFER);
 
 using vtkGodRays::ToVec3;
 using vtkGodRays::Vec3;
@@ -139,6 +141,7 @@ struct vtkGodRaysSkyPass::Internals
   vtkGodRaysView View;                          // of this frame
   vtkGodRaysSkyObserver Observer;
   vtkGodRaysSource Sun;
+  vtkGodRaysTransfer Transfer = vtkGodRaysTransfer::SRGB;
   bool DrawsScene = false; // at this moment
   std::string Plan;
   std::string Complaint; // that has been made already
@@ -344,6 +347,7 @@ const char* vtkGodRaysSkyPass::FindReasonForNoSky(
   planet.GroundRadius = this->GetAtmosphere()->GetGroundRadius();
   planet.WorldUnitInMeters = this->WorldUnitInMeters;
 
+  self.Transfer = vtkGodRaysFindTransfer(this->DisplayTransfer, s->GetRenderer(), this);
   vtkGodRaysScene::UpdateStereo(s->GetRenderer());
   self.View.Set(s->GetRenderer(), viewport + 2, 0.0);
   self.Observer.Set(self.View, planet);
@@ -543,9 +547,10 @@ bool vtkGodRaysSkyPass::Draw(const int viewport[4], const int part[4], Stage sta
   const vtkGodRaysSkyTable& table = stage == AIR ? self.Air : self.Table;
   const int kind = atmosphere->GetMiePhaseFunction();
   vtkShaderProgram* program = self.Quad.Begin(self.Window,
-    { { "beforeScene", stage == AIR }, { "hasDisc", stage == SKY_WITH_SUN },
-      { "hasEdge", stage != AIR && table.GetEdges().y < 1.0 }, { "phaseBit0", (kind & 1) != 0 },
-      { "phaseBit1", (kind & 2) != 0 }, { "phaseBit2", (kind & 4) != 0 } });
+    { { "isPower", self.Transfer == vtkGodRaysTransfer::POWER }, { "beforeScene", stage == AIR },
+      { "hasDisc", stage == SKY_WITH_SUN }, { "hasEdge", stage != AIR && table.GetEdges().y < 1.0 },
+      { "phaseBit0", (kind & 1) != 0 }, { "phaseBit1", (kind & 2) != 0 },
+      { "phaseBit2", (kind & 4) != 0 } });
   if (!program)
   {
     return false;
@@ -628,6 +633,7 @@ void vtkGodRaysSkyPass::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "WorldUnitInMeters: " << this->WorldUnitInMeters << "\n";
   os << indent << "Exposure: " << this->Exposure << "\n";
+  os << indent << "DisplayTransfer: " << this->DisplayTransfer << "\n";
   os << indent << "SunDisc: " << (this->SunDisc ? "on" : "off") << "\n";
   os << indent << "AerialPerspective: " << (this->AerialPerspective ? "on" : "off") << "\n";
   os << indent << "MultipleScattering: " << (this->MultipleScattering ? "on" : "off") << "\n";

@@ -29,7 +29,7 @@
  * vtkToneMappingPass have this one as their delegate instead.
  *
  * Colours are written as the window shows them: radiance times Exposure is linear light, encoded by the
- * sRGB transfer, as god rays are. It is not clamped: in a floating-point framebuffer, such as that of a
+ * DisplayTransfer, as god rays are. It is not clamped: in a floating-point framebuffer, such as that of a
  * vtkToneMappingPass that has this pass as its delegate, the sun is brighter than 1. The scene's depth
  * stays as it is.
  *
@@ -137,6 +137,15 @@ public:
 
   ///@{
   /**
+   * Set/Get how colours stand for light, one of vtkGodRaysPass::DisplayTransferType, as there. Default is
+   * AUTOMATIC_TRANSFER.
+   */
+  void SetDisplayTransfer(int transfer);
+  vtkGetMacro(DisplayTransfer, int);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get whether the sun's disc is drawn, darker towards its limb. Its size is the atmosphere's
    * SunAngularRadius. Default is on.
    */
@@ -239,6 +248,7 @@ private:
   double Origin[3] = { 0.0, 0.0, 0.0 };
   double WorldUnitInMeters = 1.0;
   double Exposure = 4.0;
+  int DisplayTransfer = 0;
   bool SunDisc = true;
   bool AerialPerspective = true;
   bool MultipleScattering = true;

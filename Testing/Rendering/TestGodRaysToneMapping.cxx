@@ -5,6 +5,10 @@
 
 #include "GodRaysTesting.h"
 
+#include "vtkGodRaysSkyPass.h"
+#include "vtkGodRaysSkySource.h"
+
+#include "vtkCamera.h"
 #include "vtkFramebufferPass.h"
 #include "vtkGaussianBlurPass.h"
 #include "vtkToneMappingPass.h"
@@ -142,4 +146,42 @@ TEST(GodRaysToneMapping, IsFoundThroughOtherPasses)
   EXPECT_TRUE(Says(GetPlanWithin(stage, blur), power));
   stage.Rays->SetDisplayTransfer(vtkGodRaysPass::SRGB_TRANSFER);
   EXPECT_FALSE(Says(GetPlanWithin(stage, blur), power)) << "what is asked for goes first";
+}
+
+// A sky beyond white: the middle of the picture is Reinhard's curve of the radiance in its direction.
+TEST(GodRaysToneMapping, GetsTheSkysLinearLight)
+{
+  Messages messages;
+  const double direction[3] = { 0.0, 0.6, 0.8 };
+  Stage stage(33, 33);
+  stage.Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, 2.0);
+  stage.Renderer->GetActiveCamera()->SetFocalPoint(direction[0], direction[1], direction[2] + 2.0);
+  vtkNew<vtkGodRaysSkyPass> sky;
+  sky->SetExposure(200.0);
+  sky->MultipleScatteringOff();
+  vtkNew<vtkToneMappingPass> outer;
+  outer->SetToneMappingType(vtkToneMappingPass::Reinhard);
+  outer->SetDelegatePass(sky);
+  stage.Renderer->SetPass(outer);
+
+  vtkNew<vtkGodRaysSkySource> source;
+  double radiance[3];
+  source->GetRadiance(direction, radiance);
+  const auto getWorst = [&]()
+  {
+    const auto picture = GetPixels(stage.Window);
+    double worst = 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      const double shown = 255.0 * Encode(Reinhard(sky->GetExposure() * radiance[c]));
+      worst = std::max(worst, std::abs(picture[4 * (16 * 33 + 16) + c] - shown));
+    }
+    return worst;
+  };
+  EXPECT_GT(sky->GetExposure() * radiance[2], 1.5) << "not beyond white";
+  EXPECT_LE(getWorst(), 1.0);
+  sky->SetExposure(1.0);
+  EXPECT_LE(getWorst(), 1.0);
+  sky->SetDisplayTransfer(vtkGodRaysPass::SRGB_TRANSFER);
+  EXPECT_GT(getWorst(), 2.0) << "what the bound above must not let pass";
 }
