@@ -98,19 +98,19 @@ private:
   vtkSmartPointer<vtkGodRaysPass> Rays;
 };
 
-/// Whether the sky can be drawn after the scene, where nothing is, which takes less: all of it has depth,
-/// and edges are not smoothed with what is behind them.
-bool IsOpaque(const vtkRenderState* s)
+/// Whether the sky is drawn after the scene, where nothing is. That takes less, but all of the scene needs
+/// depth, and edges must not be smoothed with what is behind them before. SSAO clears what is behind.
+bool IsDrawnAfter(const vtkRenderState* s)
 {
   vtkRenderer* renderer = s->GetRenderer();
   vtkProp** props = s->GetPropArray();
-  return !renderer->GetUseFXAA() && !renderer->GetUseSSAO() &&
-    std::all_of(props, props + s->GetPropArrayCount(),
-      [](vtkProp* prop)
-      {
-        return vtkActor2D::SafeDownCast(prop) ||
-          (vtkActor::SafeDownCast(prop) && !prop->HasTranslucentPolygonalGeometry());
-      });
+  const auto isOpaque = [](vtkProp* prop)
+  {
+    return vtkActor2D::SafeDownCast(prop) ||
+      (vtkActor::SafeDownCast(prop) && !prop->HasTranslucentPolygonalGeometry());
+  };
+  return renderer->GetUseSSAO() ||
+    (!renderer->GetUseFXAA() && std::all_of(props, props + s->GetPropArrayCount(), isOpaque));
 }
 
 void SetVector(vtkShaderProgram* program, const char* name, const Vec3& value)
@@ -369,7 +369,7 @@ void vtkGodRaysSkyPass::Render(const vtkRenderState* s)
     return;
   }
   vtkRenderPass* scene = this->DelegatePass;
-  const bool inBetween = !scene && !IsOpaque(s); // between the background and the scene
+  const bool inBetween = !scene && !IsDrawnAfter(s); // between the background and the scene
   if (!scene)
   {
     scene = self.RendererSteps;

@@ -24,9 +24,10 @@
  * view rays have the same direction, so that the sky has one colour.
  *
  * Without a delegate the sky is drawn between the background and the scene if anything is translucent, so
- * that it is before the sky. A delegate draws scene and background at once: the sky is drawn after it, where the depth is
- * that of nothing, and replaces what is translucent there. So let passes such as vtkSSAAPass and
- * vtkToneMappingPass have this one as their delegate instead.
+ * that it is before the sky. A delegate draws scene and background at once, and so does vtkRenderer with
+ * UseSSAO: then the sky is drawn after it, where the depth is that of nothing, and replaces what is
+ * translucent there. So let passes such as vtkSSAAPass and vtkToneMappingPass have this one as their
+ * delegate instead.
  *
  * Colours are written as the window shows them: radiance times Exposure is linear light, encoded by the
  * DisplayTransfer, as god rays are. It is not clamped: in a floating-point framebuffer, such as that of a
