@@ -472,3 +472,47 @@ TEST(SkySource, CanBeStopped)
   source->Update();
   EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 0);
 }
+
+//------------------------------------------------------------------------------
+TEST(SkySource, TakesAnAtmosphere)
+{
+  vtkNew<Source> source;
+  vtkNew<Source> other;
+  vtkNew<Atmosphere> mars;
+  mars->LoadPreset(Atmosphere::MARS);
+  other->SetAtmospherePreset(Atmosphere::MARS);
+  const Vec3 earth = GetRadiance(source, 40.0, 30.0);
+  source->SetAtmosphere(mars);
+  EXPECT_EQ(source->GetAtmosphere(), mars);
+  EXPECT_EQ(GetRadiance(source, 40.0, 30.0), GetRadiance(other, 40.0, 30.0));
+  source->SetAtmosphere(nullptr);
+  ASSERT_NE(source->GetAtmosphere(), nullptr);
+  EXPECT_EQ(GetRadiance(source, 40.0, 30.0), earth);
+}
+
+//------------------------------------------------------------------------------
+// By night there is no light that is scattered twice where there is none that is scattered once; by day it
+// is more over bright ground.
+TEST(SkySource, GivesItsTableOfMultipleScattering)
+{
+  vtkNew<Source> source;
+  vtkNew<vtkImageData> table;
+  ASSERT_TRUE(source->GetMultipleScattering(table));
+  ASSERT_EQ(table->GetDimensions()[0], 48);
+  ASSERT_EQ(table->GetDimensions()[1], 16);
+  const auto get = [&table](int slope, int height)
+  { return table->GetScalarComponentAsDouble(slope, height, 0, 2); };
+  EXPECT_EQ(get(0, 0), 0.0);
+  EXPECT_GT(get(47, 0), get(30, 0));
+  EXPECT_GT(get(47, 2), 0.01);
+  const double dark = get(47, 0);
+  source->GetAtmosphere()->SetGroundAlbedo(0.9, 0.9, 0.9);
+  ASSERT_TRUE(source->GetMultipleScattering(table));
+  EXPECT_GT(get(47, 0), 1.5 * dark);
+
+  const ErrorListener errors(source);
+  source->GetAtmosphere()->SetMieScattering(-1.0, 0.0, 0.0);
+  EXPECT_FALSE(source->GetMultipleScattering(table));
+  EXPECT_EQ(table->GetNumberOfPoints(), 0);
+  EXPECT_EQ(errors.Texts.size(), 1u);
+}

@@ -320,6 +320,79 @@ TEST(Sky, FirstOrderStepsAreTooBright)
 }
 
 //------------------------------------------------------------------------------
+// From below the atmosphere, at its top and above it; the edges are tangents.
+TEST(Sky, TablesHaveInversesAndMeetTheHorizon)
+{
+  for (const double height : { 0.0, 2.0, 10e3, top, 100e3, 2.0 * ground })
+  {
+    const Vec2 edges = SkyEdges(ground, top, height);
+    EXPECT_NEAR(edges.x, -std::sqrt(1.0 - std::pow(ground / (ground + height), 2.0)), 1e-12);
+    EXPECT_EQ(height < top, edges.y == 1.0);
+    for (double row = -1.0; row <= 1.0; row += 0.125)
+    {
+      const double slope = SkyTableSlope(edges, row);
+      EXPECT_GE(slope, row < 0.0 ? -1.0 : edges.x);
+      EXPECT_LE(slope, row < 0.0 ? edges.x : edges.y);
+      // where rows are dense, a slope has few figures of them
+      EXPECT_NEAR(SkyTableRow(edges, slope), row, row == 0.0 ? 1e-3 : 1e-6) << height;
+    }
+    EXPECT_EQ(SkyTableRow(edges, -1.0), -1.0);
+    EXPECT_EQ(SkyTableRow(edges, edges.y), 1.0);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Ways through the planet's air, seen from space, have the lowest point of the line of sight.
+TEST(Sky, WaysFromSpaceEnterAtTheTop)
+{
+  const SkyAtmosphere earth = MakeEarth();
+  const double height = 2.0 * ground;
+  for (const double lowest : { -1e5, -100.0, 100.0, 30e3 })
+  {
+    const double slope = -std::sqrt(1.0 - std::pow((ground + lowest) / (ground + height), 2.0));
+    const SkyWay way = MakeSkyWay(earth, height, slope, 0.3, 0.1);
+    EXPECT_EQ(way.Height, top);
+    EXPECT_EQ(way.MeetsGround, lowest < 0.0);
+    const double middle = -(ground + top) * way.Slope;
+    EXPECT_NEAR(top + SkyRise(ground + top, way.Slope, middle), lowest, 1e-3);
+    EXPECT_NEAR(SkyPoint(earth, way, way.Length).x, lowest < 0.0 ? 0.0 : top, 1e-3);
+  }
+  EXPECT_LT(MakeSkyWay(earth, height, 0.1, 0.3, 0.1).Length, 0.0);
+  EXPECT_EQ(MakeSkyWay(earth, 100.0, 0.1, 0.3, 0.1).Height, 100.0);
+}
+
+//------------------------------------------------------------------------------
+TEST(Sky, TheGroundReflectsItsAlbedo)
+{
+  SkyAtmosphere none = MakeEarth();
+  none.AirScattering = none.AerosolScattering = none.AerosolExtinction = none.Absorption =
+    Vec3(0.0);
+  const Vec3 albedo(0.1, 0.5, 1.0);
+  EXPECT_LT(length(pi * SkyGround(none, albedo, 0.5) - 0.5 * albedo), 1e-12);
+  EXPECT_EQ(SkyGround(none, albedo, -0.1), Vec3(0.0));
+}
+
+//------------------------------------------------------------------------------
+TEST(Sky, TheSunsLimbIsDarkerAndItsMeanIsOne)
+{
+  Vec3 sum(0.0);
+  const int steps = 100000;
+  for (int i = 0; i < steps; ++i)
+  {
+    const double part = (i + 0.5) / steps;
+    sum += SunLimb(part) * (2.0 * part / steps);
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    EXPECT_NEAR(sum[c], 1.0, 1e-4);
+  }
+  const Vec3 limb = SunLimb(0.95) / SunLimb(0.0);
+  EXPECT_GT(limb.x, limb.y);
+  EXPECT_GT(limb.y, limb.z);
+  EXPECT_NEAR(limb.y, std::pow(1.0 - 0.95 * 0.95, 0.25395), 1e-12);
+}
+
+//------------------------------------------------------------------------------
 TEST(SharedExponent, KeepsColoursToHalfAUnit)
 {
   std::mt19937 generator(11);
