@@ -15,9 +15,9 @@ function(godrays_add_example name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "WITHOUT_RAYS" "" "")
   set(components
     CommonColor CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral
-    FiltersGeometry FiltersModeling FiltersSources IOGeometry IOImage IOImport IOLegacy IOOggTheora IOPLY
-    IOXML InteractionStyle InteractionWidgets RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI
-    RenderingVolumeOpenGL2 vtksys)
+    FiltersGeometry FiltersHybrid FiltersModeling FiltersSources IOGeometry IOImage IOImport IOLegacy
+    IOOggTheora IOPLY IOXML InteractionStyle InteractionWidgets RenderingCore RenderingFreeType
+    RenderingOpenGL2 RenderingUI RenderingVolumeOpenGL2 vtksys)
   find_package(VTK REQUIRED COMPONENTS ${components})
   list(TRANSFORM components PREPEND VTK::)
 

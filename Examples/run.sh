@@ -91,7 +91,8 @@ show jacksboro-without-rays "$out/data/jacksboro.vti" --no-rays
 show topobathy "$out/data/topobathy.vts" --elevation-scale 10
 show engine "$mesh"
 show engine-before-a-lamp "$mesh" --light 90,-40,-300 --light-size 25
-for name in ColouredLights Facade MinimalSun Statue TaggedOccluders TwoViewports; do
+for name in ColouredLights DustyHall Facade MinimalSun Outdoor Planet SkyImage Statue Sunrise \
+  TaggedOccluders TwoViewports; do
   echo "$out/$name.png: build/bin/$name"
   build/bin/$name "$out/$name.png"
   echo "$out/$name-python.png: /usr/bin/python3 Examples/$name/$name.py"

@@ -1,0 +1,86 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The planet: its picture in both languages, and its limb and ground against the integral.
+
+Usage: check_Planet.py example.py folder program
+"""
+
+import os
+import pathlib
+import runpy
+import subprocess
+import sys
+
+import numpy
+import vtkmodules.all as vtk
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import godrays
+
+
+def check(what, condition, figures=""):
+    print(f"{'good' if condition else 'BAD'}: {what} {figures}")
+    failures.extend([] if condition else [what])
+
+
+def read(file):
+    reader = vtk.vtkPNGReader()
+    reader.SetFileName(file)
+    reader.Update()
+    width, height, _ = reader.GetOutput().GetDimensions()
+    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+    return pixels.reshape(height, width, -1).astype(int)
+
+
+def expected(x, y):
+    """The levels of a pixel by vtkGodRaysSkySource, in the frame of the eye above the ground."""
+    camera = scene["camera"]
+    eye, focus = numpy.array(camera.GetPosition()), numpy.array(camera.GetFocalPoint())
+    ahead = (focus - eye) / numpy.linalg.norm(focus - eye)
+    right = numpy.cross(ahead, camera.GetViewUp())
+    right /= numpy.linalg.norm(right)
+    half = numpy.tan(numpy.radians(camera.GetViewAngle() / 2)) / 150
+    look = ahead + half * ((x - 199.5) * right + (y - 149.5) * numpy.cross(right, ahead))
+    up = eye / numpy.linalg.norm(eye)
+    sun = numpy.array((0.0, 1.0, 0.0))
+    north = sun - sun.dot(up) * up
+    north /= numpy.linalg.norm(north)
+    source.SetObserverHeight(1e6 * (numpy.linalg.norm(eye) - scene["radius"]))
+    source.SetSunElevation(numpy.degrees(numpy.arcsin(sun.dot(up))))
+    light = [0, 0, 0]
+    source.GetRadiance([look.dot(each) for each in (numpy.cross(north, up), north, up)], light)
+    light = numpy.minimum(scene["sky"].GetExposure() * numpy.array(light), 1)
+    curve = 1.055 * numpy.maximum(light, 0.0031308) ** (1 / 2.4) - 0.055
+    return 255 * numpy.where(light <= 0.0031308, 12.92 * light, curve)
+
+
+example, folder, program = sys.argv[1:]
+failures = []
+baseline = str(pathlib.Path(__file__).parents[1] / "Baseline" / "Example-Planet.png")
+picture = os.path.join(folder, "Planet_cxx.png")
+subprocess.run([program, picture], check=True)
+difference = numpy.abs(read(picture) - read(baseline)).max()
+check("the program draws the baseline", difference <= 2, f"to {difference} levels")
+picture = os.path.join(folder, "Planet_py.png")
+sys.argv = [example, picture]
+scene = runpy.run_path(example)
+difference = numpy.abs(read(picture) - read(baseline)).max()
+check("so does the script", difference <= 2, f"to {difference} levels")
+
+scene["lines"].VisibilityOff()
+scene["window"].Render()
+scene["picture"].Modified()
+scene["writer"].Write()
+pixels = read(picture)
+source = godrays.vtkGodRaysSkySource()
+source.SetSunAzimuth(0)
+source.MultipleScatteringOn()
+for name, places in (
+    ("the ground", [(x, 150) for x in range(80, 260, 10)]),
+    ("the limb", [(x, 150) for x in range(60, 72)]),
+):
+    error = numpy.array([pixels[y, x] - expected(x, y) for x, y in places])
+    figures = f"to {numpy.abs(error).max():.1f} levels, {numpy.sqrt((error**2).mean()):.2f} root mean square"
+    check(f"{name} is that of the integral", numpy.abs(error).max() <= 3, figures)
+check("space is black", (pixels[150, :40] == 0).all() and (pixels[150, 380:] == 0).all())
+sys.exit(f"{len(failures)} checks failed" if failures else 0)
