@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The planet: its picture in both languages, and its limb and ground against the integral.
 
-Usage: check_Planet.py example.py folder program
+Usage: TestPlanet.py example.py program
 """
 
 import os
@@ -54,7 +54,8 @@ def expected(x, y):
     return 255 * numpy.where(light <= 0.0031308, 12.92 * light, curve)
 
 
-example, folder, program = sys.argv[1:]
+folder = os.getcwd()
+example, program = sys.argv[1:]
 failures = []
 baseline = str(pathlib.Path(__file__).parents[1] / "Baseline" / "Example-Planet.png")
 picture = os.path.join(folder, "Planet_cxx.png")
