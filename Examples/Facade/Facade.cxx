@@ -6,7 +6,6 @@
 
 #include "vtkActor.h"
 #include "vtkAppendPolyData.h"
-#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCubeSource.h"
 #include "vtkGodRaysPass.h"

@@ -4,44 +4,19 @@
 
 #include "../ExampleWindow.h"
 #include "StatueScene.h"
+#include "StatueSliders.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkGodRaysPass.h"
-#include "vtkGodRaysRadialModel.h"
 #include "vtkInteractorStyleTrackballCamera.h"
 #include "vtkLight.h"
-#include "vtkSliderRepresentation2D.h"
-#include "vtkSliderWidget.h"
 #include "vtkSphereSource.h"
-#include "vtkTextProperty.h"
 
 #include <iostream>
 
 namespace
 {
-struct Parameter
-{
-  const char* Name;
-  double Range[2]; // of the slider; the model takes more
-  double (*Get)(vtkGodRaysRadialModel*);
-  void (*Set)(vtkGodRaysRadialModel*, double);
-};
-
-const Parameter Parameters[] = {
-  { "exposure", { 0.0, 0.2 }, [](auto model) { return model->GetExposure(); },
-    [](auto model, double value) { model->SetExposure(value); } },
-  { "decay", { 0.8, 1.0 }, [](auto model) { return model->GetDecay(); },
-    [](auto model, double value) { model->SetDecay(value); } },
-  { "density", { 0.0, 1.0 }, [](auto model) { return model->GetDensity(); },
-    [](auto model, double value) { model->SetDensity(value); } },
-  { "weight", { 0.0, 1.0 }, [](auto model) { return model->GetWeight(); },
-    [](auto model, double value) { model->SetWeight(value); } },
-  { "samples", { 1.0, 200.0 }, [](auto model) { return double(model->GetNumberOfSamples()); },
-    [](auto model, double value) { model->SetNumberOfSamples(std::lround(value)); } },
-};
-
-/// The light and the parameters, as the user changes them.
+/// The light and the parameters of its sum, as the user changes them.
 class Stage
 {
 public:
@@ -55,31 +30,9 @@ public:
     this->Light->SetPosition(place);
   }
 
-  void AddSliders(vtkRenderWindowInteractor* interactor)
+  void AddControls(vtkRenderWindowInteractor* interactor)
   {
-    for (const Parameter& parameter : Parameters)
-    {
-      const double left = 0.03 + 0.195 * this->Sliders.size();
-      vtkNew<vtkSliderRepresentation2D> look;
-      look->SetTitleText(parameter.Name);
-      look->SetMinimumValue(parameter.Range[0]);
-      look->SetMaximumValue(parameter.Range[1]);
-      look->SetValue(parameter.Get(this->Model));
-      look->SetLabelFormat("%.3g");
-      look->GetPoint1Coordinate()->SetCoordinateSystemToNormalizedDisplay();
-      look->GetPoint1Coordinate()->SetValue(left, 0.07);
-      look->GetPoint2Coordinate()->SetCoordinateSystemToNormalizedDisplay();
-      look->GetPoint2Coordinate()->SetValue(left + 0.16, 0.07);
-      look->SetSliderLength(0.015);
-      look->SetTitleHeight(0.025);
-      look->SetLabelHeight(0.02);
-      this->Sliders.push_back(vtkSmartPointer<vtkSliderWidget>::New());
-      this->Sliders.back()->SetInteractor(interactor);
-      this->Sliders.back()->SetRepresentation(look);
-      this->Sliders.back()->SetAnimationModeToJump();
-      this->Sliders.back()->AddObserver(vtkCommand::InteractionEvent, this, &Stage::OnSlide);
-      this->Sliders.back()->EnabledOn();
-    }
+    this->Sliders.Add(interactor);
     interactor->AddObserver(vtkCommand::KeyPressEvent, this, &Stage::OnKey);
     interactor->AddObserver(vtkCommand::TimerEvent, this, &Stage::OnTimer);
     interactor->CreateRepeatingTimer(33);
@@ -88,19 +41,11 @@ public:
 
   vtkNew<vtkActor> Sphere;
   vtkNew<vtkLight> Light;
-  vtkNew<vtkGodRaysRadialModel> Model;
+  StatueSliders Sliders;
   double Center[3]; // of the statue
   double Size;      // the diagonal of its bounds
 
 private:
-  void OnSlide() // the widget renders
-  {
-    for (size_t i = 0; i < this->Sliders.size(); ++i)
-    {
-      Parameters[i].Set(this->Model, this->Sliders[i]->GetSliderRepresentation()->GetValue());
-    }
-  }
-
   void OnKey()
   {
     const char* name = this->Interactor->GetKeySym(); // null for a key that X does not know
@@ -108,8 +53,9 @@ private:
     this->Moves ^= key == "space";
     if (key == "g") // the sum as published, tap by tap, and back
     {
-      const bool published = this->Model->GetFormulation() == vtkGodRaysRadialModel::GIANASSI;
-      this->Model->SetFormulation(
+      vtkGodRaysRadialModel* model = this->Sliders.Model;
+      const bool published = model->GetFormulation() == vtkGodRaysRadialModel::GIANASSI;
+      model->SetFormulation(
         published ? vtkGodRaysRadialModel::INVARIANT : vtkGodRaysRadialModel::GIANASSI);
       this->Interactor->Render();
     }
@@ -124,7 +70,6 @@ private:
     }
   }
 
-  std::vector<vtkSmartPointer<vtkSliderWidget>> Sliders;
   vtkRenderWindowInteractor* Interactor = nullptr;
   double Angle = 0.0;
   bool Moves = false;
@@ -183,12 +128,13 @@ int main(int argc, char* argv[])
   camera->SetViewAngle(36.0);
   renderer->ResetCameraClippingRange();
 
-  stage.Model->SetExposure(0.05); // as published, but for the decay
-  stage.Model->SetDecay(0.98);
-  stage.Model->SetDensity(0.8);
-  stage.Model->SetWeight(0.8);
+  vtkGodRaysRadialModel* model = stage.Sliders.Model;
+  model->SetExposure(0.05); // as published, but for the decay
+  model->SetDecay(0.98);
+  model->SetDensity(0.8);
+  model->SetWeight(0.8);
   vtkNew<vtkGodRaysPass> rays;
-  rays->SetModel(stage.Model);
+  rays->SetModel(model);
   rays->SetBackgroundGlow(0.1);
   rays->Attach(renderer);
 
@@ -202,7 +148,7 @@ int main(int argc, char* argv[])
   interactor->SetRenderWindow(window);
   vtkNew<vtkInteractorStyleTrackballCamera> style;
   interactor->SetInteractorStyle(style);
-  stage.AddSliders(interactor);
+  stage.AddControls(interactor);
   window->Render();
   interactor->Start();
   return EXIT_SUCCESS;
