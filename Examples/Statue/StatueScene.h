@@ -165,7 +165,9 @@ inline std::string AddModel(vtkRenderWindow* window, const std::string& file)
     AddSurface(renderer, normals);
   }
   vtkObject::GlobalWarningDisplayOn();
-  return vtkMath::AreBoundsInitialized(renderer->ComputeVisiblePropBounds())
+  const vtkBoundingBox box(renderer->ComputeVisiblePropBounds());
+  const double length = box.IsValid() ? box.GetDiagonalLength() : 0.0;
+  return length > 0.0 && std::isfinite(length)
     ? ""
     : file + " holds no surface, or is damaged; write it again";
 }

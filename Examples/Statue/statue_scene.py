@@ -110,7 +110,8 @@ def add_model(window, file):
         normals.Update()
         add_surface(renderer, normals)
     vtk.vtkObject.GlobalWarningDisplayOn()
-    if not vtk.vtkMath.AreBoundsInitialized(renderer.ComputeVisiblePropBounds()):
+    box = vtk.vtkBoundingBox(renderer.ComputeVisiblePropBounds())
+    if not box.IsValid() or not 0 < box.GetDiagonalLength() < math.inf:
         raise ValueError(f"{file} holds no surface, or is damaged; write it again")
 
 

@@ -245,9 +245,11 @@ TEST(Statue, RefusesWhatIsNoModel)
   std::ofstream("Statue-damaged.ply") << "ply\nformat ascii 1.0\nelement vert";
   std::ofstream("Statue-damaged.glb") << "glTF";
   std::ofstream("Statue-empty.obj") << "# nothing\n";
+  std::ofstream("Statue-point.obj") << "v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n";
   const char* faults[][2] = { { "Statue.txt", "give a .glb, .gltf, .obj, .ply or .stl file" },
     { "missing.stl", "check its name" }, { "Statue-damaged.ply", "write it again" },
-    { "Statue-damaged.glb", "write it again" }, { "Statue-empty.obj", "write it again" } };
+    { "Statue-damaged.glb", "write it again" }, { "Statue-empty.obj", "write it again" },
+    { "Statue-point.obj", "write it again" } };
   for (const auto& [model, remedy] : faults)
   {
     SCOPED_TRACE(model);
