@@ -7,6 +7,7 @@
 #include "vtkCamera.h"
 #include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysAttachment.h"
+#include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysFramebuffer.h"
 #include "vtkGodRaysPass.h"
 #include "vtkGodRaysQuad.h"
@@ -130,6 +131,7 @@ struct vtkGodRaysSkyPass::Internals
   double EnvironmentExposure = -1.0; // of that picture
 
   vtkGodRaysAttachment Attachment;
+  vtkSmartPointer<vtkGodRaysCompositor> Compositor;
   vtkNew<vtkGodRaysScene> RendererSteps;
   vtkGodRaysSkyTable Table{ vtkGodRaysSkyTable::WHOLE };
   vtkGodRaysSkyTable Air{ vtkGodRaysSkyTable::PARTS };
@@ -227,6 +229,22 @@ vtkGodRaysAtmosphere* vtkGodRaysSkyPass::GetAtmosphere()
 }
 
 //------------------------------------------------------------------------------
+void vtkGodRaysSkyPass::SetCompositor(vtkGodRaysCompositor* compositor)
+{
+  if (this->Internal->Compositor != compositor)
+  {
+    this->Internal->Compositor = compositor;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysCompositor* vtkGodRaysSkyPass::GetCompositor()
+{
+  return this->Internal->Compositor;
+}
+
+//------------------------------------------------------------------------------
 bool vtkGodRaysSkyPass::GetSunDirection(double direction[3])
 {
   return vtkGodRaysSunPosition::ComputeDirection(
@@ -321,6 +339,10 @@ const char* vtkGodRaysSkyPass::FindReasonForNoSky(
   if (s->GetRenderer()->GetSelector())
   {
     return "a hardware selection is made";
+  }
+  if (self.Compositor && !self.Compositor->IsRoot())
+  {
+    return "another process has the joined picture";
   }
   int viewport[4];
   vtkGodRaysScene::GetViewport(s, viewport);
@@ -432,6 +454,10 @@ const char* vtkGodRaysSkyPass::FindReasonForNoAir(const vtkRenderState* s)
   {
     return "there is no scene";
   }
+  if (this->JoinsPictures() && !this->Internal->Compositor->HasDepth())
+  {
+    return "the picture is joined without depth";
+  }
   const double way =
     s->GetRenderer()->GetActiveCamera()->GetClippingRange()[1] * this->WorldUnitInMeters;
   const vtkGodRays::SkyAtmosphere sky = vtkGodRays::MakeSkyAtmosphere(this->GetAtmosphere());
@@ -486,6 +512,12 @@ bool vtkGodRaysSkyPass::UpdateTable(vtkGodRaysSkyTable& table, const char* name)
 }
 
 //------------------------------------------------------------------------------
+bool vtkGodRaysSkyPass::JoinsPictures() const
+{
+  return this->Internal->Compositor && this->Internal->Compositor->IsDistributed();
+}
+
+//------------------------------------------------------------------------------
 bool vtkGodRaysSkyPass::DrawSky(const vtkRenderState* s)
 {
   Internals& self = *this->Internal;
@@ -500,17 +532,16 @@ bool vtkGodRaysSkyPass::DrawSky(const vtkRenderState* s)
   }
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, bound.Binding);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  int part[4] = { 0, viewport[2], 0, viewport[3] };
-  if (!this->Draw(viewport, part, SKY))
-  {
-    return false;
-  }
+  const int whole[4] = { 0, viewport[2], 0, viewport[3] };
+  bool drawn = this->JoinsPictures() || this->Draw(viewport, whole, SKY);
   if (this->SunDisc && !self.View.Parallel && self.Sun.Reaches(self.View, false))
   {
-    self.Sun.GetDiscBounds(self.View, viewport + 2, part);
-    return this->Draw(viewport, part, SKY_WITH_SUN);
+    int disc[4];
+    self.Sun.GetDiscBounds(self.View, viewport + 2, disc);
+    drawn = drawn && this->Draw(viewport, disc, SKY_WITH_SUN);
   }
-  return true;
+  // Under a joined picture, what is drawn first remains.
+  return drawn && (!this->JoinsPictures() || this->Draw(viewport, whole, SKY));
 }
 
 //------------------------------------------------------------------------------
@@ -587,12 +618,16 @@ bool vtkGodRaysSkyPass::Draw(const int viewport[4], const int part[4], Stage sta
       static_cast<float>(pinhole.Depth[3]) };
     program->SetUniform4f("depthTerms", terms);
   }
+  const bool under = stage != AIR && this->JoinsPictures();
   vtkOpenGLState* state = self.Window->GetState();
-  state->vtkglDisable(GL_BLEND);
+  state->SetEnumState(GL_BLEND, under);
+  state->vtkglBlendFuncSeparate(GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ONE_MINUS_DST_ALPHA, GL_ONE);
   state->vtkglViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
   state->vtkglScissor(
     viewport[0] + part[0], viewport[1] + part[2], part[1] - part[0], part[3] - part[2]);
-  self.Quad.End(stage == AIR ? vtkGodRaysQuad::BEFORE : vtkGodRaysQuad::BEHIND);
+  self.Quad.End(stage == AIR ? vtkGodRaysQuad::BEFORE
+      : under                ? vtkGodRaysQuad::EVERYWHERE
+                             : vtkGodRaysQuad::BEHIND);
   return true;
 }
 

@@ -50,6 +50,7 @@
 #include <string> // For std::string
 
 class vtkGodRaysAtmosphere;
+class vtkGodRaysCompositor;
 class vtkGodRaysSkyTable;
 class vtkLight;
 class vtkOpenGLRenderWindow;
@@ -178,6 +179,16 @@ public:
   vtkBooleanMacro(MultipleScattering, bool);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get what joins the scene, if its parts are on several processes and this pass has for its delegate
+   * one that joins their pictures over nothing, with alpha: the process that has the joined picture puts the
+   * sky under it by its alpha, and the others draw none. Default is null: the whole scene is here.
+   */
+  void SetCompositor(vtkGodRaysCompositor* compositor);
+  vtkGodRaysCompositor* GetCompositor();
+  ///@}
+
   /**
    * The irradiance of the sun across its light at Origin, on the ground: what the air leaves of the
    * atmosphere's SunIrradiance, in its unit. 0 after an error, and for a sun below the horizon.
@@ -228,6 +239,7 @@ private:
   bool GetSunDirection(double direction[3]);
   void PrepareSource();
   bool UpdateTable(vtkGodRaysSkyTable& table, const char* name);
+  bool JoinsPictures() const;
   bool DrawSky(const vtkRenderState* s);
   bool DrawAir(const vtkRenderState* s);
   enum Stage
