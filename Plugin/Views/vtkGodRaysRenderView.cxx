@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysRenderView.h"
 
+#include "vtkCamera.h"
 #include "vtkCompositeRepresentation.h"
+#include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysIntegrator.h"
 #include "vtkGodRaysPass.h"
 #include "vtkGodRaysRadialModel.h"
+#include "vtkGodRaysSkyPass.h"
 #include "vtkGodRaysSunPosition.h"
 #include "vtkGodRaysViewCompositor.h"
 #include "vtkInformation.h"
@@ -14,6 +17,7 @@
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
+#include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -32,6 +36,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -79,45 +84,49 @@ bool IsAnnotation(vtkProp* prop)
   return false;
 }
 
-/// The one slot that ParaView has for image passes, shared by the rays and ParaView's tone mapping,
-/// which comes after them.
-class ToneMappedPass : public vtkImageProcessingPass
+/// The one slot that ParaView has for image passes, shared by all that a view has.
+class PassChain : public vtkImageProcessingPass
 {
 public:
-  static ToneMappedPass* New();
-  vtkTypeMacro(ToneMappedPass, vtkImageProcessingPass);
+  static PassChain* New();
+  vtkTypeMacro(PassChain, vtkImageProcessingPass);
 
   void Render(const vtkRenderState* s) override
   {
-    this->Rays->SetDelegatePass(this->DelegatePass);
-    this->ToneMapping->SetDelegatePass(this->Rays);
-    this->ToneMapping->Render(s);
-    this->NumberOfRenderedProps = this->ToneMapping->GetNumberOfRenderedProps();
+    this->AboutToRender();
+    vtkRenderPass* scene = this->UsesDelegate ? this->DelegatePass : nullptr;
+    for (vtkImageProcessingPass* pass : this->Passes)
+    {
+      pass->SetDelegatePass(scene);
+      scene = pass;
+    }
+    scene->Render(s);
+    this->NumberOfRenderedProps = scene->GetNumberOfRenderedProps();
   }
 
   void ReleaseGraphicsResources(vtkWindow* window) override
   {
     this->Superclass::ReleaseGraphicsResources(window);
-    for (vtkImageProcessingPass* pass : { this->Rays.Get(), this->ToneMapping.Get() })
+    for (vtkImageProcessingPass* pass : this->Passes)
     {
-      if (pass)
-      {
-        pass->ReleaseGraphicsResources(window);
-      }
+      pass->ReleaseGraphicsResources(window);
     }
   }
 
-  vtkSmartPointer<vtkImageProcessingPass> Rays;
-  vtkSmartPointer<vtkImageProcessingPass> ToneMapping;
+  std::vector<vtkSmartPointer<vtkImageProcessingPass>> Passes; // each draws over the one before
+  std::function<void()> AboutToRender; // the camera is that of the frame on all processes
+  bool UsesDelegate = true;            // or the first pass draws the scene by itself
 };
-vtkStandardNewMacro(ToneMappedPass);
+vtkStandardNewMacro(PassChain);
 }
 
 //------------------------------------------------------------------------------
 struct vtkGodRaysRenderView::vtkInternals
 {
   vtkNew<vtkGodRaysPass> Pass;
-  vtkNew<ToneMappedPass> Chain;
+  vtkNew<vtkGodRaysSkyPass> Sky;
+  vtkSmartPointer<vtkImageProcessingPass> ToneMapping; // ParaView's
+  vtkNew<PassChain> Chain;
   vtkNew<vtkGodRaysViewCompositor> Compositor;
   vtkSmartPointer<vtkGodRaysModel> CustomModel;
   vtkNew<vtkGodRaysRadialModel> Look;
@@ -141,8 +150,9 @@ vtkGodRaysRenderView::vtkGodRaysRenderView()
   this->Internals->CustomModel = this->Internals->Pass->GetModel();
   this->Internals->Look->ApplyPreset("default");
   this->Internals->Pass->SetModel(this->Internals->Look);
-  this->Internals->Chain->Rays = this->Internals->Pass;
+  this->Internals->Chain->AboutToRender = [this] { this->UpdateSky(); };
   this->Internals->Pass->SetCompositor(this->Internals->Compositor);
+  this->Internals->Sky->SetCompositor(this->Internals->Compositor);
   this->UpdatePasses();
 }
 
@@ -160,6 +170,12 @@ vtkGodRaysPass* vtkGodRaysRenderView::GetGodRaysPass()
 }
 
 //------------------------------------------------------------------------------
+vtkGodRaysSkyPass* vtkGodRaysRenderView::GetSkyPass()
+{
+  return this->Internals->Sky;
+}
+
+//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::SetUseGodRays(bool use)
 {
   if (this->UseGodRays != use)
@@ -171,15 +187,33 @@ void vtkGodRaysRenderView::SetUseGodRays(bool use)
 }
 
 //------------------------------------------------------------------------------
+void vtkGodRaysRenderView::SetUseSky(bool use)
+{
+  if (this->UseSky != use)
+  {
+    this->UseSky = use;
+    this->UpdatePasses();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::SetSkyAtmosphere(int preset)
+{
+  this->Internals->Sky->GetAtmosphere()->LoadPreset(preset);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::SetUseToneMapping(bool use)
 {
-  if ((this->Internals->Chain->ToneMapping != nullptr) != use)
+  if ((this->Internals->ToneMapping != nullptr) != use)
   {
     // The superclass takes the slot if it is empty, and leaves it if the slot is its own.
     this->SynchronizedRenderers->SetImageProcessingPass(
-      use ? nullptr : this->Internals->Chain->ToneMapping.Get());
+      use ? nullptr : this->Internals->ToneMapping.Get());
     this->Superclass::SetUseToneMapping(use);
-    this->Internals->Chain->ToneMapping =
+    this->Internals->ToneMapping =
       use ? this->SynchronizedRenderers->GetImageProcessingPass() : nullptr;
     this->UpdatePasses();
   }
@@ -189,14 +223,25 @@ void vtkGodRaysRenderView::SetUseToneMapping(bool use)
 void vtkGodRaysRenderView::UpdatePasses()
 {
   vtkInternals& self = *this->Internals;
-  vtkImageProcessingPass* pass = self.Chain->ToneMapping;
-  self.Pass->SetDisplayTransfer(
-    pass ? vtkGodRaysPass::POWER_TRANSFER : vtkGodRaysPass::SRGB_TRANSFER);
+  const int transfer =
+    self.ToneMapping ? vtkGodRaysPass::POWER_TRANSFER : vtkGodRaysPass::SRGB_TRANSFER;
+  self.Pass->SetDisplayTransfer(transfer);
+  self.Sky->SetDisplayTransfer(transfer);
+  auto& passes = self.Chain->Passes;
+  passes.clear();
+  if (this->UseSky)
+  {
+    passes.emplace_back(self.Sky);
+  }
   if (this->UseGodRays)
   {
-    pass = pass ? static_cast<vtkImageProcessingPass*>(self.Chain) : self.Pass;
+    passes.emplace_back(self.Pass);
   }
-  this->SynchronizedRenderers->SetImageProcessingPass(pass);
+  if (self.ToneMapping)
+  {
+    passes.emplace_back(self.ToneMapping);
+  }
+  this->SynchronizedRenderers->SetImageProcessingPass(passes.empty() ? nullptr : self.Chain.Get());
 }
 
 //------------------------------------------------------------------------------
@@ -317,7 +362,7 @@ void vtkGodRaysRenderView::SetSunColor(double red, double green, double blue)
     }
     each = vtkMath::ClampValue(each, 0.0, 1.0);
   }
-  this->Internals->Sun->SetDiffuseColor(color);
+  vtkMath::Assign(color, this->SunColor);
   this->Modified();
 }
 
@@ -389,6 +434,7 @@ void vtkGodRaysRenderView::UseModel(vtkGodRaysModel* model)
 void vtkGodRaysRenderView::SetWorldUnitInMeters(double meters)
 {
   this->Internals->Medium->SetWorldUnitInMeters(meters);
+  this->Internals->Sky->SetWorldUnitInMeters(meters);
   this->Modified();
 }
 
@@ -438,9 +484,28 @@ vtkGodRaysForwardMacro(Precision, int);
 vtkGodRaysForwardMacro(MeasureTimes, bool);
 
 //------------------------------------------------------------------------------
+#define vtkGodRaysForwardSkyMacro(name, type)                                                      \
+  void vtkGodRaysRenderView::SetSky##name(type value)                                              \
+  {                                                                                                \
+    this->Internals->Sky->Set##name(value);                                                        \
+  }
+vtkGodRaysForwardSkyMacro(Exposure, double);
+vtkGodRaysForwardSkyMacro(SunDisc, bool);
+vtkGodRaysForwardSkyMacro(MultipleScattering, bool);
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::SetSkyOrigin(double x, double y, double z)
+{
+  const double origin[3] = { x, y, z };
+  vtkMath::Assign(origin, this->SkyOrigin);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
 const char* vtkGodRaysRenderView::GetPlan()
 {
-  this->Internals->Plan = this->Internals->Pass->GetPlan();
+  this->Internals->Plan =
+    (this->UseSky ? this->Internals->Sky->GetPlan() : "") + this->Internals->Pass->GetPlan();
   return this->Internals->Plan.c_str();
 }
 
@@ -490,9 +555,9 @@ void vtkGodRaysRenderView::AboutToRenderOnLocalProcess(bool interactive)
   // Where pictures are joined, the former is done to the joined one; elsewhere the latter is, so
   // that the edges of shafts are smoothed alike.
   const bool joined = this->SynchronizedRenderers->GetEnabled();
-  (joined
-      ? this->SynchronizedRenderers->SetUseFXAA(false)
-      : this->GetRenderer()->SetUseFXAA(this->GetRenderer()->GetUseFXAA() && !this->UseGodRays));
+  (joined ? this->SynchronizedRenderers->SetUseFXAA(false)
+          : this->GetRenderer()->SetUseFXAA(
+              this->GetRenderer()->GetUseFXAA() && !this->UseGodRays && !this->UseSky));
 
   // Translucent geometry and volumes are joined in order, and then without depth.
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
@@ -500,6 +565,8 @@ void vtkGodRaysRenderView::AboutToRenderOnLocalProcess(bool interactive)
   const bool hasDepth = !this->GetUseOrderedCompositing();
   this->SynchronizedRenderers->SetUseDepthBuffer(this->UseGodRays && hasDepth);
   this->Internals->Compositor->Update(this->GetRenderer(), distributed, hasDepth);
+  // So that what is translucent is before the sky; pictures that are joined have alpha for that.
+  this->Internals->Chain->UsesDelegate = !this->UseSky || distributed;
 
   this->UpdateRoles();
   this->UpdateLights();
@@ -541,15 +608,57 @@ void vtkGodRaysRenderView::UpdateRoles()
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysRenderView::UpdateSun()
+void vtkGodRaysRenderView::GetSunAxes(double up[3], double north[3]) const
 {
-  static const double axes[][2][3] = { // up and north, by SunFrame
+  static const double axes[][2][3] = { // by SunFrame
     { { 0.0, 1.0, 0.0 }, { 0.0, 0.0, -1.0 } }, { { 1.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 } },
     { { 0.0, 1.0, 0.0 }, { 0.0, 0.0, -1.0 } }, { { 0.0, 0.0, 1.0 }, { 0.0, 1.0, 0.0 } }
   };
   const bool given = this->SunFrame == UP_AND_NORTH;
-  const double* up = given ? this->SunUp : axes[this->SunFrame][0];
-  const double* north = given ? this->SunNorth : axes[this->SunFrame][1];
+  vtkMath::Assign(given ? this->SunUp : axes[this->SunFrame][0], up);
+  vtkMath::Assign(given ? this->SunNorth : axes[this->SunFrame][1], north);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::UpdateSky()
+{
+  if (!this->UseSky)
+  {
+    return;
+  }
+  vtkInternals& self = *this->Internals;
+  double up[3], north[3], origin[3];
+  this->GetSunAxes(up, north);
+  vtkMath::Assign(this->SkyOrigin, origin);
+  if (this->SunFrame == CAMERA)
+  {
+    // The eye stands on the ground, and looks to the north.
+    vtkCamera* camera = this->GetActiveCamera();
+    vtkMatrix4x4* view = camera->GetModelViewTransformMatrix();
+    for (int i = 0; i < 3; ++i)
+    {
+      up[i] = view->GetElement(1, i);
+      north[i] = -view->GetElement(2, i);
+    }
+    camera->GetPosition(origin);
+  }
+  const double* angles = this->GetSunAngles();
+  self.Sky->SetUp(up);
+  self.Sky->SetNorth(north);
+  self.Sky->SetOrigin(origin);
+  self.Sky->SetSunAzimuth(std::fmod(angles[0], 360.0));
+  self.Sky->SetSunElevation(angles[1]);
+  if (!this->SunErrorTold)
+  {
+    self.Sky->UpdateLight(self.Sun); // it has the colour that the air leaves
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysRenderView::UpdateSun()
+{
+  double up[3], north[3];
+  this->GetSunAxes(up, north);
   const double* angles = this->GetSunAngles();
   vtkInternals& self = *this->Internals;
   double direction[3];
@@ -562,12 +671,17 @@ bool vtkGodRaysRenderView::UpdateSun()
     }
     return false;
   }
-  self.Sun->SetLightType(
-    this->SunFrame == CAMERA ? VTK_LIGHT_TYPE_CAMERA_LIGHT : VTK_LIGHT_TYPE_SCENE_LIGHT);
-  self.Sun->SetFocalPoint(0.0, 0.0, 0.0);
-  self.Sun->SetPosition(direction);
-  // At night it does not shine; a sun by its angles may well stand below the scene.
-  return this->SunPosition == AZIMUTH_AND_ELEVATION ||
+  if (!this->UseSky) // which makes the sun its own
+  {
+    self.Sun->SetLightType(
+      this->SunFrame == CAMERA ? VTK_LIGHT_TYPE_CAMERA_LIGHT : VTK_LIGHT_TYPE_SCENE_LIGHT);
+    self.Sun->SetFocalPoint(0.0, 0.0, 0.0);
+    self.Sun->SetPosition(direction);
+    self.Sun->SetColor(this->SunColor);
+    self.Sun->SetIntensity(1.0);
+  }
+  // At night it does not shine; a sun by its angles may well stand below a scene without a sky.
+  return (this->SunPosition == AZIMUTH_AND_ELEVATION && !this->UseSky) ||
     angles[1] > -self.Pass->GetSunAngularRadius();
 }
 
@@ -628,6 +742,13 @@ void vtkGodRaysRenderView::PrintSelf(ostream& os, vtkIndent indent)
      << this->SunNorth[2] << ")\n";
   os << indent << "SunPosition: " << this->SunPosition << "\n";
   this->Internals->SunPosition->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "SunColor: (" << this->SunColor[0] << ", " << this->SunColor[1] << ", "
+     << this->SunColor[2] << ")\n";
+  os << indent << "UseSky: " << (this->UseSky ? "on" : "off") << "\n";
+  os << indent << "SkyOrigin: (" << this->SkyOrigin[0] << ", " << this->SkyOrigin[1] << ", "
+     << this->SkyOrigin[2] << ")\n";
+  os << indent << "Sky:\n";
+  this->Internals->Sky->PrintSelf(os, indent.GetNextIndent());
   os << indent << "Preset: " << this->Internals->Preset << "\n";
   os << indent << "Pass:\n";
   this->Internals->Pass->PrintSelf(os, indent.GetNextIndent());

@@ -4,8 +4,8 @@
  * @class   vtkGodRaysRenderView
  * @brief   ParaView's render view with god rays
  *
- * The view "Render View (God Rays)" of the ParaView plugin. It holds a vtkGodRaysPass and forwards
- * to it; what it adds is ParaView's: a sun by azimuth and elevation or by date and place, presets by name,
+ * The view "Render View (God Rays)" of the ParaView plugin. It holds a vtkGodRaysPass and a
+ * vtkGodRaysSkyPass and forwards to them; what it adds is ParaView's: a sun by azimuth and elevation or by date and place, presets by name,
  * and roles by representation.
  *
  * What data do to light is the property God Rays Role of their representation, whatever its type: see
@@ -28,6 +28,7 @@
 class vtkGodRaysIntegrator;
 class vtkGodRaysModel;
 class vtkGodRaysPass;
+class vtkGodRaysSkyPass;
 class vtkLight;
 
 class VTKGODRAYSVIEWS_EXPORT vtkGodRaysRenderView : public vtkPVRenderView
@@ -41,6 +42,11 @@ public:
    * The pass that draws the rays.
    */
   vtkGodRaysPass* GetGodRaysPass();
+
+  /**
+   * The pass that draws the sky, over which the rays are.
+   */
+  vtkGodRaysSkyPass* GetSkyPass();
 
   /**
    * Set whether there are rays at all; without, the view is an ordinary render view. Default is on.
@@ -131,10 +137,37 @@ public:
   double* GetSunAngles() VTK_SIZEHINT(2);
 
   /**
-   * Set the sun's colour, as shown on the display [no unit]. Valid range: [0, 1] each.
-   * Default is (1, 1, 1).
+   * Set the sun's colour, as shown on the display [no unit]. Valid range: [0, 1] each. With a sky, it is
+   * that which the air leaves instead. Default is (1, 1, 1).
    */
   void SetSunColor(double red, double green, double blue);
+
+  /**
+   * Set whether the sky is drawn behind the scene, in the light of the sun, whatever the source of the rays
+   * is. With SunFrame CAMERA, the eye stands on the ground and the horizon is straight ahead. Default is
+   * off.
+   */
+  void SetUseSky(bool use);
+
+  /**
+   * Set the air, one of vtkGodRaysAtmosphere::PresetType. Any other number is an error and changes nothing.
+   * Default is EARTH_CLEAR.
+   */
+  void SetSkyAtmosphere(int preset);
+
+  /**
+   * Set a point on the planet's ground, unless SunFrame is CAMERA [scene units]. Default is (0, 0, 0).
+   */
+  void SetSkyOrigin(double x, double y, double z);
+
+  ///@{
+  /**
+   * Forwarded to the sky's pass; see vtkGodRaysSkyPass.
+   */
+  void SetSkyExposure(double exposure);
+  void SetSkySunDisc(bool draw);
+  void SetSkyMultipleScattering(bool add);
+  ///@}
 
   /**
    * Set the look by name, see vtkGodRaysRadialModel::ApplyPreset(), or the medium, see
@@ -144,7 +177,7 @@ public:
   void SetPreset(const char* name);
 
   /**
-   * Set how long the scene's unit is for media by name [m]. Valid range: [1e-12, 1e12]. Default is 1.
+   * Set how long the scene's unit is for media by name and for the sky [m]. Valid range: [1e-12, 1e12]. Default is 1.
    */
   void SetWorldUnitInMeters(double meters);
 
@@ -205,6 +238,8 @@ private:
   bool SetMode(const char* name, int& mode, int value, int last);
   void UseModel(vtkGodRaysModel* model);
   void UpdatePasses();
+  void GetSunAxes(double up[3], double north[3]) const;
+  void UpdateSky();
   bool UpdateSun();
   void UpdateLights();
   void UpdateRoles();
@@ -221,6 +256,9 @@ private:
   double SunUp[3] = { 0.0, 0.0, 1.0 };
   double SunNorth[3] = { 0.0, 1.0, 0.0 };
   bool SunErrorTold = false;
+  double SunColor[3] = { 1.0, 1.0, 1.0 };
+  bool UseSky = false;
+  double SkyOrigin[3] = { 0.0, 0.0, 0.0 };
   double SunAngles[2] = { 0.0, 0.0 };
 };
 

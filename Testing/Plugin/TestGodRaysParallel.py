@@ -17,7 +17,7 @@ from parallel_testing import MPIRUN, difference, draw, on_processes, read
 LEVELS = 2
 
 # What ParaView draws alike without rays; volumes differ by a few levels between their parts.
-SCENES = ["opaque", "gradient", "tagged", "lamp", "bright", "medium", "shadows", "one_process"]
+SCENES = ["opaque", "gradient", "tagged", "lamp", "bright", "medium", "shadows", "sky", "one_process"]
 
 
 class Parallel(unittest.TestCase):
@@ -44,7 +44,7 @@ class Parallel(unittest.TestCase):
                 self.assertGreater(rays, 10 * LEVELS)
 
     def test_the_scenes_differ(self):
-        for name in ("gradient", "tagged", "lamp", "bright", "medium", "volume"):
+        for name in ("gradient", "tagged", "lamp", "bright", "medium", "sky", "volume"):
             change = abs(read(self.serial, name) - read(self.serial, "opaque")).max()
             self.assertGreater(change, 10 * LEVELS, name)
         change = abs(read(self.serial, "medium") - read(self.serial, "shadows")).max()
@@ -71,12 +71,12 @@ class Parallel(unittest.TestCase):
                 self.assertGreater(rays, 10 * LEVELS)
 
     def test_four_processes(self):
-        scenes = ["opaque", "tagged", "lamp", "medium", "shadows", "one_process"]
+        scenes = ["opaque", "tagged", "lamp", "medium", "shadows", "sky", "one_process"]
         folder = self.draw("four", on_processes(4), scenes)
         self.check(folder, scenes)
 
     def test_client_and_server(self):
-        scenes = ["gradient", "tagged", "lamp"]
+        scenes = ["gradient", "tagged", "lamp", "sky"]
         for count, remote in (("2", "1"), ("2", "0")):
             with self.subTest(f"{count} processes, remote rendering {remote}"):
                 with socket.socket() as free:

@@ -11,6 +11,7 @@ ELSEWHERE = {
     "vtkGodRaysPass": {"Model", "Integrator", "Role", "DelegatePass", "Compositor"},
     "vtkGodRaysReferenceFilter": set(),
     "vtkGodRaysScatteringFilter": set(),
+    "vtkGodRaysSkySource": {"Atmosphere"},
 }
 
 # What is no filter or source, but writes a file.
@@ -208,10 +209,12 @@ class Properties(Case):
                 if name and name.startswith("vtkGodRays"):
                     offered.add(name)
                     label = entry["xml"].GetAttribute("label")
-                    proxy = getattr(simple, label.replace(" ", ""))()
+                    inputs = {}
                     if group == "filters":
                         port = classes[name].GetInputPortInformation(0)
-                        proxy.Input = data[port.Get(vtk.vtkAlgorithm.INPUT_REQUIRED_DATA_TYPE())]
+                        kind = port.Get(vtk.vtkAlgorithm.INPUT_REQUIRED_DATA_TYPE())
+                        inputs["Input"] = data[kind]
+                    proxy = getattr(simple, label.replace(" ", ""))(**inputs)
                     self.check(proxy, proxy.GetClientSideObject())
                     hints = proxy.SMProxy.GetHints().FindNestedElementByName("ShowInMenu")
                     self.assertEqual(hints.GetAttribute("category"), "God Rays")

@@ -111,6 +111,13 @@ def shadows(view):
     view.Integrator = "Shadow Map"
 
 
+def sky(view):
+    """A low sun behind the spheres, and its sky."""
+    add_spheres(view)
+    view.UseSky = 1
+    view.SunFrame = "World, Y up"
+
+
 def one_process(view):
     """All of the scene is on one process."""
     add_pillars(view)
@@ -119,7 +126,7 @@ def one_process(view):
 SCENES = {
     scene.__name__: scene
     for scene in (
-        opaque, gradient, tagged, lamp, bright, medium, shadows, translucent, volume,
+        opaque, gradient, tagged, lamp, bright, medium, shadows, sky, translucent, volume,
         one_process,
     )  # fmt: skip
 }
