@@ -29,8 +29,9 @@ struct vtkGodRaysEpipolarCoverageIntegrator::Internals
   vtkGodRaysCoverageSweep Sweep;
   vtkGodRaysTarget Rays[2]; // of one channel, and of three
   vtkNew<vtkGodRaysSolidLayers> Solid;
-  unsigned int Frame = 0; // whose depths the sweep has
-  int Layers = 0;         // as well as so many
+  bool ToldOfLayers = false; // that there are none on several processes
+  unsigned int Frame = 0;    // whose depths the sweep has
+  int Layers = 0;            // as well as so many
   std::string Plan = "nothing yet";
 
   bool LoadDepths(const Request& request, int layers);
@@ -97,6 +98,14 @@ bool vtkGodRaysEpipolarCoverageIntegrator::Integrate(const Request& request)
   Internals& self = *this->Internal;
   const bool distributed = request.Compositor && request.Compositor->IsDistributed();
   const int layers = distributed ? 0 : this->NumberOfLayers;
+  if (layers < this->NumberOfLayers && !self.ToldOfLayers)
+  {
+    self.ToldOfLayers = true;
+    vtkWarningMacro(
+      "There are no solid layers, since the scene is on several processes, which join its "
+      "first surface alone: it is taken to be Thickness thick. Set NumberOfLayers to 0, or "
+      "use one process.");
+  }
   if (!self.LoadDepths(request, layers))
   {
     return false;
