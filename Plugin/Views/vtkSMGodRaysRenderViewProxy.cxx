@@ -33,6 +33,10 @@ vtkImageData* vtkSMGodRaysRenderViewProxy::CaptureWindowInternal(
   auto window = vtkOpenGLRenderWindow::SafeDownCast(this->GetRenderWindow());
   if (window)
   {
+    if (window->GetNeverRendered())
+    {
+      this->StillRender(); // only then has it an OpenGL context to ask
+    }
     window->MakeCurrent();
   }
   const int largest = window ? vtkTextureObject::GetMaximumTextureSize(window) : 0;
