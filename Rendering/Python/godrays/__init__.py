@@ -261,6 +261,8 @@ def _paraview_renderer(view):
             "ParaView's own render view can have god rays in built-in mode alone, not with a "
             "server or in parallel; use CreateView('GodRaysRenderView') of the plugin"
         )
+    if client.GetRenderWindow().GetNeverRendered():
+        view.SMProxy.StillRender()  # in which ParaView sets the renderer's pass
     return client.GetRenderer()
 
 
