@@ -491,6 +491,7 @@ vtkGodRaysForwardMacro(MeasureTimes, bool);
   }
 vtkGodRaysForwardSkyMacro(Exposure, double);
 vtkGodRaysForwardSkyMacro(SunDisc, bool);
+vtkGodRaysForwardSkyMacro(AerialPerspective, bool);
 vtkGodRaysForwardSkyMacro(MultipleScattering, bool);
 
 //------------------------------------------------------------------------------
@@ -563,7 +564,7 @@ void vtkGodRaysRenderView::AboutToRenderOnLocalProcess(bool interactive)
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   const bool distributed = joined && controller && controller->GetNumberOfProcesses() > 1;
   const bool hasDepth = !this->GetUseOrderedCompositing();
-  this->SynchronizedRenderers->SetUseDepthBuffer(this->UseGodRays && hasDepth);
+  this->SynchronizedRenderers->SetUseDepthBuffer((this->UseGodRays || this->UseSky) && hasDepth);
   this->Internals->Compositor->Update(this->GetRenderer(), distributed, hasDepth);
   // So that what is translucent is before the sky; pictures that are joined have alpha for that.
   this->Internals->Chain->UsesDelegate = !this->UseSky || distributed;

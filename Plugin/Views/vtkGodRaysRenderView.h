@@ -166,6 +166,7 @@ public:
    */
   void SetSkyExposure(double exposure);
   void SetSkySunDisc(bool draw);
+  void SetSkyAerialPerspective(bool draw);
   void SetSkyMultipleScattering(bool add);
   ///@}
 

@@ -33,6 +33,7 @@ class Sky(Case):
         for name, others in {
             "Exposure": (0.0, 1e30),
             "SunDisc": (0, 1),
+            "AerialPerspective": (0, 1),
             "MultipleScattering": (0, 1),
         }.items():
             prop = view.SMProxy.GetProperty("Sky" + name)
@@ -81,6 +82,21 @@ class Sky(Case):
         shown.AmbientColor, shown.Ambient, shown.Diffuse = [0.0, 0.0, 0.0], 1.0, 0.0
         shown.Opacity = 0.5
         self.assert_alike(pixels(view), sky_alone // 2, 2)
+
+    def test_the_air_before_the_scene(self):
+        """White things 20 km away are bluer in the air of noon; 20 m away they are not."""
+        view = make_view(UseSky=1, UseGodRays=0, SunElevation=50.0, SunAzimuth=120.0, **UP)
+        wall = simple.Plane(Origin=[-2, 0.2, 0], Point1=[2, 0.2, 0], Point2=[-2, 1.2, 0])
+        shown = simple.Show(wall, view)
+        shown.ColorArrayName = ["POINTS", ""]
+        shown.AmbientColor, shown.Ambient, shown.Diffuse = [0.2, 0.2, 0.2], 1.0, 0.0
+        near = pixels(view)[85, 80]
+        self.assert_alike(near, numpy.array([51, 51, 51]), 1)
+        view.WorldUnitInMeters = 2500.0
+        red, _, blue = pixels(view)[85, 80]
+        self.assertGreater(blue, red + 15)
+        view.SkyAerialPerspective = 0
+        self.assert_alike(pixels(view)[85, 80], near)
 
     def test_the_horizon_of_the_camera(self):
         """With the frame Camera the horizon is straight ahead, however the camera stands."""
