@@ -260,16 +260,23 @@ class Pictures(Case):
         self.assert_alike(pixels(third), low)
 
     def test_comparative_view(self):
-        look = {"SunElevation": 6.0, "Preset": "crisp-shafts"}
+        def set_look(view):
+            view.SunElevation, view.Preset = 6.0, "custom"
+            view.Model.Density = 0.5
+            view.Integrator = "Taps"
+            view.Integrator.NumberOfTaps = 8
+
         widths = (0.4, 1.2)
         expected = []
         for width, smooth in zip(widths, (0, 1)):  # ParaView does not smooth the first one's edges
-            view = make_view(UseFXAA=smooth, **look)
+            view = make_view(UseFXAA=smooth)
+            set_look(view)
             middle, left, *_ = add_pillars(view)
             middle.Input.XLength = width
             left.GodRaysRole = "Ignored"
             expected.append(pixels(view))
-        both = make_view("Comparative" + VIEW, (321, 120), Dimensions=[2, 1], **look)
+        both = make_view("Comparative" + VIEW, (321, 120), Dimensions=[2, 1])
+        set_look(both)
         middle, left, *_ = add_pillars(both)
         left.GodRaysRole = "Ignored"
         manager = simple.servermanager.ProxyManager().SMProxyManager
@@ -289,6 +296,9 @@ class Pictures(Case):
 
         for half, wanted in zip(halves(), expected):
             self.assert_alike(half, wanted)
+        both.Model.Density = 0.9
+        for half, wanted in zip(halves(), expected):
+            self.assert_different(half, wanted)
         both.UseGodRays = 0
         for half, wanted in zip(halves(), expected):
             self.assert_different(half, wanted, 50)
