@@ -4,10 +4,13 @@
 // How wrong vtkGodRaysSkySource is, and what it costs: Markdown tables.
 //
 // Usage: SkyError [--quick]
+//        SkyError --chart FILE   speed against error alone, drawn into a PNG file, too
 //
 // Multiple scattering is judged by paths of light that are followed backwards from the eye, all orders, by
 // chance (Monte Carlo, free flights after Woodcock): slow, but without the approximations. Time is of one
 // thread.
+
+#include "Charts.h"
 
 #include "vtkGodRaysSkyAtmosphere.h"
 #include "vtkGodRaysSkySource.h"
@@ -243,8 +246,8 @@ double GetSeconds(vtkGodRaysSkySource* source)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Root mean square and largest error, of the pixels' brightest colour.
-void PrintErrors(vtkGodRaysSkySource* source, vtkImageData* truth)
+// Print root mean square and largest error, of the pixels' brightest colour, and return the former.
+double PrintErrors(vtkGodRaysSkySource* source, vtkImageData* truth)
 {
   vtkDataArray* values = source->GetOutput()->GetPointData()->GetScalars();
   vtkDataArray* expected = truth->GetPointData()->GetScalars();
@@ -253,20 +256,23 @@ void PrintErrors(vtkGodRaysSkySource* source, vtkImageData* truth)
   for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
   {
     double scale = 0.0;
-    double error = 0.0;
+    double difference = 0.0;
     for (int c = 0; c < 3; ++c)
     {
       scale = std::max(scale, expected->GetComponent(i, c));
-      error = std::max(error, std::fabs(values->GetComponent(i, c) - expected->GetComponent(i, c)));
+      difference =
+        std::max(difference, std::fabs(values->GetComponent(i, c) - expected->GetComponent(i, c)));
     }
-    const double relative = scale > 0.0 ? error / scale : 0.0;
+    const double relative = scale > 0.0 ? difference / scale : 0.0;
     squares += relative * relative;
     worst = std::max(worst, relative);
   }
-  std::printf(" %.1e | %.1e |\n", std::sqrt(squares / values->GetNumberOfTuples()), worst);
+  const double error = std::sqrt(squares / values->GetNumberOfTuples());
+  std::printf(" %.1e | %.1e |\n", error, worst);
+  return error;
 }
 
-void JudgeSpeed(bool quick)
+Chart JudgeSpeed(bool quick)
 {
   const int resolution = quick ? 16 : 128;
   std::printf(
@@ -283,20 +289,32 @@ void JudgeSpeed(bool quick)
   vtkNew<vtkImageData> truth;
   truth->DeepCopy(source->GetOutput());
   const double pixels = static_cast<double>(resolution) * resolution;
+  const auto judge = [&](ChartSeries& series, const char* name, double value)
+  {
+    const double microseconds = 1e6 * GetSeconds(source) / pixels;
+    std::printf("| %s %g | %.1f |", name, value, microseconds);
+    series.X.push_back(microseconds);
+    series.Y.push_back(PrintErrors(source, truth));
+    char label[32];
+    std::snprintf(label, sizeof(label), "%g", value);
+    series.Labels.emplace_back(label);
+  };
+  Chart chart{ "A sky of single scattering", "microseconds a pixel, one thread",
+    "root mean square error (fraction of each pixel)",
+    { { "tolerance", {}, {}, {} }, { "steps of the first order", {}, {}, {} } } };
   for (const double tolerance : { 1e-1, 1e-2, 1e-3, 1e-4, 1e-6 })
   {
     source->SetTolerance(tolerance);
-    std::printf("| tolerance %g | %.1f |", tolerance, 1e6 * GetSeconds(source) / pixels);
-    PrintErrors(source, truth);
+    judge(chart.Series[0], "tolerance", tolerance);
   }
   source->SetMethod(vtkGodRaysSkySource::STEPS);
   for (const int steps : { 8, 16, 32, 64, 128, 256 })
   {
     source->SetNumberOfSteps(steps);
-    std::printf("| %d steps of the first order | %.1f |", steps, 1e6 * GetSeconds(source) / pixels);
-    PrintErrors(source, truth);
+    judge(chart.Series[1], "steps of the first order:", steps);
   }
   std::printf("\n");
+  return chart;
 }
 
 //------------------------------------------------------------------------------
@@ -351,6 +369,11 @@ int main(int argc, char* argv[])
 {
   const bool quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
   vtkSMPTools::Initialize(1);
+  if (argc > 2 && std::strcmp(argv[1], "--chart") == 0)
+  {
+    WriteChart(JudgeSpeed(false), argv[2]);
+    return 0;
+  }
   JudgeMultipleScattering(quick);
   JudgeSpeed(quick);
   JudgeShape();
