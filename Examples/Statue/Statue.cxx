@@ -12,6 +12,7 @@
 #include "vtkLight.h"
 #include "vtkSphereSource.h"
 
+#include <algorithm>
 #include <iostream>
 
 namespace
@@ -122,8 +123,10 @@ int main(int argc, char* argv[])
   renderer->SetBackground(0.008, 0.008, 0.02);
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetFocalPoint(stage.Center);
+  // The front of the model's box fills the picture.
+  const double front = std::max(box.GetLength(1), 0.75 * box.GetLength(0));
   camera->SetPosition(stage.Center[0] - 0.18 * stage.Size, stage.Center[1] - 0.1 * stage.Size,
-    stage.Center[2] + stage.Size);
+    stage.Center[2] + 0.5 * box.GetLength(2) + 1.55 * front);
   camera->SetViewUp(0.0, 1.0, 0.0);
   camera->SetViewAngle(36.0);
   renderer->ResetCameraClippingRange();

@@ -68,7 +68,9 @@ def move_light(degrees):
 move_light(-20)
 camera = renderer.GetActiveCamera()
 camera.SetFocalPoint(center)
-camera.SetPosition(center[0] - 0.18 * size, center[1] - 0.1 * size, center[2] + size)
+# The front of the model's box fills the picture.
+distance = 0.5 * box.GetLength(2) + 1.55 * max(box.GetLength(1), 0.75 * box.GetLength(0))
+camera.SetPosition(center[0] - 0.18 * size, center[1] - 0.1 * size, center[2] + distance)
 camera.SetViewUp(0, 1, 0)
 camera.SetViewAngle(36)
 renderer.ResetCameraClippingRange()
