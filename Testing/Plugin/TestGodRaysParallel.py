@@ -16,8 +16,9 @@ from parallel_testing import MPIRUN, difference, draw, on_processes, read
 
 LEVELS = 2
 
-# What ParaView draws alike without rays; volumes differ by a few levels between their parts.
+# What ParaView draws alike without rays; what it joins in order differs by a few levels.
 SCENES = ["opaque", "gradient", "tagged", "lamp", "bright", "medium", "shadows", "sky", "one_process"]
+ORDERED = ["volume", "translucent", "veil"]
 
 
 class Parallel(unittest.TestCase):
@@ -51,19 +52,25 @@ class Parallel(unittest.TestCase):
         self.assertGreater(change, 2 * LEVELS)
 
     def test_two_processes(self):
-        folder = self.draw("two", on_processes(2))
+        folder = self.draw("two", on_processes(2), SCENES + ORDERED)
         self.check(folder)
         self.check_ordered(folder)
 
     def check_ordered(self, folder):
         """Ordered compositing, which has no depth: as near as ParaView itself comes."""
-        for name in ("volume", "translucent", "veil"):
+        for name in ORDERED:
             with self.subTest(name):
                 without = difference(folder, self.serial, name + "-plain")
                 self.assertLess(without, 20, "ParaView loses data between its processes")
                 self.assertLessEqual(difference(folder, self.serial, name), without + LEVELS)
                 rays = abs(read(folder, name) - read(folder, name + "-plain")).max()
                 self.assertGreater(rays, 10 * LEVELS)
+
+    def test_solid_layers(self):
+        """There are none on several processes, which is told once."""
+        with self.assertRaises(AssertionError) as failed:
+            self.draw("layers", on_processes(2), ["layers"])
+        self.assertEqual(str(failed.exception).count("no solid layers"), 1)
 
     def test_four_processes(self):
         scenes = ["opaque", "tagged", "lamp", "medium", "shadows", "sky", "one_process"]

@@ -37,7 +37,7 @@ class Readme(Case):
         self.assertLess(abs(names["azimuth"] - 290.0), 15.0)  # in the north-west
         self.assertLess(abs(names["elevation"] - 15.0), 5.0)  # some hours before it sets
         run(sky)
-        self.assertIn("sky: from", names["view"].GetClientSideObject().GetSkyPass().GetPlan())
+        self.assertIn("sky: a new table", names["view"].GetClientSideObject().GetSkyPass().GetPlan())
 
         for name in ("lamp", "wall"):
             names[name] = simple.Show(simple.Sphere(Radius=0.1), view)
