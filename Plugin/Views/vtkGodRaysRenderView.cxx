@@ -498,6 +498,12 @@ vtkGodRaysForwardSkyMacro(MultipleScattering, bool);
 void vtkGodRaysRenderView::SetSkyOrigin(double x, double y, double z)
 {
   const double origin[3] = { x, y, z };
+  if (!vtkMath::IsFinite(x) || !vtkMath::IsFinite(y) || !vtkMath::IsFinite(z))
+  {
+    vtkErrorMacro("SkyOrigin must be three finite numbers, not (" << x << ", " << y << ", " << z
+                                                                  << "); it stays as it is.");
+    return;
+  }
   vtkMath::Assign(origin, this->SkyOrigin);
   this->Modified();
 }

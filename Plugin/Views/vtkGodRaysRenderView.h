@@ -156,7 +156,8 @@ public:
   void SetSkyAtmosphere(int preset);
 
   /**
-   * Set a point on the planet's ground, unless SunFrame is CAMERA [scene units]. Default is (0, 0, 0).
+   * Set a point on the planet's ground, unless SunFrame is CAMERA [scene units]. Valid range: [-1e30, 1e30].
+   * Numbers that are not finite are an error and change nothing. Default is (0, 0, 0).
    */
   void SetSkyOrigin(double x, double y, double z);
 

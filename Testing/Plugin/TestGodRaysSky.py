@@ -29,6 +29,12 @@ class Sky(Case):
         }.items():
             self.assertEqual(getattr(sky(view), "Get" + name)(), value, name)
 
+        with Messages() as messages:
+            view.GetClientSideObject().SetSkyOrigin(float("nan"), 0.0, 0.0)
+            simple.Render(view)
+        self.assertEqual(messages.text.count("stays"), 1, messages.text)
+        self.assertEqual(sky(view).GetOrigin(), (1.0, -2.0, 3.0))
+
         fresh = godrays.vtkGodRaysSkyPass()
         for name, others in {
             "Exposure": (0.0, 1e30),
