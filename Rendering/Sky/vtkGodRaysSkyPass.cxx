@@ -330,7 +330,6 @@ std::string vtkGodRaysSkyPass::GetPlan() const
 const char* vtkGodRaysSkyPass::FindReasonForNoSky(
   const vtkRenderState* s, vtkOpenGLRenderWindow* window)
 {
-  Internals& self = *this->Internal;
   if (!window)
   {
     this->Complain("the render window is not an OpenGL window. Use VTK's OpenGL back end");
@@ -340,7 +339,8 @@ const char* vtkGodRaysSkyPass::FindReasonForNoSky(
   {
     return "a hardware selection is made";
   }
-  if (self.Compositor && !self.Compositor->IsRoot())
+  vtkGodRaysCompositor* compositor = this->Internal->Compositor;
+  if (compositor && !compositor->IsRoot())
   {
     return "another process has the joined picture";
   }
@@ -356,27 +356,37 @@ const char* vtkGodRaysSkyPass::FindReasonForNoSky(
     this->Complain(fault.substr(0, fault.size() - 1));
     return "the atmosphere cannot be used";
   }
-  vtkGodRaysPlanet planet;
   double sun[3];
   if (!this->GetSunDirection(sun))
   {
     this->Complain("Up and North are parallel, or one of them is 0. Set directions that are not");
     return "there is no direction to the sun";
   }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+// The camera and the sun as this frame has them.
+void vtkGodRaysSkyPass::SetObserver(const vtkRenderState* s)
+{
+  Internals& self = *this->Internal;
+  double sun[4] = { 0.0, 0.0, 0.0, 0.0 };
+  this->GetSunDirection(sun);
+  vtkGodRaysPlanet planet;
   planet.Origin = ToVec3(this->Origin);
   planet.Up = normalize(ToVec3(this->Up));
   planet.Sun = ToVec3(sun);
   planet.GroundRadius = this->GetAtmosphere()->GetGroundRadius();
   planet.WorldUnitInMeters = this->WorldUnitInMeters;
 
+  int viewport[4];
+  vtkGodRaysScene::GetViewport(s, viewport);
   self.Transfer = vtkGodRaysFindTransfer(this->DisplayTransfer, s->GetRenderer(), this);
   vtkGodRaysScene::UpdateStereo(s->GetRenderer());
   self.View.Set(s->GetRenderer(), viewport + 2, 0.0);
   self.Observer.Set(self.View, planet);
-  const double towards[4] = { sun[0], sun[1], sun[2], 0.0 };
   self.Sun.Place(
-    self.View, towards, vtkMath::RadiansFromDegrees(this->GetAtmosphere()->GetSunAngularRadius()));
-  return nullptr;
+    self.View, sun, vtkMath::RadiansFromDegrees(this->GetAtmosphere()->GetSunAngularRadius()));
 }
 
 //------------------------------------------------------------------------------
@@ -390,43 +400,38 @@ void vtkGodRaysSkyPass::Render(const vtkRenderState* s)
     self.RendererSteps->Render(s);
     return;
   }
-  vtkRenderPass* scene = this->DelegatePass;
-  const bool inBetween = !scene && !IsDrawnAfter(s); // between the background and the scene
-  if (!scene)
+  if (const char* reason = this->FindReasonForNoSky(s, window))
   {
-    scene = self.RendererSteps;
+    self.Plan = std::string("sky: none, ") + reason + "\n";
+    this->RenderScene(s);
+    return;
   }
-  const char* withoutSky = this->FindReasonForNoSky(s, window);
-  const char* withoutAir = withoutSky ? withoutSky : this->FindReasonForNoAir(s);
-  self.Plan =
-    withoutSky ? std::string("sky: none, ") + withoutSky + "\n" : self.Observer.Describe();
-  if (!withoutSky &&
-    (self.Window != window || self.ContextTime != window->GetContextCreationTime()))
+  if (self.Window != window || self.ContextTime != window->GetContextCreationTime())
   {
     // also if the former window, or its context, is gone
     self.Release(self.Window ? self.Window.Get() : window);
     self.Window = window;
     self.ContextTime = window->GetContextCreationTime();
   }
+  this->SetObserver(s);
+  self.Plan = self.Observer.Describe();
 
   vtkGodRaysOverlays overlays(s);
   bool drawn = true;
-  if (!withoutSky && inBetween)
+  if (this->DelegatePass || IsDrawnAfter(s))
   {
-    self.RendererSteps->SetBackdrop([&] { drawn = this->DrawSky(s); });
-  }
-  self.DrawsScene = true;
-  scene->Render(s);
-  self.DrawsScene = false;
-  self.RendererSteps->SetBackdrop(nullptr);
-  this->NumberOfRenderedProps = scene->GetNumberOfRenderedProps();
-  if (!withoutSky && !inBetween)
-  {
+    this->RenderScene(s);
     drawn = this->DrawSky(s);
   }
-  if (withoutAir)
+  else
   {
-    self.Plan += std::string("air: none, ") + withoutAir + "\n";
+    self.RendererSteps->SetBackdrop([&] { drawn = this->DrawSky(s); });
+    this->RenderScene(s);
+    self.RendererSteps->SetBackdrop(nullptr);
+  }
+  if (const char* reason = this->FindReasonForNoAir(s))
+  {
+    self.Plan += std::string("air: none, ") + reason + "\n";
   }
   else
   {
@@ -440,6 +445,21 @@ void vtkGodRaysSkyPass::Render(const vtkRenderState* s)
   }
   overlays.Draw();
   vtkOpenGLCheckErrorMacro("failed after Render");
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSkyPass::RenderScene(const vtkRenderState* s)
+{
+  Internals& self = *this->Internal;
+  vtkRenderPass* scene = this->DelegatePass;
+  if (!scene)
+  {
+    scene = self.RendererSteps;
+  }
+  self.DrawsScene = true;
+  scene->Render(s);
+  self.DrawsScene = false;
+  this->NumberOfRenderedProps = scene->GetNumberOfRenderedProps();
 }
 
 //------------------------------------------------------------------------------

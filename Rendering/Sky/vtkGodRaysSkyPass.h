@@ -236,6 +236,8 @@ private:
 
   const char* FindReasonForNoSky(const vtkRenderState* s, vtkOpenGLRenderWindow* window);
   const char* FindReasonForNoAir(const vtkRenderState* s);
+  void SetObserver(const vtkRenderState* s);
+  void RenderScene(const vtkRenderState* s);
   bool GetSunDirection(double direction[3]);
   void PrepareSource();
   bool UpdateTable(vtkGodRaysSkyTable& table, const char* name);

@@ -16,11 +16,16 @@
 #include "vtkCamera.h"
 #include "vtkConeSource.h"
 #include "vtkFramebufferPass.h"
+#include "vtkHardwareSelector.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkMath.h"
 #include "vtkPixelBufferObject.h"
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
 #include "vtkTexture.h"
 #include "vtkTextureObject.h"
 
@@ -563,6 +568,21 @@ TEST_F(GodRaysSkyPass, IsBehindWhatIsTranslucent)
   outer->SunDiscOff();
   this->Renderer->SetPass(outer);
   EXPECT_EQ(GetPixels(this->Window)[upper + 2], open[upper + 2]);
+}
+
+TEST_F(GodRaysSkyPass, LeavesSelectionsAlone)
+{
+  const auto wall = MakeWall(Vec3(0.0, -50.0, 10.0), Vec3(0.0, -1.0, 0.0), 30.0, 0.4);
+  this->Renderer->AddActor(wall);
+  this->Renderer->SetPass(this->Sky);
+  this->Window->Render();
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(this->Renderer);
+  selector->SetArea(0, 0, Size - 1, Size - 1);
+  auto selection = vtk::TakeSmartPointer(selector->Select());
+  ASSERT_EQ(selection->GetNumberOfNodes(), 1u);
+  EXPECT_EQ(selection->GetNode(0)->GetProperties()->Get(vtkSelectionNode::PROP()), wall);
+  EXPECT_TRUE(Says(this->Sky->GetPlan(), "sky: none, a hardware selection is made"));
 }
 
 //------------------------------------------------------------------------------
