@@ -11,6 +11,7 @@
 #include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysRadialModel.h"
 #include "vtkGodRaysShadowMapIntegrator.h"
+#include "vtkGodRaysSkyPass.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProperty.h"
@@ -416,6 +417,36 @@ TEST(GodRaysResources, AreNotMadeForAFrameWithoutRays)
   }
   EXPECT_EQ(counts[0].GetMade(), counts[1].GetMade()) << counts[0] << "\n" << counts[1];
   EXPECT_TRUE(counts[0].AliveAs(counts[1])) << counts[0] << "\n" << counts[1];
+}
+
+// With air before the scene, and new tables as the sun moves.
+TEST(GodRaysResources, AreNotMadeForASkyAndAreReleased)
+{
+  Messages messages;
+  Stage scene(64, 48);
+  scene.AddPillarsAndSun();
+  scene.Rays->Detach(scene.Renderer);
+  scene.Window->Render();
+  Count(scene.Window);
+  const int own = Draw(scene).GetMade();
+  const Counts bare = Now;
+  vtkGodRaysSkyPass* sky = vtkGodRaysSkyPass::Attach(scene.Renderer);
+  sky->SetWorldUnitInMeters(1000.0);
+  sky->SetSunElevation(10.0);
+  const Counts first = Draw(scene);
+  EXPECT_GE(first.Shaders, 6) << first;
+  EXPECT_GE(first.Textures, 6) << first;
+  for (double sun = 10.0; sun > 2.0; sun -= 2.0)
+  {
+    sky->SetSunElevation(sun);
+    sky->SetExposure(sun);
+    const Counts steady = Draw(scene);
+    EXPECT_EQ(steady.GetMade(), own) << sun << ": " << steady;
+    EXPECT_TRUE(steady.AliveAs(Counts())) << sun << ": " << steady;
+  }
+  EXPECT_EQ(sky->GetNumberOfTables(), 8);
+  EXPECT_TRUE(vtkGodRaysSkyPass::Detach(scene.Renderer));
+  EXPECT_TRUE(Now.AliveAs(bare)) << Now - bare;
 }
 
 // A sun and a lamp amid the pillars: seven maps, rendered through projections of their own.
