@@ -204,10 +204,11 @@ public:
 
   /**
    * The light of the sky and the ground about Origin, as linear light, for image-based lighting: a texture
-   * for vtkRenderer::SetEnvironmentTexture() and vtkSkybox, with EnvironmentUp set to Up and EnvironmentRight
-   * to the opposite of North. It is equirectangular, 128 x 64, without the sun's disc, which is a light of
-   * its own. It is the same object every time, and made anew by this call when the sun, the atmosphere,
-   * MultipleScattering or Exposure has changed. Null after an error.
+   * for vtkRenderer::SetEnvironmentTexture(), with EnvironmentUp set to Up and EnvironmentRight to the
+   * opposite of North; or for a vtkSkybox in a sphere's projection, with FloorPlane set to Up and FloorRight
+   * to the west. It is equirectangular, 128 x 64, without the sun's disc, which is a light of its own. It is
+   * the same object every time, and made anew by this call when the sun, the atmosphere, MultipleScattering
+   * or Exposure has changed. Null after an error.
    */
   vtkTexture* GetEnvironmentTexture();
 

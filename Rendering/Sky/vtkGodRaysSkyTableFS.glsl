@@ -69,6 +69,50 @@ float EndOfSlice(SkyWay way, int slice, int count)
   return max(way.Length * place * place * place * place, ShortestWay);
 }
 
+// What a part of the way adds, on which the integrand is smooth.
+vec3 IntegratePart(SkyWay way, float begin, float end, bool lit, bool ofAerosol)
+{
+  vec3 light = vec3(0.0);
+  float size = end - begin;
+  if (size <= 0.0 || !(lit || repeated))
+  {
+    return light;
+  }
+  for (int step = 0; step < Steps; ++step)
+  {
+    vec2 place = Place(step);
+    float distance = begin + place.x * size;
+    vec2 point = SkyPoint(sky, way, distance);
+    float air = SkyDensity(sky.Air, point.x);
+    float aerosol = SkyDensity(sky.Aerosol, point.x);
+    vec3 scattered = vec3(0.0);
+    if (lit)
+    {
+      scattered = (ofAerosol ? sky.AerosolScattering * aerosol
+                             : sky.AirScattering * (air * Phase(sky.AirPhase, way.CosAngle))) *
+        SkySunTransmittance(sky, point.x, point.y);
+    }
+    if (repeated && !ofAerosol)
+    {
+      vec2 there = SkyMultiplePosition(sky.TopHeight, point.x, point.y);
+      vec2 tableSize = vec2(textureSize(repeatedLight, 0));
+      scattered += (sky.AirScattering * air + diffuseAerosol * aerosol) *
+        textureLod(repeatedLight, (there * (tableSize - 1.0) + 0.5) / tableSize, 0.0).rgb;
+    }
+    light += size * place.y * scattered * exp(-SkyDepth(sky, way.Height, way.Slope, distance));
+  }
+  return light;
+}
+
+// How far light comes from in thick air, which is looked at apart; all of the way in other air.
+float NearPart(SkyWay way, float reach)
+{
+  vec3 extinction = sky.AirScattering * SkyDensity(sky.Air, way.Height) +
+    sky.AerosolExtinction * SkyDensity(sky.Aerosol, way.Height);
+  float thickest = max(extinction.x, max(extinction.y, extinction.z));
+  return thickest * reach > 60.0 ? 6.0 / thickest : reach;
+}
+
 // What the way up to a distance adds.
 vec3 Integrate(SkyWay way, float reach, bool ofAerosol)
 {
@@ -80,39 +124,15 @@ vec3 Integrate(SkyWay way, float reach, bool ofAerosol)
   float ends[5] = float[5](
     0.0, min(lowest, shadow.x), clamp(lowest, shadow.x, shadow.y), max(lowest, shadow.y), reach);
 
+  float near = NearPart(way, reach);
   vec3 light = vec3(0.0);
   for (int part = 0; part < 4; ++part)
   {
-    float size = ends[part + 1] - ends[part];
     float middle = 0.5 * (ends[part] + ends[part + 1]);
     bool lit = !(shaded && middle > shadow.x && middle < shadow.y);
-    if (size <= 0.0 || !(lit || repeated))
-    {
-      continue;
-    }
-    for (int step = 0; step < Steps; ++step)
-    {
-      vec2 place = Place(step);
-      float distance = ends[part] + place.x * size;
-      vec2 point = SkyPoint(sky, way, distance);
-      float air = SkyDensity(sky.Air, point.x);
-      float aerosol = SkyDensity(sky.Aerosol, point.x);
-      vec3 scattered = vec3(0.0);
-      if (lit)
-      {
-        scattered = (ofAerosol ? sky.AerosolScattering * aerosol
-                               : sky.AirScattering * (air * Phase(sky.AirPhase, way.CosAngle))) *
-          SkySunTransmittance(sky, point.x, point.y);
-      }
-      if (repeated && !ofAerosol)
-      {
-        vec2 there = SkyMultiplePosition(sky.TopHeight, point.x, point.y);
-        vec2 tableSize = vec2(textureSize(repeatedLight, 0));
-        scattered += (sky.AirScattering * air + diffuseAerosol * aerosol) *
-          textureLod(repeatedLight, (there * (tableSize - 1.0) + 0.5) / tableSize, 0.0).rgb;
-      }
-      light += size * place.y * scattered * exp(-SkyDepth(sky, way.Height, way.Slope, distance));
-    }
+    float split = clamp(near, ends[part], ends[part + 1]);
+    light += IntegratePart(way, ends[part], split, lit, ofAerosol) +
+      IntegratePart(way, split, ends[part + 1], lit, ofAerosol);
   }
   return light;
 }

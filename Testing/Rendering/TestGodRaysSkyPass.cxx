@@ -325,6 +325,24 @@ TEST_F(GodRaysSkyPass, IsTheIntegralInOtherAir)
   }
 }
 
+// Light comes from ever nearer.
+TEST_F(GodRaysSkyPass, IsTheIntegralInThickHaze)
+{
+  for (const double factor : { 3.0, 10.0 })
+  {
+    Atmosphere* air = this->Sky->GetAtmosphere();
+    air->LoadPreset(Atmosphere::EARTH_POLLUTED);
+    const Vec3 scattering = factor * ToVec3(air->GetMieScattering());
+    air->SetMieScattering(scattering.x, scattering.y, scattering.z);
+    for (const double sun : { 40.0, 3.0 })
+    {
+      const double error = this->GetErrorOfSky(2.0, sun, 0.01);
+      std::cout << factor << " times polluted, sun " << sun << ": " << error << "\n";
+      EXPECT_LT(error, sun > 10.0 ? 0.01 : 0.03) << factor << " " << sun;
+    }
+  }
+}
+
 //------------------------------------------------------------------------------
 TEST_F(GodRaysSkyPass, IsFiniteAtAllHeightsAndHours)
 {
