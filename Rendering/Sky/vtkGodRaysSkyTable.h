@@ -6,7 +6,8 @@
  *
  * WHOLE is that of the sky, to the ground or the atmosphere's edge; PARTS that of the air up to a distance.
  * It depends on the atmosphere, the observer's height and the sun's elevation there, not on where a camera
- * looks: it is made anew when these change. Phase functions are left out where they are sharp.
+ * looks: it is made anew when these change. After [Hillaire2020]; but the aerosol's phase function, which is
+ * sharp, is left out.
  */
 
 #ifndef vtkGodRaysSkyTable_h
