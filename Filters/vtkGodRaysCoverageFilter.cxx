@@ -209,6 +209,13 @@ int vtkGodRaysCoverageFilter::RequestData(
   parameters.Medium = this->GetMedium(view);
   parameters.Layers = components / 2;
   parameters.Thickness = this->Thickness;
+  if (!Sweep::Supports(parameters))
+  {
+    return fail(
+      "a directional light in a medium that thins out over a planet is not supported. Set "
+      "PlanetRadius to 0, or take vtkGodRaysSingleScatteringReference.");
+  }
+
   const vtkIdType pixels = image->GetNumberOfPoints();
   const Sweep::Planes planes =
     this->Sweep->PrepareInput(dimensions[0], dimensions[1], components + (ends ? 1 : 0));

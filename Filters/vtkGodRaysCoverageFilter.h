@@ -28,7 +28,8 @@
  *
  * Supported: directional and point lights anywhere (in the picture, beside it, behind the eye, across
  * the view), perspective and parallel projection, one or two components, homogeneous or thinning out with
- * height. A view ray nearer to a point light than 0.28 pixels is taken to be so far from it: that is the
+ * height; but for a directional light in what thins out over a planet, which is an error. A planet's ground
+ * ends view rays where the depths show it. A view ray nearer to a point light than 0.28 pixels is taken to be so far from it: that is the
  * mean over its pixel.
  *
  * Point lights and media that thin out use a table of airlight, made anew when the camera, the light or the

@@ -95,6 +95,7 @@ struct CoverageSettings
   int Planes;              // of what is hidden: Channels times components, if these differ
   double Up[3];            // of layers
   double EyeHeight;        // in layers
+  double PlanetRadius;     // 0: layers are plane
   int Layers;              // 0: depths of the first surfaces; else fronts and backs, up to 2 times
   double Thickness = 0.01; // of what is seen from before, without layers [fraction of its depth]
   double Jump = 0.1;       // of depth between samples of one surface [fraction of the lesser]

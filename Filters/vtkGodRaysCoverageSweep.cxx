@@ -97,13 +97,6 @@ bool IsGrey(const double* color)
 }
 
 //------------------------------------------------------------------------------
-bool IsLayered(const vtkGodRaysMedium& medium)
-{
-  return std::any_of(medium.Components, medium.Components + medium.NumberOfComponents,
-    [](const Component& component) { return component.ScaleHeight > 0.0; });
-}
-
-//------------------------------------------------------------------------------
 // What a table depends on, in the order of the members.
 using TableKey = std::vector<double>;
 void MakeTableKey(const Parameters& parameters, int width, int height, TableKey& key)
@@ -112,7 +105,7 @@ void MakeTableKey(const Parameters& parameters, int width, int height, TableKey&
   key.assign({ width + 0.0, height + 0.0, parameters.PixelSize, parameters.Center[0],
     parameters.Center[1], parameters.Parallel + 0.0, parameters.Light[0], parameters.Light[1],
     parameters.Light[2], parameters.Light[3], medium.Up[0], medium.Up[1], medium.Up[2],
-    medium.EyeHeight, medium.FarLimit });
+    medium.EyeHeight, medium.PlanetRadius, medium.FarLimit });
   for (int k = 0; k < medium.NumberOfComponents; ++k)
   {
     const Component& component = medium.Components[k];
@@ -221,10 +214,11 @@ private:
       settings.Up[i] = medium.Up[i];
     }
     settings.EyeHeight = medium.EyeHeight;
+    settings.PlanetRadius = medium.PlanetRadius;
     settings.FarLimit = medium.FarLimit;
     settings.Layers = parameters.Layers;
     settings.Thickness = parameters.Thickness;
-    this->Layered = IsLayered(medium);
+    this->Layered = medium.ThinsOut();
     const bool layered = this->Layered;
     bool grey = true;
     bool alike = true; // whether components scatter all colours in one proportion
@@ -551,8 +545,15 @@ bool vtkGodRaysCoverageSweep::Execute(const Parameters& parameters, const Monito
 {
   const int depths = std::max(1, 2 * parameters.Layers);
   const int planes = this->Internals->NumberOfPlanes;
-  return (planes == depths || planes == depths + 1) &&
+  return (planes == depths || planes == depths + 1) && Supports(parameters) &&
     this->Internals->Execute(parameters, monitor);
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysCoverageSweep::Supports(const Parameters& parameters)
+{
+  return parameters.Light[3] != 0.0 || parameters.Medium.PlanetRadius == 0.0 ||
+    !parameters.Medium.ThinsOut();
 }
 
 //------------------------------------------------------------------------------

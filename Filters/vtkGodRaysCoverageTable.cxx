@@ -250,19 +250,26 @@ void SetPointRows(
 LitRay GetLitRay(
   const CoverageSettings& settings, const CoverageTable& table, const PointRay& ray, double about)
 {
-  const double* light = settings.Light;
-  const double* up = settings.Up;
-  const double rise = light[0] * up[0] + light[1] * up[1];
-  const double aside = ray.Height * about;
-  LitRay lit = { 0, ray.Foot, ray.Height, settings.EyeHeight, up[2],
-    settings.EyeHeight + rise + light[2] * up[2] };
+  const double radius = settings.PlanetRadius;
+  LitRay lit = { 0, ray.Foot, ray.Height, settings.EyeHeight, 0.0,
+    MediumHeight(radius, settings.EyeHeight, table.LightRise, table.Distance), radius };
   if (settings.Parallel)
   {
-    lit.Height += rise + aside;
+    // aside of the light, along the horizon and across it
+    const Vec3 up(settings.Up[0], settings.Up[1], settings.Up[2]);
+    const double side = std::hypot(up.x, up.y);
+    const Vec3 rising = side > 1e-6 ? Vec3(up.x / side, up.y / side, 0.0) : Vec3(1.0, 0.0, 0.0);
+    const double share = side > 1e-6 ? std::min(std::max(about / side, -1.0), 1.0) : 0.0;
+    const Vec3 level = std::sqrt(1.0 - share * share) * Vec3(-rising.y, rising.x, 0.0);
+    const Vec3 origin =
+      Vec3(settings.Light[0], settings.Light[1], 0.0) + ray.Height * (share * rising + level);
+    const Vec2 start = MediumStart(radius, settings.EyeHeight, up, origin, Vec3(0.0, 0.0, 1.0));
+    lit.Height = start.x;
+    lit.Slope = start.y;
   }
   else
   {
-    lit.Slope = (ray.Foot * table.LightRise + aside) / table.Distance;
+    lit.Slope = (ray.Foot * table.LightRise + ray.Height * about) / table.Distance;
     lit.Slope = std::min(std::max(lit.Slope, -1.0), 1.0);
   }
   return lit;

@@ -11,6 +11,8 @@
 #ifndef vtkGodRaysMedium_h
 #define vtkGodRaysMedium_h
 
+#include <algorithm>
+#include <cmath>
 #include <initializer_list>
 
 struct vtkGodRaysMedium
@@ -31,9 +33,38 @@ struct vtkGodRaysMedium
   static constexpr int MaximumComponents = 2;
   int NumberOfComponents = 1;
   Component Components[MaximumComponents];
-  double Up[3] = { 0.0, 1.0, 0.0 }; // where densities fall, in view coordinates; length 1
-  double EyeHeight = 0.0;           // above the plane where densities are 1
-  double FarLimit = 100.0;          // where the medium ends [view depth]
+  double Up[3] = { 0.0, 1.0,
+    0.0 };                   // where densities fall at the eye, in view coordinates; length 1
+  double EyeHeight = 0.0;    // above where densities are 1
+  double PlanetRadius = 0.0; // of the ground where they are; 0: it is a plane
+  double FarLimit = 100.0;   // where the medium ends [view depth]
+
+  /// Place an eye, in the coordinates of the world: up, of length 1, is the vertical of the origin,
+  /// groundLevel the coordinate along it of the ground there. vertical is that of the eye, in the world;
+  /// Up is for the caller, who knows its own view.
+  void PlaceEye(const double eye[3], const double up[3], double groundLevel, double vertical[3])
+  {
+    const double along = eye[0] * up[0] + eye[1] * up[1] + eye[2] * up[2];
+    this->EyeHeight = along - groundLevel;
+    std::copy_n(up, 3, vertical);
+    if (this->PlanetRadius > 0.0)
+    {
+      const double above = this->PlanetRadius + this->EyeHeight;
+      double aside[3];
+      for (int i = 0; i < 3; ++i)
+      {
+        aside[i] = eye[i] - along * up[i];
+      }
+      const double square = aside[0] * aside[0] + aside[1] * aside[1] + aside[2] * aside[2];
+      const double radius = std::max(std::sqrt(above * above + square), 1e-300);
+      this->EyeHeight =
+        above > 0.0 ? this->EyeHeight + square / (above + radius) : radius - this->PlanetRadius;
+      for (int i = 0; i < 3; ++i)
+      {
+        vertical[i] = (above * up[i] + aside[i]) / radius;
+      }
+    }
+  }
 
   /// Whether red, green and blue are alike.
   bool IsGrey() const

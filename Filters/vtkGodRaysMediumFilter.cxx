@@ -19,6 +19,7 @@ vtkGodRaysSetFiniteMacro(vtkGodRaysMediumFilter, ScaleHeight, 0.0, 1e9);
 vtkGodRaysSetFiniteMacro(vtkGodRaysMediumFilter, GasAsymmetry, -0.99, 0.99);
 vtkGodRaysSetFiniteMacro(vtkGodRaysMediumFilter, GasScaleHeight, 0.0, 1e9);
 vtkGodRaysSetFiniteMacro(vtkGodRaysMediumFilter, GroundLevel, -1e15, 1e15);
+vtkGodRaysSetFiniteMacro(vtkGodRaysMediumFilter, PlanetRadius, 0.0, 1e15);
 vtkGodRaysSetFiniteMacro(vtkGodRaysMediumFilter, FarLimit, 1e-6, 1e9);
 
 namespace
@@ -71,6 +72,7 @@ void vtkGodRaysMediumFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GasScaleHeight: " << this->GasScaleHeight << "\n";
   PrintNumbers(os, indent, "MediumUp", this->MediumUp, 3);
   os << indent << "GroundLevel: " << this->GroundLevel << "\n";
+  os << indent << "PlanetRadius: " << this->PlanetRadius << "\n";
   os << indent << "FarLimit: " << this->FarLimit << "\n";
   PrintNumbers(os, indent, "Light", this->Light, 4);
   PrintNumbers(os, indent, "LightColor", this->LightColor, 3);
@@ -120,10 +122,12 @@ vtkGodRaysMedium vtkGodRaysMediumFilter::GetMedium(const View& view) const
   double up[3];
   vtkMath::Assign(this->MediumUp, up);
   vtkMath::Normalize(up);
-  medium.Up[0] = vtkMath::Dot(up, view.Right);
-  medium.Up[1] = vtkMath::Dot(up, view.Up);
-  medium.Up[2] = vtkMath::Dot(up, view.Forward);
-  medium.EyeHeight = vtkMath::Dot(up, view.Position) - this->GroundLevel;
+  medium.PlanetRadius = this->PlanetRadius;
+  double vertical[3];
+  medium.PlaceEye(view.Position, up, this->GroundLevel, vertical);
+  medium.Up[0] = vtkMath::Dot(vertical, view.Right);
+  medium.Up[1] = vtkMath::Dot(vertical, view.Up);
+  medium.Up[2] = vtkMath::Dot(vertical, view.Forward);
   medium.FarLimit = this->FarLimit;
   return medium;
 }

@@ -178,6 +178,17 @@ public:
 
   ///@{
   /**
+   * Set/Get the radius of a planet whose ground it is [scene units], and about whose centre, that far
+   * below the ground along MediumUp from the origin, media thin out. Its ground ends view rays and hides
+   * lights. It should be above 500 scale heights. 0: the ground is a plane, which hides nothing. Valid
+   * range: [0, 1e15]. Default is 0.
+   */
+  void SetPlanetRadius(double radius);
+  vtkGetMacro(PlanetRadius, double);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the view depth at which the medium ends [scene units]. Valid range: [1e-6, 1e9]. Default
    * is 100.
    */
@@ -262,6 +273,7 @@ protected:
   double GasScaleHeight = 0.0;
   double MediumUp[3] = { 0.0, 1.0, 0.0 };
   double GroundLevel = 0.0;
+  double PlanetRadius = 0.0;
   double FarLimit = 100.0;
   double Light[4] = { 0.0, 1.0, 0.0, 0.0 };
   double LightColor[3] = { 1.0, 1.0, 1.0 };

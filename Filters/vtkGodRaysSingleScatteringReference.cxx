@@ -353,33 +353,23 @@ struct Scatter
   vtkGodRaysMedium Medium;
   Vec3 Light;
   bool Directional;
-  double CosAngle;   // of a directional light
-  double Foot;       // of a point light
-  double Height;     // of a point light, above the ray
-  double RayHeight;  // of the ray's origin, above the plane where densities are 1
-  double RaySlope;   // its rise
-  double LightLevel; // the height of a point light, the rise towards a directional one
-
-  bool IsLayered() const
-  {
-    return this->Medium.Components[0].ScaleHeight > 0.0 ||
-      (this->Medium.NumberOfComponents == 2 && this->Medium.Components[1].ScaleHeight > 0.0);
-  }
+  vtkGodRays::LitRay Ray;
 
   // From a distance to the variable of integration.
   double ToVariable(double s) const
   {
-    return this->Directional ? s : std::atan2(s - this->Foot, this->Height);
+    return this->Directional ? s : std::atan2(s - this->Ray.Foot, this->Ray.Distance);
   }
 
   Vec3 operator()(double v) const
   {
     if (this->Directional)
     {
-      return this->Light * this->Evaluate(v, this->CosAngle, 0.0);
+      return this->Light * this->Evaluate(v, this->Ray.Foot, 0.0);
     }
-    const double s = std::max(this->Foot + this->Height * std::tan(v), 0.0);
-    return this->Light / this->Height * this->Evaluate(s, -std::sin(v), this->Height / std::cos(v));
+    const double s = std::max(this->Ray.Foot + this->Ray.Distance * std::tan(v), 0.0);
+    return this->Light / this->Ray.Distance *
+      this->Evaluate(s, -std::sin(v), this->Ray.Distance / std::cos(v));
   }
 
 private:
@@ -388,7 +378,13 @@ private:
   {
     Vec3 scattered(0.0);
     Vec3 depth(0.0);
-    const double height = this->RayHeight + this->RaySlope * s;
+    const double radius = this->Ray.PlanetRadius;
+    const double height = vtkGodRays::MediumHeight(radius, this->Ray.Height, this->Ray.Slope, s);
+    const double lightSlope = vtkGodRays::LightSlope(this->Ray, height, s, std::max(way, 1e-300));
+    if (vtkGodRays::IsInPlanetShadow(this->Ray, height, lightSlope, way))
+    {
+      return scattered;
+    }
     for (int k = 0; k < this->Medium.NumberOfComponents; ++k)
     {
       const vtkGodRaysMedium::Component& component = this->Medium.Components[k];
@@ -399,18 +395,16 @@ private:
           vtkGodRays::Phase({ component.PhaseFunction, component.Asymmetry }, cosAngle) +
         component.SecondWeight *
           vtkGodRays::Phase({ component.SecondPhaseFunction, component.SecondAsymmetry }, cosAngle);
-      const auto measure = [&](double from, double slope, double length) {
-        return even ? length : vtkGodRays::ExponentialDepth(1.0, from, slope, scaleHeight, length);
-      };
-      double length = measure(this->RayHeight, this->RaySlope, s);
+      double length =
+        vtkGodRays::MediumDepth(radius, this->Ray.Height, this->Ray.Slope, scaleHeight, s);
       if (!this->Directional)
       {
-        length += measure(height, way > 0.0 ? (this->LightLevel - height) / way : 0.0, way);
+        length += vtkGodRays::MediumDepth(radius, height, lightSlope, scaleHeight, way);
       }
       else if (!even)
       {
-        length += this->LightLevel > 0.0
-          ? scaleHeight * vtkGodRays::ExponentialDensity(height, scaleHeight) / this->LightLevel
+        length += lightSlope > 0.0 || radius > 0.0
+          ? vtkGodRays::MediumColumn(radius, height, lightSlope, scaleHeight)
           : Infinity;
       }
       const double density = even ? 1.0 : vtkGodRays::ExponentialDensity(height, scaleHeight);
@@ -481,16 +475,27 @@ Vec3 Integrate(const Scatter& f, double a, double b, double error, int depth)
 Vec3 IntegrateWay(const Scatter& f, double from, double to, double end, double error)
 {
   constexpr int depth = 40;
-  const int parts = f.IsLayered() ? 13 : 1;
+  const int parts = f.Medium.ThinsOut() ? 13 : 1;
   Vec3 sum(0.0);
   double begin = from;
-  for (int i = parts - 1; i >= 0; --i)
+  const auto add = [&](double place)
   {
-    const double next = std::min(std::ldexp(end, -i), to);
+    const double next = std::min(place, to);
     if (next > begin)
     {
       sum += Integrate(f, f.ToVariable(begin), f.ToVariable(next), error / parts, depth);
       begin = next;
+    }
+  };
+  for (int i = parts - 1; i >= 0; --i)
+  {
+    const double next = std::ldexp(end, -i);
+    // Layers far below an eye are thin for what is before them.
+    const int pieces = f.Ray.PlanetRadius > 0.0 && i < 3 ? 32 : 1;
+    const double last = begin;
+    for (int k = 1; k <= pieces; ++k)
+    {
+      add(last + (next - last) * k / pieces);
     }
   }
   return sum;
@@ -585,11 +590,11 @@ int vtkGodRaysSingleScatteringReference::RequestData(
   light = light / (directional ? vtkGodRays::length(light) : this->Light[3]);
   Scatter ray;
   ray.Medium = this->GetMedium(view);
+  const vtkGodRaysMedium& medium = ray.Medium;
   ray.Light = vector(this->LightColor);
   ray.Directional = directional;
-  Vec3 upwards = vector(this->MediumUp);
-  upwards = upwards / vtkGodRays::length(upwards);
-  ray.LightLevel = vtkGodRays::dot(upwards, light) - (directional ? 0.0 : this->GroundLevel);
+  const Vec3 upwards = medium.Up[0] * right + medium.Up[1] * up + medium.Up[2] * forward;
+  const Vec3 position = vector(view.Position);
 
   const auto evaluateRow = [&](int y)
   {
@@ -623,7 +628,20 @@ int vtkGodRaysSingleScatteringReference::RequestData(
       {
         sight = std::min(sight, crossing.Place);
       }
-      const double end = std::min(sight, farthest);
+      Scatter f = ray;
+      const auto start = [&](const Vec3& place, const Vec3& toward)
+      {
+        return vtkGodRays::MediumStart(
+          medium.PlanetRadius, medium.EyeHeight, upwards, place - position, toward);
+      };
+      const auto begin = start(origin, way / length);
+      f.Ray = { directional ? 1 : 0, slice.Foot, 0.0, begin.x, begin.y,
+        directional ? start(origin, light).y : start(light, light).x, medium.PlanetRadius };
+      const double end = vtkGodRays::MediumEnd(f.Ray, std::min(sight, farthest));
+      if (!directional)
+      {
+        f.Ray.Distance = vtkGodRays::PointLightHeight(slice.Foot, slice.Height, 0.0, end);
+      }
       if (slice.AlongLight && !crossings.empty())
       {
         // A point light hides behind what is before it; one behind the eye before all.
@@ -655,13 +673,6 @@ int vtkGodRaysSingleScatteringReference::RequestData(
       std::sort(hidden.begin(), hidden.end(),
         [](const Interval& a, const Interval& b) { return a.Begin < b.Begin; });
 
-      Scatter f = ray;
-      f.CosAngle = slice.Foot;
-      f.Foot = slice.Foot;
-      f.Height =
-        directional ? 0.0 : vtkGodRays::PointLightHeight(slice.Foot, slice.Height, 0.0, end);
-      f.RayHeight = vtkGodRays::dot(upwards, origin) - this->GroundLevel;
-      f.RaySlope = vtkGodRays::dot(upwards, way) / length;
       const auto integrate = [&](double from, double to, double error)
       { return IntegrateWay(f, from, to, end, error); };
       const Vec3 whole = integrate(0.0, end, 1e-3 * GetLargest(integrate(0.0, end, Infinity)));

@@ -26,6 +26,7 @@ uniform vec3 secondExtinction;
 uniform vec2 scaleHeight;
 uniform vec3 mediumUp;
 uniform float eyeHeight;
+uniform float planetRadius;
 uniform float farLimit;
 
 //VTK::GodRays::Terms
@@ -56,12 +57,12 @@ vec3 SceneTransmittance(ivec2 pixel)
   if (thinsOut)
   {
     vec3 direction = parallel ? vec3(0.0, 0.0, -1.0) : normalize(ray);
-    float start = eyeHeight + (parallel ? dot(vec3(ray.xy, 0.0), mediumUp) : 0.0);
-    float slope = dot(direction, mediumUp);
-    tau = extinction * MediumDepth(start, slope, scaleHeight.x, way);
+    vec3 origin = parallel ? vec3(ray.xy, 0.0) : vec3(0.0);
+    vec2 start = MediumStart(planetRadius, eyeHeight, mediumUp, origin, direction);
+    tau = extinction * MediumDepth(planetRadius, start.x, start.y, scaleHeight.x, way);
     if (hasSecond)
     {
-      tau += secondExtinction * MediumDepth(start, slope, scaleHeight.y, way);
+      tau += secondExtinction * MediumDepth(planetRadius, start.x, start.y, scaleHeight.y, way);
     }
   }
   return grey ? vec3(exp(-tau.x)) : exp(-tau);

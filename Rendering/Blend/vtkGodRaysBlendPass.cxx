@@ -37,6 +37,7 @@ void SetMedium(vtkShaderProgram* program, const vtkGodRaysBlendPass::Request& re
   const double mediumUp[3] = { medium.Up[0], medium.Up[1], -medium.Up[2] }; // as OpenGL's z
   vtkGodRaysQuad::SetVector(program, "mediumUp", mediumUp);
   program->SetUniformf("eyeHeight", static_cast<float>(medium.EyeHeight));
+  program->SetUniformf("planetRadius", static_cast<float>(medium.PlanetRadius));
   program->SetUniformf("farLimit", static_cast<float>(medium.FarLimit));
 
   double origin[3];

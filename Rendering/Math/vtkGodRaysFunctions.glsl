@@ -559,12 +559,86 @@ FUNCTION Real ExponentialDepth(IN(Real) extinction, IN(Real) height, IN(Real) sl
   return extinction * distance * low * MeanExponential(abs(rise) / scaleHeight);
 }
 
-// Length of a way times the mean density along it; a scale height of 0 stands for a homogeneous medium.
-// Formula: distance, or ExponentialDepth(1, ...). [length]
-FUNCTION Real MediumDepth(
-  IN(Real) height, IN(Real) slope, IN(Real) scaleHeight, IN(Real) distance)
+// Heights above a plane or, with a planetRadius above 0, above a planet's ground: see "The sky".
+FUNCTION Real SkyRise(IN(Real) radius, IN(Real) slope, IN(Real) distance);
+FUNCTION Vec2 SkyBelow(
+  IN(Real) groundRadius, IN(Real) height, IN(Real) slope, IN(Real) topHeight);
+FUNCTION Real SkyGroundDistance(IN(Real) groundRadius, IN(Real) height, IN(Real) slope);
+FUNCTION Real SkyExponentialColumn(IN(Real) groundRadius, IN(Real) scaleHeight, IN(Real) height,
+  IN(Real) slope, IN(Real) distance);
+
+// The height at which a way from another one ends.
+// Formula: height + slope distance, or height + SkyRise. [length]
+FUNCTION Real MediumHeight(
+  IN(Real) planetRadius, IN(Real) height, IN(Real) slope, IN(Real) distance)
 {
-  return scaleHeight > 0.0 ? ExponentialDepth(1.0, height, slope, scaleHeight, distance) : distance;
+  return height +
+    (planetRadius > 0.0 ? SkyRise(planetRadius + height, slope, distance) : slope * distance);
+}
+
+// The slope of a straight way of known length between two heights, where it starts.
+// Formula: (end - height)/distance, or, from (R + end)^2 = (R + height)^2 + d^2 + 2 (R + height) d slope,
+// ((end - height) (2 R + height + end) - d^2)/(2 (R + height) d). [no unit]
+FUNCTION Real MediumSlope(
+  IN(Real) planetRadius, IN(Real) height, IN(Real) end, IN(Real) distance)
+{
+  if (planetRadius > 0.0)
+  {
+    Real rise = (end - height) * ((2.0 * planetRadius + height + end) / distance) - distance;
+    return clamp(rise / (2.0 * (planetRadius + height)), -1.0, 1.0);
+  }
+  return (end - height) / distance;
+}
+
+// Length of a way times the mean density along it; a scale height of 0 stands for a homogeneous medium.
+// The ground bends away by distance^2/(2 planetRadius): where that is little of the scale height, a
+// plane of the same rise is exact to 1e-5, without the differences of SkyExponentialColumn().
+// Formula: distance, ExponentialDepth(1, ...), or SkyExponentialColumn. [length]
+FUNCTION Real MediumDepth(IN(Real) planetRadius, IN(Real) height, IN(Real) slope,
+  IN(Real) scaleHeight, IN(Real) distance)
+{
+  if (scaleHeight <= 0.0)
+  {
+    return distance;
+  }
+  if (planetRadius > 0.0 && distance * (distance / planetRadius) > 1e-4 * scaleHeight)
+  {
+    return SkyExponentialColumn(planetRadius, scaleHeight, height, slope, distance);
+  }
+  Real rise = MediumHeight(planetRadius, height, slope, distance) - height;
+  return ExponentialDepth(1.0, height, rise / max(distance, 1e-30), scaleHeight, distance);
+}
+
+// The same of a way to where nothing is any more, of a medium that thins out: up over a plane, else to
+// 40 scale heights above.
+// Formula: scaleHeight density/slope, or SkyExponentialColumn. [length]
+FUNCTION Real MediumColumn(
+  IN(Real) planetRadius, IN(Real) height, IN(Real) slope, IN(Real) scaleHeight)
+{
+  if (planetRadius > 0.0)
+  {
+    Real end = SkyBelow(planetRadius, height, slope, max(height, 0.0) + 40.0 * scaleHeight).y;
+    return SkyExponentialColumn(planetRadius, scaleHeight, height, slope, end);
+  }
+  return scaleHeight * ExponentialDensity(height, scaleHeight) / max(slope, 1e-6);
+}
+
+// The height at which a parallel view ray starts that is aside of the eye by origin, and the slope of a
+// direction there; up is the vertical at the eye.
+// Formula: (MediumHeight, direction vertical), the vertical being along (R + eyeHeight) up + origin.
+// [length, no unit]
+FUNCTION Vec2 MediumStart(IN(Real) planetRadius, IN(Real) eyeHeight, IN(Vec3) up, IN(Vec3) origin,
+  IN(Vec3) direction)
+{
+  Real aside = length(origin);
+  Real slope = dot(direction, up);
+  Real height =
+    MediumHeight(planetRadius, eyeHeight, dot(origin, up) / max(aside, 1e-30), aside);
+  if (planetRadius > 0.0)
+  {
+    slope = ((planetRadius + eyeHeight) * slope + dot(origin, direction)) / (planetRadius + height);
+  }
+  return Vec2(height, slope);
 }
 
 // Airlight of a directional light in it, from the part of a view ray between the distances begin and
@@ -635,25 +709,59 @@ struct LitRay
   int Infinite;     // 1 or 0
   Real Foot;        // cosine of the angle to the light, or where the ray is nearest to it [length]
   Real Distance;    // of a point light from the ray [length]
-  Real Height;      // of the eye above the plane where densities are 1 [length]
-  Real Slope;       // rise of the ray for each unit of its length
-  Real LightHeight; // rise towards the light for each unit of length, or its height [length]
+  Real Height;      // of the ray's start above where densities are 1 [length]
+  Real Slope;       // rise of the ray there, for each unit of its length
+  Real LightHeight; // rise towards the light there for each unit of length, or its height [length]
+  Real PlanetRadius; // whose ground densities are 1 at; 0: that is a plane [length]
 };
+
+// The slope of the way from a point of the ray, s from its start, at a height, to the light, r from it.
+// Formula: LightHeight or MediumSlope; over a planet ((R + Height) LightHeight + s Foot)/(R + height).
+// [no unit]
+FUNCTION Real LightSlope(IN(LitRay) ray, IN(Real) height, IN(Real) s, IN(Real) r)
+{
+  if (ray.Infinite == 0)
+  {
+    return MediumSlope(ray.PlanetRadius, height, ray.LightHeight, r);
+  }
+  if (ray.PlanetRadius > 0.0)
+  {
+    Real towards = (ray.PlanetRadius + ray.Height) * ray.LightHeight + s * ray.Foot;
+    return clamp(towards / (ray.PlanetRadius + height), -1.0, 1.0);
+  }
+  return ray.LightHeight;
+}
+
+// Whether a planet hides a point of the ray from the light. The arguments are those of LightSlope() and
+// its result; a plane hides nothing.
+FUNCTION bool IsInPlanetShadow(IN(LitRay) ray, IN(Real) height, IN(Real) slope, IN(Real) r)
+{
+  Real ground =
+    ray.PlanetRadius > 0.0 ? SkyGroundDistance(ray.PlanetRadius, height, slope) : -1.0;
+  return ground >= 0.0 && (ray.Infinite != 0 || ground < r);
+}
+
+// Where a ray that would go on to end stops: at a planet's ground. [length]
+FUNCTION Real MediumEnd(IN(LitRay) ray, IN(Real) end)
+{
+  Real ground =
+    ray.PlanetRadius > 0.0 ? SkyGroundDistance(ray.PlanetRadius, ray.Height, ray.Slope) : -1.0;
+  return ground >= 0.0 ? min(ground, end) : end;
+}
 
 // Optical depth of the light's way to a point of the ray at a height, r from a point light. Only a
 // medium that thins out dims a light that is infinitely far, and hides one below the horizon.
-// Formula: see ExponentialAirlight() and MediumDepth(). [no unit]
-FUNCTION Real LightDepth(
-  IN(MediumComponent) component, IN(LitRay) ray, IN(Real) height, IN(Real) r)
+// Formula: see MediumDepth() and MediumColumn(). [no unit]
+FUNCTION Real LightDepth(IN(MediumComponent) component, IN(LitRay) ray, IN(Real) height,
+  IN(Real) slope, IN(Real) r)
 {
   if (ray.Infinite == 0)
   {
     return component.Extinction *
-      MediumDepth(height, (ray.LightHeight - height) / r, component.ScaleHeight, r);
+      MediumDepth(ray.PlanetRadius, height, slope, component.ScaleHeight, r);
   }
   return component.ScaleHeight > 0.0
-    ? component.Extinction * component.ScaleHeight *
-      ExponentialDensity(height, component.ScaleHeight) / max(ray.LightHeight, 1e-6)
+    ? component.Extinction * MediumColumn(ray.PlanetRadius, height, slope, component.ScaleHeight)
     : 0.0;
 }
 
@@ -678,10 +786,18 @@ FUNCTION Real MediumIntegrand(
   Real beyond = s - ray.Foot;
   Real r = max(sqrt(ray.Distance * ray.Distance + beyond * beyond), 1e-30);
   Real cosAngle = ray.Infinite != 0 ? ray.Foot : -beyond / r;
-  Real height = ray.Height + ray.Slope * s;
-  Real tau = LightDepth(first, ray, height, r) + LightDepth(second, ray, height, r) +
-    first.Extinction * MediumDepth(ray.Height, ray.Slope, first.ScaleHeight, s) +
-    second.Extinction * MediumDepth(ray.Height, ray.Slope, second.ScaleHeight, s);
+  Real height = MediumHeight(ray.PlanetRadius, ray.Height, ray.Slope, s);
+  Real slope = LightSlope(ray, height, s, r);
+  if (IsInPlanetShadow(ray, height, slope, r))
+  {
+    return 0.0;
+  }
+  Real tau =
+    LightDepth(first, ray, height, slope, r) + LightDepth(second, ray, height, slope, r) +
+    first.Extinction *
+      MediumDepth(ray.PlanetRadius, ray.Height, ray.Slope, first.ScaleHeight, s) +
+    second.Extinction *
+      MediumDepth(ray.PlanetRadius, ray.Height, ray.Slope, second.ScaleHeight, s);
   return exp(-tau) *
     (ScatteredPart(first, height, cosAngle) + ScatteredPart(second, height, cosAngle));
 }
@@ -707,8 +823,8 @@ FUNCTION Real MediumPlace(
 }
 
 // Airlight of a part of a ray, for a light of irradiance or intensity 1. For a light that is
-// infinitely far, in a medium that is homogeneous or has one component, DirectionalAirlight() or
-// ExponentialAirlight(); otherwise Gauss-Legendre with 2 points, in lengths or, for a point light, in
+// infinitely far, in a medium that is homogeneous or has one component over a plane,
+// DirectionalAirlight() or ExponentialAirlight(); otherwise Gauss-Legendre with 2 points, in lengths or, for a point light, in
 // angles: parts should be so small that light falls by no more than 1/e along them.
 // Formula: integral_begin^end MediumIntegrand ds, or MediumIntegrand/r^2 ds. [1/sr] or
 // [1/(length^2 sr)]
@@ -720,7 +836,7 @@ FUNCTION Real MediumAirlight(IN(MediumComponent) first, IN(MediumComponent) seco
     return (ScatteredPart(first, 0.0, ray.Foot) + ScatteredPart(second, 0.0, ray.Foot)) *
       DirectionalAirlight(first.Extinction + second.Extinction, begin, end, 0.0, 0.0);
   }
-  if (ray.Infinite != 0 && second.Extinction == 0.0)
+  if (ray.Infinite != 0 && second.Extinction == 0.0 && ray.PlanetRadius <= 0.0)
   {
     return ScatteredPart(first, 0.0, ray.Foot) *
       ExponentialAirlight(first.Extinction, ray.Height, ray.Slope, max(ray.LightHeight, 1e-6),

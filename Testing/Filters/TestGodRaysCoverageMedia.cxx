@@ -256,11 +256,12 @@ TEST(CoverageMedia, PointLightsInLayersShineAsTheIntegral)
     {
       light = random.Log(0.1, 20.0) * scale * random.Direction();
       const double distance = vtkGodRays::length(light);
-      depth =
-        b * vtkGodRays::MediumDepth(eye, vtkGodRays::dot(light, up) / distance, scale, distance) +
+      depth = b *
+          vtkGodRays::MediumDepth(
+            0.0, eye, vtkGodRays::dot(light, up) / distance, scale, distance) +
         gas *
           vtkGodRays::MediumDepth(
-            eye, vtkGodRays::dot(light, up) / distance, second.ScaleHeight, distance);
+            0.0, eye, vtkGodRays::dot(light, up) / distance, second.ScaleHeight, distance);
     } while (depth > 10.0);
     filter->SetLight(light.x, light.y, light.z, 1.0);
     const double most = random.Uniform(0.05, 1.0);
@@ -276,7 +277,7 @@ TEST(CoverageMedia, PointLightsInLayersShineAsTheIntegral)
         const vtkGodRays::LitRay lit = { 0, vtkGodRays::dot(to, along),
           std::max(nearest, vtkGodRays::length(vtkGodRays::cross(to, along))),
           eye + vtkGodRays::dot(up, ray.Origin), vtkGodRays::dot(up, along),
-          eye + vtkGodRays::dot(up, light) };
+          eye + vtkGodRays::dot(up, light), 0.0 };
         // Steps of angle and of length.
         constexpr int parts = 60;
         std::array<double, 2 * parts> places;
@@ -323,6 +324,45 @@ TEST(CoverageMedia, PointLightsInThickLayersShineAsInNone)
     filter->SetScaleHeight(1.0);
     EXPECT_GT(GetLargestDifference(Scatter(filter, depths), without), 0.05 * without.GetMaximum());
   }
+}
+
+//------------------------------------------------------------------------------
+// A point light over a small planet: the ground truth; a directional light is an error.
+TEST(CoverageMedia, PointLightsShineOverAPlanet)
+{
+  for (const bool parallel : { false, true })
+  {
+    vtkNew<Reference> reference;
+    vtkNew<Filter> filter;
+    for (vtkGodRaysMediumFilter* either : { static_cast<vtkGodRaysMediumFilter*>(reference),
+           static_cast<vtkGodRaysMediumFilter*>(filter) })
+    {
+      Prepare(either, Lights[0], 10.0);
+      either->SetFarLimit(10.0);
+      either->SetParallelProjection(parallel);
+      either->SetParallelScale(4.0);
+      either->SetLight(1.0, 2.0, -6.0, 1.0);
+      either->SetScaleHeight(1.0);
+      either->SetGroundLevel(-7.0); // no ray meets it
+      either->SetPlanetRadius(500.0);
+    }
+    reference->SetSize(64, 36);
+    reference->SetTolerance(1e-4);
+    reference->Update();
+    const Error round = Compare(reference->GetOutput(), filter);
+    filter->SetPlanetRadius(0.0);
+    const Error flat = Compare(reference->GetOutput(), filter);
+    std::cout << "round " << round.Largest << ", flat " << flat.Largest << "\n";
+    EXPECT_LE(round.Largest, 2e-3);
+    EXPECT_GT(flat.Largest, 5e-3);
+  }
+  vtkNew<Filter> filter;
+  ErrorListener errors(filter);
+  filter->SetScaleHeight(1.0);
+  filter->SetPlanetRadius(1e4);
+  Scatter(filter, Picture(4, 4));
+  ASSERT_EQ(errors.Texts.size(), 1u);
+  EXPECT_NE(errors.Texts[0].find("PlanetRadius"), std::string::npos);
 }
 
 //------------------------------------------------------------------------------

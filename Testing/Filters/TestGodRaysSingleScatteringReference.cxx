@@ -329,6 +329,121 @@ TEST(SingleScatteringReference, ThereIsNoLightBelowTheHorizon)
 }
 
 //------------------------------------------------------------------------------
+// The air of a planet, from the ground to space, day and dusk: the sky's formula in 20 000 steps.
+TEST(SingleScatteringReference, AirOverAPlanet)
+{
+  const double ground = 6360e3;
+  const double top = 320e3;
+  const vtkGodRays::SkyAtmosphere sky = { ground, top, { 0, 8000.0, 0.0 }, { 0, 1200.0, 0.0 },
+    { 2, 25e3, 15e3 }, Vec3(5.802e-6, 13.558e-6, 33.1e-6), Vec3(3.996e-6), Vec3(4.44e-6), Vec3(0.0),
+    { 1, 0.0 }, { 3, 0.8 } };
+  vtkNew<Reference> reference;
+  reference->SetSize(1, 1);
+  reference->SetViewAngle(1e-3);
+  reference->SetTolerance(1e-6);
+  reference->SetScatteringCoefficient(3.996e-6, 3.996e-6, 3.996e-6);
+  reference->SetAbsorptionCoefficient(4.44e-7, 4.44e-7, 4.44e-7);
+  reference->SetPhaseFunction(Reference::CORNETTE_SHANKS);
+  reference->SetAsymmetry(0.8);
+  reference->SetScaleHeight(1200.0);
+  reference->SetGasScatteringCoefficient(5.802e-6, 13.558e-6, 33.1e-6);
+  reference->SetGasScaleHeight(8000.0);
+  reference->SetMediumUp(0.0, 0.0, 1.0);
+  reference->SetPlanetRadius(ground);
+  reference->SetFarLimit(2e7);
+  const double turn = 0.3; // of the eye's vertical from the origin's
+  const auto toWorld = [&](const Vec3& v)
+  {
+    return Vec3(v.x * std::cos(turn) + v.z * std::sin(turn), v.y,
+      v.z * std::cos(turn) - v.x * std::sin(turn));
+  };
+  double worst = 0.0;
+  for (const double height : { 2.0, 1e3, 12e3, 4e5, 3e6 })
+  {
+    for (const double sunHeight : { 80.0, 30.0, 5.0, -3.0 })
+    {
+      for (const double view : { 90.0, 45.0, 2.0, -10.0, -45.0, -80.0 })
+      {
+        const auto getDirection = [](double degrees, double across)
+        {
+          const double angle = vtkMath::RadiansFromDegrees(degrees);
+          return Vec3(std::cos(angle) * std::cos(across), std::cos(angle) * std::sin(across),
+            std::sin(angle));
+        };
+        const Vec3 along = getDirection(view, 0.0);
+        const Vec3 sun = getDirection(sunHeight, 0.7);
+        const Vec3 eye = toWorld(Vec3(0.0, 0.0, ground + height)) - Vec3(0.0, 0.0, ground);
+        const Vec3 focus = eye + 1e6 * toWorld(along);
+        const Vec3 light = toWorld(sun);
+        reference->SetCameraPosition(eye.x, eye.y, eye.z);
+        reference->SetCameraFocalPoint(focus.x, focus.y, focus.z);
+        reference->SetLight(light.x, light.y, light.z, 0.0);
+        reference->Update();
+        const Picture actual = FromImage(reference->GetOutput());
+
+        const double cosAngle = vtkGodRays::dot(along, sun);
+        const vtkGodRays::Vec2 air = vtkGodRays::SkyBelow(ground, height, along.z, top);
+        const double end = vtkGodRays::SkyGroundDistance(ground, height, along.z);
+        const double last = end >= 0.0 ? end : air.y;
+        const vtkGodRays::Vec2 shadow =
+          vtkGodRays::SkyShadow(ground, height, along.z, sun.z, cosAngle);
+        constexpr int steps = 20000;
+        Vec3 sum(0.0);
+        for (int i = 0; i < steps && air.x < last; ++i)
+        {
+          const double step = (last - air.x) / steps;
+          const double s = air.x + (i + 0.5) * step;
+          if (s < shadow.x || s > shadow.y)
+          {
+            sum += step * vtkGodRays::SkyInscatter(sky, height, along.z, sun.z, cosAngle, s);
+          }
+        }
+        const double most = std::max({ sum.x, sum.y, sum.z });
+        for (int c = 0; c < 3; ++c)
+        {
+          const double error = std::abs(actual.Values[c] - sum[c]) / std::max(most, 1e-6);
+          EXPECT_LE(error, 5e-4) << height << " m, sun " << sunHeight << ", view " << view;
+          worst = std::max(worst, error);
+        }
+      }
+    }
+  }
+  std::cout << "largest difference " << worst << "\n";
+}
+
+//------------------------------------------------------------------------------
+TEST(SingleScatteringReference, AHugePlanetIsAPlane)
+{
+  vtkNew<Reference> reference;
+  reference->SetInputData(GodRaysMediumScenes::MakeScenes(6)[0].Occluders);
+  reference->SetSize(24, 16);
+  reference->SetFarLimit(20.0);
+  reference->SetScaleHeight(2.0);
+  reference->SetScatteringCoefficient(10.0, 10.0, 10.0);
+  reference->SetGroundLevel(-15.0); // no ray meets it
+  for (const bool parallel : { false, true })
+  {
+    reference->SetParallelProjection(parallel);
+    reference->SetParallelScale(2.5);
+    for (const double w : { 0.0, 1.0 })
+    {
+      reference->SetLight(1.0, 2.0, -6.0, w);
+      reference->SetPlanetRadius(0.0);
+      reference->Update();
+      const Picture flat = FromImage(reference->GetOutput());
+      const auto getDifference = [&](double radius)
+      {
+        reference->SetPlanetRadius(radius);
+        reference->Update();
+        return GetLargestDifference(FromImage(reference->GetOutput()), flat) / flat.GetMaximum();
+      };
+      EXPECT_LE(getDifference(1e9), 1e-6);
+      EXPECT_GT(getDifference(1e3), 1e-4);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // A wall that is seen and casts no shadow, and a roof that casts one and is not seen.
 TEST(SingleScatteringReference, RaysMayEndElsewhere)
 {

@@ -58,10 +58,10 @@ protected:
       truth->SetGasScaleHeight(this->Air->GetRayleighScaleHeight() / Unit);
       truth->SetMediumUp(this->Air->GetUp());
       truth->SetGroundLevel(this->Air->GetGroundLevel());
+      truth->SetPlanetRadius(this->Air->GetPlanetRadius() / Unit);
       truth->SetFarLimit(this->Air->GetFarLimit());
     };
-    const int size[2] = { Width, Height };
-    return GetTrueScattering(this->Renderer, setMedium, light, size);
+    return GetTrueScattering(this->Renderer, setMedium, light, this->Scene.Window->GetSize());
   }
 
   double GetErrorOfAir(std::array<double, 4> light, vtkImageData* truth)
@@ -110,6 +110,35 @@ TEST_F(GodRaysAtmosphereModel, IsTheGroundTruthWithOccluders)
       EXPECT_LT(error, bound) << integrator->GetClassName();
     }
   }
+}
+
+// A small one, so that its horizon is in the picture.
+TEST_F(GodRaysAtmosphereModel, IsTheIntegralOverAPlanet)
+{
+  this->Scene.Window->SetSize(48, 36); // the truth takes its time
+  this->Air->SetPlanetRadius(5e5);
+  this->Air->SetFarLimit(300.0);
+  vtkNew<vtkGodRaysShadowMapIntegrator> shadows;
+  vtkNew<vtkGodRaysDepthWeightedTapsIntegrator> taps;
+  const std::array<vtkGodRaysIntegrator*, 2> integrators = { shadows, taps };
+  const auto truth = this->GetTruth(Beside);
+  for (vtkGodRaysIntegrator* integrator : integrators)
+  {
+    this->Rays->SetIntegrator(integrator);
+    const double round = this->GetErrorOfAir(Beside, truth);
+    this->Air->SetPlanetRadius(0.0);
+    const double flat = this->GetErrorOfAir(Beside, truth);
+    this->Air->SetPlanetRadius(5e5);
+    std::cout << integrator->GetClassName() << ": " << round << ", flat " << flat << "\n";
+    EXPECT_LT(round, 1e-3);
+    EXPECT_GT(flat, 10.0 * round);
+  }
+  vtkNew<vtkGodRaysEpipolarCoverageIntegrator> coverage;
+  this->Rays->SetIntegrator(coverage);
+  this->Scene.Window->Render();
+  const auto messages = this->VTKMessages.Take();
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_TRUE(Says(messages[0], "PlanetRadius")) << messages[0];
 }
 
 TEST_F(GodRaysAtmosphereModel, ReddensALowSunAndIsDarkBelowTheHorizon)

@@ -40,8 +40,8 @@ void main()
 {
   vec2 place = GetPlace();
   LitRay ray = GetLitRay(place);
-  float end = min(texelFetch(ends, ivec2(place), 0).r, farLimit);
   float perDepth = GetLengthPerDepth(place);
+  float end = GetEnd(ray, texelFetch(ends, ivec2(place), 0).r, perDepth) / perDepth;
   vec3 strength = uniformly ? GetStrength(ray) : vec3(0.0);
 
   vec4 towards = light / max(length(light.xyz), 1e-6); // in scene units the march could overflow

@@ -33,6 +33,7 @@ struct vtkGodRaysEpipolarCoverageIntegrator::Internals
   unsigned int Frame = 0;    // whose depths the sweep has
   int Layers = 0;            // as well as so many
   std::string Plan = "nothing yet";
+  std::string Told; // of which light it was told that it cannot be evaluated
 
   bool LoadDepths(const Request& request, int layers);
 };
@@ -129,6 +130,11 @@ bool vtkGodRaysEpipolarCoverageIntegrator::Integrate(const Request& request)
   parameters.Medium = *request.Medium;
   parameters.Thickness = this->Thickness;
   parameters.Layers = layers;
+  if (!vtkGodRaysCoverageSweep::Supports(parameters))
+  {
+    this->TellThatNot(source.Name);
+    return true;
+  }
   self.Sweep.Execute(parameters);
   self.Plan = self.Sweep.Describe();
 
@@ -141,6 +147,19 @@ bool vtkGodRaysEpipolarCoverageIntegrator::Integrate(const Request& request)
     { static_cast<unsigned int>(grey ? GL_R32F : GL_RGBA32F), 0 });
   sum.Write(grey ? GL_RED : GL_RGB, GL_FLOAT, self.Sweep.GetResult());
   return request.Result->Lend(sum, source.Color, view.ViewScale);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysEpipolarCoverageIntegrator::TellThatNot(const std::string& light)
+{
+  this->Internal->Plan = "the light \"" + light + "\" cannot be evaluated over a planet";
+  if (this->Internal->Told != light)
+  {
+    this->Internal->Told = light;
+    vtkWarningMacro("The light \""
+      << light << "\" scatters nothing: light that is infinitely far cannot be evaluated over a "
+      << "planet. Set PlanetRadius to 0, or use a vtkGodRaysShadowMapIntegrator.");
+  }
 }
 
 //------------------------------------------------------------------------------

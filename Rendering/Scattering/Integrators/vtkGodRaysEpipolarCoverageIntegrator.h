@@ -66,6 +66,8 @@ protected:
   ~vtkGodRaysEpipolarCoverageIntegrator() override;
 
 private:
+  void TellThatNot(const std::string& light);
+
   vtkGodRaysEpipolarCoverageIntegrator(const vtkGodRaysEpipolarCoverageIntegrator&) = delete;
   void operator=(const vtkGodRaysEpipolarCoverageIntegrator&) = delete;
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysMediumRays.h"
 
+#include "vtkGodRaysMath.h"
 #include "vtkGodRaysMedium.h"
 #include "vtkGodRaysQuad.h"
 #include "vtkGodRaysSum.h"
@@ -31,11 +32,6 @@ void SetPhase(vtkShaderProgram* program, const std::string& name, int kind, doub
 {
   program->SetUniformi((name + ".Kind").c_str(), kind);
   SetNumber(program, name + ".Asymmetry", asymmetry);
-}
-
-double Dot(const double* a, const double* b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 }
 
@@ -91,11 +87,15 @@ void vtkGodRaysMediumRays::Set(vtkShaderProgram* program) const
   const double color[3] = { source.Power * source.Color[0], source.Power * source.Color[1],
     source.Power * source.Color[2] };
   vtkGodRaysQuad::SetVector(program, "lightColor", color);
+  const glm::dvec3 up(medium.Up[0], medium.Up[1], medium.Up[2]);
+  const glm::dvec3 place(this->Light[0], this->Light[1], this->Light[2]);
   SetNumber(program, "lightHeight",
-    Dot(medium.Up, this->Light) + (this->IsInfinite() ? 0.0 : medium.EyeHeight));
+    vtkGodRays::MediumStart(medium.PlanetRadius, medium.EyeHeight, up, place, up).x);
+  SetNumber(program, "planetRadius", medium.PlanetRadius);
   vtkGodRaysQuad::SetVector(program, "mediumUp", medium.Up);
   SetNumber(program, "eyeHeight", medium.EyeHeight);
-  const bool closed = this->IsInfinite() && (medium.NumberOfComponents == 1 || !medium.ThinsOut());
+  const bool closed = this->IsInfinite() &&
+    (!medium.ThinsOut() || (medium.NumberOfComponents == 1 && medium.PlanetRadius == 0.0));
   program->SetUniformi("totalParts", closed ? 1 : TotalParts);
   program->SetUniformf("maximum", result.GetFormat() == GL_RGBA16F ? 65504.0f : 1e30f);
   this->SetComponents(program);

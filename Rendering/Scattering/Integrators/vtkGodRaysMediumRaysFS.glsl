@@ -9,9 +9,10 @@ uniform float pixelSize;  // at depth 1, or of a parallel projection
 uniform float farLimit;   // where the medium ends [view depth]
 uniform vec4 light;       // (x, y, z)/w, or with w = 0 the direction to it
 uniform vec3 lightColor;  // irradiance or intensity
-uniform float lightHeight; // see LitRay
+uniform float lightHeight; // of a point light
 uniform vec3 mediumUp;
 uniform float eyeHeight;
+uniform float planetRadius; // 0: the ground is a plane
 uniform MediumComponent components[6]; // two of each channel
 uniform int totalParts;   // into which a whole ray is divided for its airlight
 uniform float maximum;    // that the result can hold
@@ -46,10 +47,20 @@ LitRay GetLitRay(vec2 place)
   ray.Infinite = infinite ? 1 : 0;
   ray.Foot = dot(to, direction);
   ray.Distance = infinite ? 0.0 : length(cross(to, direction));
-  ray.Height = eyeHeight + dot(origin, mediumUp);
-  ray.Slope = dot(direction, mediumUp);
-  ray.LightHeight = lightHeight;
+  vec2 start = MediumStart(planetRadius, eyeHeight, mediumUp, origin, direction);
+  ray.Height = start.x;
+  ray.Slope = start.y;
+  ray.LightHeight = infinite
+    ? MediumStart(planetRadius, eyeHeight, mediumUp, origin, light.xyz).y
+    : lightHeight;
+  ray.PlanetRadius = planetRadius;
   return ray;
+}
+
+// Where the ray ends that sees a depth, of which each unit is so long [distance].
+float GetEnd(LitRay ray, float depth, float lengthPerDepth)
+{
+  return MediumEnd(ray, lengthPerDepth * min(depth, farLimit));
 }
 
 // What the components scatter in the one direction of a directional light, by channel.

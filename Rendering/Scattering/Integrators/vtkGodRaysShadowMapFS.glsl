@@ -80,7 +80,7 @@ void main()
   vec2 place = GetPlace();
   LitRay ray = GetLitRay(place);
   float perDepth = GetLengthPerDepth(place);
-  float end = perDepth * min(texelFetch(ends, ivec2(place), 0).r, farLimit);
+  float end = GetEnd(ray, texelFetch(ends, ivec2(place), 0).r, perDepth);
   vec3 strength = uniformly && !grey ? GetStrength(ray) : vec3(0.0);
   float extinction =
     grey ? GetExtinction(0) : (GetExtinction(0) + GetExtinction(1) + GetExtinction(2)) / 3.0;

@@ -53,7 +53,7 @@ void main()
   for (int c = 0; c < channels; ++c)
   {
     airlight[c] = sum[c] / weights *
-      GetTotalAirlight(c, ray, strength[c], GetLengthPerDepth(place) * depth);
+      GetTotalAirlight(c, ray, strength[c], GetEnd(ray, depth, GetLengthPerDepth(place)));
   }
   gl_FragData[0] = GetRadiance(airlight);
 }

@@ -19,6 +19,7 @@ vtkGodRaysSetFinite3Macro(vtkGodRaysAtmosphereModel, MieAbsorption, 0.0, 1e15);
 vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphereModel, MieScaleHeight, 1e-6, 1e9);
 vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphereModel, MieAsymmetry, -0.99, 0.99);
 vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphereModel, GroundLevel, -1e30, 1e30);
+vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphereModel, PlanetRadius, 0.0, 1e15);
 
 //------------------------------------------------------------------------------
 void vtkGodRaysAtmosphereModel::SetUp(const double direction[3])
@@ -64,11 +65,20 @@ void vtkGodRaysAtmosphereModel::FillMedium(
   // A view is the world, turned and then moved by the last column.
   double up[3] = { this->Up[0], this->Up[1], this->Up[2] };
   vtkMath::Normalize(up);
-  medium.EyeHeight = -this->GroundLevel;
+  double place[3] = { 0.0, 0.0, 0.0 };
   for (int i = 0; i < 3; ++i)
   {
-    const double along = vtkMath::Dot(worldToView + 4 * i, up);
-    medium.EyeHeight += along * (eye[i] - worldToView[4 * i + 3]);
+    for (int k = 0; k < 3; ++k)
+    {
+      place[k] += worldToView[4 * i + k] * (eye[i] - worldToView[4 * i + 3]);
+    }
+  }
+  medium.PlanetRadius = this->PlanetRadius / this->WorldUnitInMeters;
+  double vertical[3];
+  medium.PlaceEye(place, up, this->GroundLevel, vertical);
+  for (int i = 0; i < 3; ++i)
+  {
+    const double along = vtkMath::Dot(worldToView + 4 * i, vertical);
     medium.Up[i] = i == 2 ? -along : along;
   }
 }
@@ -79,7 +89,7 @@ std::string vtkGodRaysAtmosphereModel::Describe() const
   std::ostringstream text;
   const auto print = [&text](const double* values)
   { text << values[0] << " " << values[1] << " " << values[2]; };
-  text << "atmosphere over a plane, molecules ";
+  text << "atmosphere over a " << (this->PlanetRadius > 0.0 ? "planet" : "plane") << ", molecules ";
   print(this->RayleighScattering);
   text << " [1/m], scale height " << this->RayleighScaleHeight << " m, aerosols ";
   print(this->MieScattering);
@@ -102,4 +112,5 @@ void vtkGodRaysAtmosphereModel::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MieAsymmetry: " << this->MieAsymmetry << "\n";
   print("Up", this->Up);
   os << indent << "GroundLevel: " << this->GroundLevel << "\n";
+  os << indent << "PlanetRadius: " << this->PlanetRadius << "\n";
 }

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGodRaysAtmosphereModel
- * @brief   air over a plane: molecules and aerosols whose density falls with height
+ * @brief   air over a plane or a planet: molecules and aerosols whose density falls with height
  *
  * Two components, each of density e^(-h/ScaleHeight) at the height h above GroundLevel: molecules that
  * scatter as Rayleigh's theory has it, and aerosols that scatter forwards [CornetteShanks1992] and
  * absorb. Directional lights are dimmed on their way down to each point of a view ray, so that a low sun
  * is red: their colour is what arrives above the air. A light below the horizon gives nothing. The
- * ground is plane: from about 85 degrees off the zenith on, light and view rays through a real, round
- * atmosphere have a shorter way. See vtkGodRaysMediumModel for what is computed and how much light there
- * is.
+ * ground is plane unless there is a PlanetRadius: from about 85 degrees off the zenith on, light and view
+ * rays through a real, round atmosphere have a shorter way. See vtkGodRaysMediumModel for what is computed
+ * and how much light there is.
  *
  * Defaults are clear air over the Earth, [Bruneton2017]; red, green and blue stand for 680, 550
  * and 440 nm. In a scene of some kilometres that is what makes distant hills blue; for shafts, raise
@@ -101,6 +101,18 @@ public:
   vtkGetMacro(GroundLevel, double);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get the radius of a planet, of which GroundLevel is the ground and whose centre is that far below
+   * it along Up from the world's origin [m]. Its ground hides lights and ends the medium that is seen:
+   * scenes should lie above it. It should be above 500 scale heights; the Earth's is 6.36e6. 0 is a plane
+   * without a horizon. Valid range: [0, 1e15]. Default is 0. A vtkGodRaysEpipolarCoverageIntegrator takes
+   * positional lights only, with one; see Documentation/ModelError.md.
+   */
+  void SetPlanetRadius(double radius);
+  vtkGetMacro(PlanetRadius, double);
+  ///@}
+
   std::string Describe() const override;
 
 protected:
@@ -122,6 +134,7 @@ private:
   double MieAsymmetry = 0.8;
   double Up[3] = { 0.0, 0.0, 1.0 };
   double GroundLevel = 0.0;
+  double PlanetRadius = 0.0;
 };
 
 #endif
