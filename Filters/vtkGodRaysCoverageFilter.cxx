@@ -207,13 +207,15 @@ int vtkGodRaysCoverageFilter::RequestData(
   parameters.Light[3] = this->Light[3];
   std::copy_n(this->LightColor, 3, parameters.LightColor);
   parameters.Medium = this->GetMedium(view);
+  parameters.Spot = this->GetSpot(view);
   parameters.Layers = components / 2;
   parameters.Thickness = this->Thickness;
   if (!Sweep::Supports(parameters))
   {
     return fail(
-      "a directional light in a medium that thins out over a planet is not supported. Set "
-      "PlanetRadius to 0, or take vtkGodRaysSingleScatteringReference.");
+      "in a medium that thins out, neither a directional light over a planet nor a spotlight "
+      "that fades from an axis that is not vertical is supported. Set PlanetRadius or "
+      "SpotExponent to 0, or take vtkGodRaysSingleScatteringReference.");
   }
 
   const vtkIdType pixels = image->GetNumberOfPoints();

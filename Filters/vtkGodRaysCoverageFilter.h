@@ -28,7 +28,8 @@
  *
  * Supported: directional and point lights anywhere (in the picture, beside it, behind the eye, across
  * the view), perspective and parallel projection, one or two components, homogeneous or thinning out with
- * height; but for a directional light in what thins out over a planet, which is an error. A planet's ground
+ * height; but in what thins out, a directional light over a planet, and a spotlight that fades from an axis
+ * that is not vertical, are errors. A planet's ground
  * ends view rays where the depths show it. A view ray nearer to a point light than 0.28 pixels is taken to be so far from it: that is the
  * mean over its pixel.
  *

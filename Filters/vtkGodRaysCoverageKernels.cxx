@@ -191,7 +191,7 @@ HWY_INLINE Rays<FloatTag> FindRays(const CoverageSettings& settings, Float colum
       height = hn::Max(hn::Sqrt(x * x + y * y), hn::Set(d, table.Nearest));
       rays.Foot = lightZ;
       place = LogOfOnePlus(d, height / hn::Set(d, table.RowUnit));
-      about = (x * set(-settings.Up[0]) + y * set(-settings.Up[1])) / height;
+      about = (x * set(-settings.SliceAxis[0]) + y * set(-settings.SliceAxis[1])) / height;
     }
     else
     {
@@ -213,8 +213,8 @@ HWY_INLINE Rays<FloatTag> FindRays(const CoverageSettings& settings, Float colum
       const auto tangent =
         hn::IfThenElse(hn::Gt(cosine, zero), sine / (one + cosine), (one - cosine) / sine);
       place = LogOfOnePlus(d, tangent / hn::Set(d, table.RowUnit));
-      const Float rise =
-        x * set(settings.Up[0]) + y * set(settings.Up[1]) + z * set(settings.Up[2]);
+      const Float rise = x * set(settings.SliceAxis[0]) + y * set(settings.SliceAxis[1]) +
+        z * set(settings.SliceAxis[2]);
       about = (rise - cosine * hn::Set(d, table.LightRise)) / sine;
     }
     rays.Slice = (about * hn::Set(d, table.InverseSide) - hn::Set(d, table.FirstSlice)) *
@@ -534,9 +534,9 @@ public:
     this->Ends[pixel] = this->Count;
   }
 
-  // What lies in each, up to the last depths of the pixels' rays.
-  HWY_INLINE void Measure(
-    const CoverageSettings& settings, const Rate& rate, const Rays<FloatTag>& rays, Float last)
+  // What lies in each, between the first and the last depths of the pixels' rays.
+  HWY_INLINE void Measure(const CoverageSettings& settings, const Rate& rate,
+    const Rays<FloatTag>& rays, Float first, Float last)
   {
     const FloatTag d;
     const IntTag di;
@@ -550,6 +550,7 @@ public:
     {
       const auto pixels = hn::LoadU(di, this->Pixels + i);
       const Rays<FloatTag> here = Select(rays, pixels);
+      const Float begin = hn::TableLookupLanes(first, hn::IndicesFromVec(d, pixels));
       const Float end = hn::TableLookupLanes(last, hn::IndicesFromVec(d, pixels));
       const auto toDistance = [&](Float h) HWY_ATTR
       {
@@ -558,7 +559,7 @@ public:
         {
           z = hn::Set(d, 1.0f) / hn::Max(z, hn::Set(d, 1e-30f));
         }
-        return hn::Max(hn::Min(z, end), hn::Zero(d)) * here.Length;
+        return hn::Max(hn::Min(z, end), begin) * here.Length;
       };
       const Float low = toDistance(hn::LoadU(d, this->Low + i));
       const Float high = toDistance(hn::LoadU(d, this->High + i));
@@ -840,6 +841,7 @@ private:
     const int lanes = GetLanes();
     const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(row) * this->Image.Width;
     const float* ends = this->Image.Ends + offset;
+    const float* begins = this->Image.Begins ? this->Image.Begins + offset : nullptr;
     const float farLimit = static_cast<float>(this->Settings.FarLimit);
     const float pixel = static_cast<float>(this->Settings.PixelSize);
     const float middle = static_cast<float>(this->Image.Center[0]);
@@ -855,14 +857,16 @@ private:
         (hn::Iota(d, static_cast<float>(x0)) - hn::Set(d, middle)) * hn::Set(d, pixel);
       const Rays<FloatTag> rays = FindRays(this->Settings, columns, y);
       const int count = std::min(lanes, end - x0);
+      HWY_ALIGN float nearest[8] = {};
       HWY_ALIGN float last[8] = {};
       for (int i = 0; i < count; ++i)
       {
         const float line = position + fgain * (x0 + i - begin);
         last[i] = std::min(ends[x0 + i], farLimit);
+        nearest[i] = begins ? std::min(begins[x0 + i], last[i]) : 0.0f;
         intervals.Add(i, this->Hidden, std::min(std::max(static_cast<int>(line), 0), most));
       }
-      intervals.Measure(this->Settings, rate, rays, hn::Load(d, last));
+      intervals.Measure(this->Settings, rate, rays, hn::Load(d, nearest), hn::Load(d, last));
       for (int p = 0; p < this->Settings.Planes; ++p)
       {
         intervals.Sum(p, count, this->Image.Hidden[p] + offset + x0);
@@ -901,17 +905,18 @@ void RunCoverageInterval(const CoverageSettings& settings, const CoverageImage& 
   const auto rays =
     FindRays(settings, hn::Set(d, static_cast<float>(column)), static_cast<float>(row));
   const float last = std::min(image.Ends[pixel], static_cast<float>(settings.FarLimit));
+  const float first = image.Begins ? std::min(image.Begins[pixel], last) : 0.0f;
   for (int p = 0; p < settings.Planes; ++p)
   {
     const auto measure = [&](float z)
     {
-      const Float distance = hn::Set(d, std::min(z, last)) * rays.Length;
+      const Float distance = hn::Set(d, std::max(std::min(z, last), first)) * rays.Length;
       return hn::GetLane(MeasureRays(settings, rays, distance, p));
     };
     // All of the ray is all, whatever rounding makes of its length.
     image.Hidden[p][pixel] = before >= std::min(from, last)
       ? CoverageSky
-      : measure(before) + std::max(measure(last) - measure(from), 0.0f);
+      : measure(before) - measure(first) + std::max(measure(last) - measure(from), 0.0f);
   }
 }
 
@@ -984,7 +989,13 @@ void RunCoverageRow(const CoverageSettings& settings, const CoverageImage& image
     for (int p = 0; p < settings.Planes; ++p)
     {
       const Float hidden = hn::Max(load(image.Hidden[p]), zero);
-      lit[p] = hn::Max(MeasureRays(settings, rays, distance, p) - hidden, zero) * rays.Gain;
+      Float whole = MeasureRays(settings, rays, distance, p);
+      if (image.Begins)
+      {
+        const Float begin = hn::Min(load(image.Begins) * rays.Length, distance);
+        whole = whole - MeasureRays(settings, rays, begin, p);
+      }
+      lit[p] = hn::Max(whole - hidden, zero) * rays.Gain;
     }
     Float scattered[2] = { hn::Set(d, 1.0f), zero };
     if (!settings.Point)

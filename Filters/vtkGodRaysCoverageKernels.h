@@ -30,6 +30,8 @@
 #ifndef vtkGodRaysCoverageKernels_h
 #define vtkGodRaysCoverageKernels_h
 
+#include "vtkGodRaysMedium.h" // For vtkGodRaysSpot
+
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -48,7 +50,7 @@ constexpr int CoverageMaximumPlanes = 6; // colours and components of the medium
 ///  - layers, in perspective: asinh(rise of the view ray/RowUnit),
 ///  - layers and parallel rays: the height at which the view ray begins;
 /// a slice, cubic between slices, to where a ray lies about a point light in layers: the cosine of the
-/// angle between up and the ray's nearest way to the light's axis from the eye, seen along that axis, or,
+/// angle between the slices' axis and the ray's nearest way to the light's axis from the eye, seen along that axis, or,
 /// of parallel rays, seen along the rays;
 /// a column to ln((1 + d) (1 + Change s)) for point lights, where s is the distance from the eye and
 /// ln(1 + d) = asinh((s - foot)/height) - asinh(-foot/height), and to ln(1 + s/width) for layers.
@@ -73,9 +75,9 @@ struct CoverageTable
   float Change = 0.0f; // of light, for each unit of length, where it is brightest
   float Nearest =
     0.0f; // sine of a point light's angle, or its distance if rays are parallel: at least
-  float Distance = 0.0f;            // of a point light
-  float LightRise = 0.0f;           // of the way to it, for each unit of length
-  float InverseSide = 0.0f;         // of the sine of up and that way, or of up and the view axis
+  float Distance = 0.0f;    // of a point light
+  float LightRise = 0.0f;   // of the way to it, for each unit of length
+  float InverseSide = 0.0f; // of the sine of the slices' axis and that way, or the view axis
   std::vector<float> InverseWidths; // of rows
   std::vector<float>
     Values[CoverageMaximumPlanes];            // by slices and rows: value and slope, of each column
@@ -88,14 +90,17 @@ struct CoverageSettings
   double PixelSize; // at depth 1, or of a parallel projection [scene units]
   bool Parallel;
   bool Point;
-  double Light[3];         // view coordinates: position, or direction of length 1
-  double FarLimit;         // [scene units]
-  int Channels;            // extinctions that differ: 1 or 3
-  double Extinction[3];    // [1/scene unit], above 0; of the closed form
-  int Planes;              // of what is hidden: Channels times components, if these differ
-  double Up[3];            // of layers
-  double EyeHeight;        // in layers
-  double PlanetRadius;     // 0: layers are plane
+  double Light[3];      // view coordinates: position, or direction of length 1
+  double FarLimit;      // [scene units]
+  int Channels;         // extinctions that differ: 1 or 3
+  double Extinction[3]; // [1/scene unit], above 0; of the closed form
+  int Planes;           // of what is hidden: Channels times components, if these differ
+  double Up[3];         // of layers
+  double
+    SliceAxis[3];   // in planes with it and a point light's, rays are alike: Up, or a spotlight's
+  double EyeHeight; // in layers
+  double PlanetRadius; // 0: layers are plane
+  vtkGodRaysSpot Spot;
   int Layers;              // 0: depths of the first surfaces; else fronts and backs, up to 2 times
   double Thickness = 0.01; // of what is seen from before, without layers [fraction of its depth]
   double Jump = 0.1;       // of depth between samples of one surface [fraction of the lesser]
@@ -110,6 +115,7 @@ struct CoverageImage
   int Height;
   double Center[2];                     // the view axis, whole numbers being the centres of pixels
   const float* Depths[4];               // front, back, front, back
+  const float* Begins;                  // of view rays in a spotlight's cone; nullptr: at the eye
   const float* Ends;                    // of view rays
   float* Hidden[CoverageMaximumPlanes]; // result: of the light along the ray, what is hidden
 };

@@ -102,10 +102,12 @@ using TableKey = std::vector<double>;
 void MakeTableKey(const Parameters& parameters, int width, int height, TableKey& key)
 {
   const vtkGodRaysMedium& medium = parameters.Medium;
-  key.assign({ width + 0.0, height + 0.0, parameters.PixelSize, parameters.Center[0],
-    parameters.Center[1], parameters.Parallel + 0.0, parameters.Light[0], parameters.Light[1],
-    parameters.Light[2], parameters.Light[3], medium.Up[0], medium.Up[1], medium.Up[2],
-    medium.EyeHeight, medium.PlanetRadius, medium.FarLimit });
+  key.assign(
+    { width + 0.0, height + 0.0, parameters.PixelSize, parameters.Center[0], parameters.Center[1],
+      parameters.Parallel + 0.0, parameters.Light[0], parameters.Light[1], parameters.Light[2],
+      parameters.Light[3], medium.Up[0], medium.Up[1], medium.Up[2], medium.EyeHeight,
+      medium.PlanetRadius, medium.FarLimit, parameters.Spot.Axis[0], parameters.Spot.Axis[1],
+      parameters.Spot.Axis[2], parameters.Spot.CosCone, parameters.Spot.Exponent });
   for (int k = 0; k < medium.NumberOfComponents; ++k)
   {
     const Component& component = medium.Components[k];
@@ -204,6 +206,7 @@ private:
     CoverageSettings& settings = this->Settings;
     settings.PixelSize = parameters.PixelSize;
     settings.Parallel = parameters.Parallel;
+    this->Layered = medium.ThinsOut();
     settings.Point = parameters.Light[3] != 0.0;
     const double norm = settings.Point
       ? parameters.Light[3]
@@ -213,12 +216,13 @@ private:
       settings.Light[i] = parameters.Light[i] / norm;
       settings.Up[i] = medium.Up[i];
     }
+    settings.Spot = settings.Point ? parameters.Spot : vtkGodRaysSpot();
+    std::copy_n(this->Layered ? settings.Up : settings.Spot.Axis, 3, settings.SliceAxis);
     settings.EyeHeight = medium.EyeHeight;
     settings.PlanetRadius = medium.PlanetRadius;
     settings.FarLimit = medium.FarLimit;
     settings.Layers = parameters.Layers;
     settings.Thickness = parameters.Thickness;
-    this->Layered = medium.ThinsOut();
     const bool layered = this->Layered;
     bool grey = true;
     bool alike = true; // whether components scatter all colours in one proportion
@@ -249,11 +253,13 @@ private:
       }
     }
     this->PrepareImages(parameters);
+    this->PrepareCone();
     this->PrepareTable(parameters);
     this->PrepareShade(parameters);
     this->TurnedSettings = settings;
     std::swap(this->TurnedSettings.Light[0], this->TurnedSettings.Light[1]);
     std::swap(this->TurnedSettings.Up[0], this->TurnedSettings.Up[1]);
+    std::swap(this->TurnedSettings.SliceAxis[0], this->TurnedSettings.SliceAxis[1]);
     this->PrepareWedges();
   }
 
@@ -353,11 +359,67 @@ private:
     }
     image.Ends = this->Input[ends].data();
     turned.Ends = this->TurnedInput[ends].data();
+    image.Begins = turned.Begins = nullptr;
     for (int p = 0; p < this->Settings.Planes; ++p)
     {
       image.Hidden[p] = place(this->Hidden[p]);
       turned.Hidden[p] = place(this->TurnedHidden[p]);
     }
+  }
+
+  // The parts of view rays that are in a spotlight's cone.
+  void PrepareCone()
+  {
+    const vtkGodRaysSpot& spot = this->Settings.Spot;
+    if (spot.CosCone <= 0.0)
+    {
+      return;
+    }
+    CoverageImage& image = this->Image;
+    const std::size_t pixels = static_cast<std::size_t>(image.Width) * image.Height;
+    for (Plane* plane :
+      { &this->Cone[0], &this->Cone[1], &this->TurnedCone[0], &this->TurnedCone[1] })
+    {
+      plane->resize(pixels);
+    }
+    const CoverageSettings& settings = this->Settings;
+    const Vec3 axis(spot.Axis[0], spot.Axis[1], spot.Axis[2]);
+    const Vec3 light(settings.Light[0], settings.Light[1], settings.Light[2]);
+    vtkSMPTools::For(0, image.Height, 16,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType y = begin; y < end; ++y)
+        {
+          for (int x = 0; x < image.Width; ++x)
+          {
+            const Vec3 place((x - image.Center[0]) * settings.PixelSize,
+              (y - image.Center[1]) * settings.PixelSize, settings.Parallel ? 0.0 : 1.0);
+            const Vec3 origin = settings.Parallel ? place : Vec3(0.0);
+            const Vec3 along = settings.Parallel ? Vec3(0.0, 0.0, 1.0) : place;
+            const double perDepth = length(along);
+            const Vec3 to = light - origin;
+            LitRay ray = {};
+            ray.Foot = dot(to, along) / perDepth;
+            ray.Distance = length(cross(to, along)) / perDepth;
+            ray.AxisStart = -dot(axis, to);
+            ray.AxisSlope = dot(axis, along) / perDepth;
+            ray.CosCone = spot.CosCone;
+            const std::ptrdiff_t pixel = y * image.Width + x;
+            const double last = std::min<double>(image.Ends[pixel], settings.FarLimit);
+            const Vec2 part = SpotPart(ray, last * perDepth) / perDepth;
+            this->Cone[0][pixel] = static_cast<float>(part.x);
+            this->Cone[1][pixel] = static_cast<float>(part.y);
+          }
+        }
+      });
+    for (int i = 0; i < 2; ++i)
+    {
+      Transpose(this->Cone[i].data(), image.Width, image.Height, this->TurnedCone[i].data());
+    }
+    image.Begins = this->Cone[0].data();
+    image.Ends = this->Cone[1].data();
+    this->Turned.Begins = this->TurnedCone[0].data();
+    this->Turned.Ends = this->TurnedCone[1].data();
   }
 
   void PrepareWedges()
@@ -496,6 +558,8 @@ private:
   Plane Hidden[CoverageMaximumPlanes];
   Plane TurnedHidden[CoverageMaximumPlanes];
   bool Layered = false; // the medium
+  Plane Cone[2];        // where view rays enter a spotlight's cone, and where they end
+  Plane TurnedCone[2];
   CoverageTable Table;
   TableKey TableKeys[2]; // of the table, and of what is asked for
   std::array<double, 5> PhaseKeys[vtkGodRaysMedium::MaximumComponents];
@@ -552,8 +616,20 @@ bool vtkGodRaysCoverageSweep::Execute(const Parameters& parameters, const Monito
 //------------------------------------------------------------------------------
 bool vtkGodRaysCoverageSweep::Supports(const Parameters& parameters)
 {
-  return parameters.Light[3] != 0.0 || parameters.Medium.PlanetRadius == 0.0 ||
-    !parameters.Medium.ThinsOut();
+  const vtkGodRaysMedium& medium = parameters.Medium;
+  if (!medium.ThinsOut())
+  {
+    return true;
+  }
+  if (parameters.Light[3] == 0.0)
+  {
+    return medium.PlanetRadius == 0.0;
+  }
+  const vtkGodRaysSpot& spot = parameters.Spot;
+  const double level = std::hypot(spot.Axis[1] * medium.Up[2] - spot.Axis[2] * medium.Up[1],
+    spot.Axis[2] * medium.Up[0] - spot.Axis[0] * medium.Up[2],
+    spot.Axis[0] * medium.Up[1] - spot.Axis[1] * medium.Up[0]);
+  return spot.CosCone <= 0.0 || spot.Exponent <= 0.0 || level < 1e-3;
 }
 
 //------------------------------------------------------------------------------

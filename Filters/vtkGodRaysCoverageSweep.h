@@ -52,6 +52,7 @@ public:
     double Light[4] = { 0, 1, 0,
       0 }; // (x, y, z)/w, a position, or with w = 0 the direction (x, y, z)
     double LightColor[3] = { 1.0, 1.0, 1.0 }; // irradiance, or intensity of a point light
+    vtkGodRaysSpot Spot;                      // of a point light
     vtkGodRaysMedium Medium;
     int Layers = 0;          // of solid matter; 0: the first surfaces alone
     double Thickness = 0.01; // of what has no back [fraction of its depth]
@@ -99,7 +100,8 @@ public:
   bool Execute(const Parameters& parameters, const Monitor& monitor = nullptr);
 
   /**
-   * Whether it can be computed: all but a directional light in a medium that thins out over a planet.
+   * Whether it can be computed: all but a directional light in a medium that thins out over a planet, and
+   * a spotlight that fades from its axis, which is not vertical, in one that thins out.
    */
   static bool Supports(const Parameters& parameters);
 

@@ -30,6 +30,7 @@ constexpr int MostColumns = 1024;
 constexpr int FewestColumns = 8;
 constexpr double ReachOfSlices =
   4.0; // beyond, layers count as they do there [distances of the light]
+constexpr double SlicesOfSpot = 16.0; // that fades, times the root of its exponent and 1
 constexpr int FewestSlices = 6;
 constexpr int MostSlices = 48;
 constexpr int MostRowsOfSlices = 512;
@@ -251,26 +252,35 @@ LitRay GetLitRay(
   const CoverageSettings& settings, const CoverageTable& table, const PointRay& ray, double about)
 {
   const double radius = settings.PlanetRadius;
+  const Vec3 light(settings.Light[0], settings.Light[1], settings.Light[2]);
+  const Vec3 up(settings.Up[0], settings.Up[1], settings.Up[2]);
+  const Vec3 sliceAxis(settings.SliceAxis[0], settings.SliceAxis[1], settings.SliceAxis[2]);
+  const Vec3 axis(settings.Spot.Axis[0], settings.Spot.Axis[1], settings.Spot.Axis[2]);
   LitRay lit = { 0, ray.Foot, ray.Height, settings.EyeHeight, 0.0,
-    MediumHeight(radius, settings.EyeHeight, table.LightRise, table.Distance), radius };
+    MediumHeight(radius, settings.EyeHeight, dot(up, light) / table.Distance, table.Distance),
+    radius, 0.0, 0.0, settings.Spot.CosCone, settings.Spot.Exponent };
   if (settings.Parallel)
   {
-    // aside of the light, along the horizon and across it
-    const Vec3 up(settings.Up[0], settings.Up[1], settings.Up[2]);
-    const double side = std::hypot(up.x, up.y);
-    const Vec3 rising = side > 1e-6 ? Vec3(up.x / side, up.y / side, 0.0) : Vec3(1.0, 0.0, 0.0);
+    // aside of the light, along the slices' axis and across it
+    const double side = std::hypot(sliceAxis.x, sliceAxis.y);
+    const Vec3 rising =
+      side > 1e-6 ? Vec3(sliceAxis.x / side, sliceAxis.y / side, 0.0) : Vec3(1.0, 0.0, 0.0);
     const double share = side > 1e-6 ? std::min(std::max(about / side, -1.0), 1.0) : 0.0;
     const Vec3 level = std::sqrt(1.0 - share * share) * Vec3(-rising.y, rising.x, 0.0);
-    const Vec3 origin =
-      Vec3(settings.Light[0], settings.Light[1], 0.0) + ray.Height * (share * rising + level);
+    const Vec3 origin = Vec3(light.x, light.y, 0.0) + ray.Height * (share * rising + level);
     const Vec2 start = MediumStart(radius, settings.EyeHeight, up, origin, Vec3(0.0, 0.0, 1.0));
     lit.Height = start.x;
     lit.Slope = start.y;
+    lit.AxisStart = dot(axis, origin - light);
+    lit.AxisSlope = axis.z;
   }
   else
   {
-    lit.Slope = (ray.Foot * table.LightRise + ray.Height * about) / table.Distance;
-    lit.Slope = std::min(std::max(lit.Slope, -1.0), 1.0);
+    // of the slices' axis, which is Up in layers
+    const double slope = (ray.Foot * table.LightRise + ray.Height * about) / table.Distance;
+    lit.Slope = std::min(std::max(slope, -1.0), 1.0);
+    lit.AxisStart = -dot(axis, light);
+    lit.AxisSlope = dot(axis, sliceAxis) < 0.0 ? -lit.Slope : lit.Slope;
   }
   return lit;
 }
@@ -283,12 +293,13 @@ void SetSlices(const CoverageSettings& settings, const CoverageImage& image, dou
   const double reach = std::min(longest, ReachOfSlices * table.Distance);
   table.Slices = 1;
   table.FirstSlice = table.SlicesPerUnit = table.InverseSide = 0.0f;
-  if (scale <= 0.0)
+  const bool fades = settings.Spot.CosCone > 0.0 && settings.Spot.Exponent > 0.0;
+  if (scale <= 0.0 && !fades)
   {
     return;
   }
   const Vec3 light(settings.Light[0], settings.Light[1], settings.Light[2]);
-  const Vec3 up(settings.Up[0], settings.Up[1], settings.Up[2]);
+  const Vec3 up(settings.SliceAxis[0], settings.SliceAxis[1], settings.SliceAxis[2]);
   table.LightRise = static_cast<float>(dot(up, light) / table.Distance);
   const Vec3 axis = settings.Parallel ? Vec3(0.0, 0.0, 1.0) : light / double(table.Distance);
   const double side = length(cross(axis, up));
@@ -310,7 +321,9 @@ void SetSlices(const CoverageSettings& settings, const CoverageImage& image, dou
     range = { -1.0, 1.0 };
   }
   const double size = range.High - range.Low;
-  const double steps = size * side * widest / scale / SliceStepOfHeight;
+  const double steps =
+    std::max(scale > 0.0 ? size * side * widest / scale / SliceStepOfHeight : 0.0,
+      fades ? SlicesOfSpot * std::sqrt(1.0 + settings.Spot.Exponent) : 0.0);
   const double room = MostPlaces / (static_cast<double>(table.Rows) * table.Columns);
   table.Slices = CountSteps(std::min(steps, room), FewestSlices, MostSlices);
   table.FirstSlice = static_cast<float>(range.Low);
@@ -381,13 +394,14 @@ void MakePointTable(const CoverageSettings& settings, const CoverageImage& image
   }
   const int brightest = static_cast<int>(std::max_element(wholes, wholes + 3) - wholes);
   table.Change = static_cast<float>(GetChange(settings, medium, longest));
-  SetPointRows(settings, image, scale > 0.0 ? MostRowsOfSlices : MostRows, table);
+  const bool sliced = scale > 0.0 || settings.Spot.Exponent > 0.0;
+  SetPointRows(settings, image, sliced ? MostRowsOfSlices : MostRows, table);
   double end = 0.0;
   for (int row = 0; row < table.Rows; ++row)
   {
     end = std::max(end, GetPointRay(settings, table, GetRowUnits(table, row)).ToUnits(longest));
   }
-  SetColumns(end, PointColumnStep, scale > 0.0 ? MostColumnsOfSlices : MostColumns, table);
+  SetColumns(end, PointColumnStep, sliced ? MostColumnsOfSlices : MostColumns, table);
   SetSlices(settings, image, scale, longest, table);
   MakeRoom(settings.Planes, table);
 

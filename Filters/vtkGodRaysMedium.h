@@ -15,6 +15,14 @@
 #include <cmath>
 #include <initializer_list>
 
+/// The cone of a point light, as vtkLight has it.
+struct vtkGodRaysSpot
+{
+  double Axis[3] = { 0.0, 0.0, 1.0 }; // in view coordinates; length 1
+  double CosCone = 0.0;               // cosine of half its angle; 0: it shines everywhere alike
+  double Exponent = 0.0;
+};
+
 struct vtkGodRaysMedium
 {
   struct Component

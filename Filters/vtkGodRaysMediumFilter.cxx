@@ -20,6 +20,8 @@ vtkGodRaysSetFiniteMacro(vtkGodRaysMediumFilter, GasAsymmetry, -0.99, 0.99);
 vtkGodRaysSetFiniteMacro(vtkGodRaysMediumFilter, GasScaleHeight, 0.0, 1e9);
 vtkGodRaysSetFiniteMacro(vtkGodRaysMediumFilter, GroundLevel, -1e15, 1e15);
 vtkGodRaysSetFiniteMacro(vtkGodRaysMediumFilter, PlanetRadius, 0.0, 1e15);
+vtkGodRaysSetFiniteMacro(vtkGodRaysMediumFilter, ConeAngle, 1e-3, 180.0);
+vtkGodRaysSetFiniteMacro(vtkGodRaysMediumFilter, SpotExponent, 0.0, 128.0);
 vtkGodRaysSetFiniteMacro(vtkGodRaysMediumFilter, FarLimit, 1e-6, 1e9);
 
 namespace
@@ -76,6 +78,9 @@ void vtkGodRaysMediumFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FarLimit: " << this->FarLimit << "\n";
   PrintNumbers(os, indent, "Light", this->Light, 4);
   PrintNumbers(os, indent, "LightColor", this->LightColor, 3);
+  os << indent << "ConeAngle: " << this->ConeAngle << "\n";
+  PrintNumbers(os, indent, "SpotDirection", this->SpotDirection, 3);
+  os << indent << "SpotExponent: " << this->SpotExponent << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -133,6 +138,25 @@ vtkGodRaysMedium vtkGodRaysMediumFilter::GetMedium(const View& view) const
 }
 
 //------------------------------------------------------------------------------
+vtkGodRaysSpot vtkGodRaysMediumFilter::GetSpot(const View& view) const
+{
+  vtkGodRaysSpot spot;
+  if (this->ConeAngle >= 90.0 || this->Light[3] == 0.0)
+  {
+    return spot;
+  }
+  double axis[3];
+  vtkMath::Assign(this->SpotDirection, axis);
+  vtkMath::Normalize(axis);
+  spot.Axis[0] = vtkMath::Dot(axis, view.Right);
+  spot.Axis[1] = vtkMath::Dot(axis, view.Up);
+  spot.Axis[2] = vtkMath::Dot(axis, view.Forward);
+  spot.CosCone = std::cos(vtkMath::RadiansFromDegrees(this->ConeAngle));
+  spot.Exponent = this->SpotExponent;
+  return spot;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkGodRaysMediumFilter::FindFault() const
 {
   if (!IsWithin(this->CameraPosition, 3, -1e15, 1e15) ||
@@ -166,6 +190,11 @@ std::string vtkGodRaysMediumFilter::FindFault() const
   {
     return "the light is nowhere. Set Light to four numbers within 1e15, the first three not all 0 "
            "if the last one is.";
+  }
+  if (!IsWithin(this->SpotDirection, 3, -1e15, 1e15) || vtkMath::Norm(this->SpotDirection) == 0.0)
+  {
+    return "the spotlight has no direction. Set SpotDirection to three numbers within 1e15, not "
+           "all 0.";
   }
   if (!IsWithin(this->LightColor, 3, 0.0, 1e30))
   {

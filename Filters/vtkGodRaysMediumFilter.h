@@ -39,6 +39,7 @@
 #include <string> // For std::string
 
 struct vtkGodRaysMedium;
+struct vtkGodRaysSpot;
 
 class VTKGODRAYSFILTERS_EXPORT vtkGodRaysMediumFilter : public vtkImageAlgorithm
 {
@@ -215,6 +216,20 @@ public:
   vtkGetVector3Macro(LightColor, double);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get half the angle of a point light's cone [degrees], the direction of its axis, of any length
+   * but 0, and how light fades from the axis: cos(angle)^SpotExponent, as vtkLight has it. From 90 degrees
+   * on it shines everywhere alike. Valid ranges: [1e-3, 180], [0, 128]. Defaults are 180, (0, -1, 0), 0.
+   */
+  void SetConeAngle(double angle);
+  vtkGetMacro(ConeAngle, double);
+  vtkSetVector3Macro(SpotDirection, double);
+  vtkGetVector3Macro(SpotDirection, double);
+  void SetSpotExponent(double exponent);
+  vtkGetMacro(SpotExponent, double);
+  ///@}
+
 protected:
   vtkGodRaysMediumFilter() = default;
   ~vtkGodRaysMediumFilter() override = default;
@@ -240,6 +255,11 @@ protected:
    * neither scatter nor absorb are left out, but for the first.
    */
   vtkGodRaysMedium GetMedium(const View& view) const;
+
+  /**
+   * The light's cone, its axis in a camera's view coordinates.
+   */
+  vtkGodRaysSpot GetSpot(const View& view) const;
 
   /**
    * Which parameter cannot be used, and what to do; empty if all can.
@@ -277,6 +297,9 @@ protected:
   double FarLimit = 100.0;
   double Light[4] = { 0.0, 1.0, 0.0, 0.0 };
   double LightColor[3] = { 1.0, 1.0, 1.0 };
+  double ConeAngle = 180.0;
+  double SpotDirection[3] = { 0.0, -1.0, 0.0 };
+  double SpotExponent = 0.0;
 
 private:
   vtkGodRaysMediumFilter(const vtkGodRaysMediumFilter&) = delete;

@@ -416,7 +416,9 @@ private:
         depth[c] += extinction[c] > 0.0 ? extinction[c] * length : 0.0;
       }
     }
-    return scattered * vtkGodRays::exp(-depth);
+    const double spot =
+      this->Directional ? 1.0 : vtkGodRays::SpotFactor(this->Ray, s, std::max(way, 1e-300));
+    return scattered * (spot * vtkGodRays::exp(-depth));
   }
 
   static Vec3 GetVector(const double* v) { return Vec3(v[0], v[1], v[2]); }
@@ -595,6 +597,8 @@ int vtkGodRaysSingleScatteringReference::RequestData(
   ray.Directional = directional;
   const Vec3 upwards = medium.Up[0] * right + medium.Up[1] * up + medium.Up[2] * forward;
   const Vec3 position = vector(view.Position);
+  const vtkGodRaysSpot spot = this->GetSpot(view);
+  const Vec3 axis = spot.Axis[0] * right + spot.Axis[1] * up + spot.Axis[2] * forward;
 
   const auto evaluateRow = [&](int y)
   {
@@ -636,11 +640,16 @@ int vtkGodRaysSingleScatteringReference::RequestData(
       };
       const auto begin = start(origin, way / length);
       f.Ray = { directional ? 1 : 0, slice.Foot, 0.0, begin.x, begin.y,
-        directional ? start(origin, light).y : start(light, light).x, medium.PlanetRadius };
+        directional ? start(origin, light).y : start(light, light).x, medium.PlanetRadius,
+        vtkGodRays::dot(axis, origin - light), vtkGodRays::dot(axis, way) / length, spot.CosCone,
+        spot.Exponent };
       const double end = vtkGodRays::MediumEnd(f.Ray, std::min(sight, farthest));
       if (!directional)
       {
         f.Ray.Distance = vtkGodRays::PointLightHeight(slice.Foot, slice.Height, 0.0, end);
+        const auto part = vtkGodRays::SpotPart(f.Ray, end);
+        hidden.push_back({ 0.0, part.x });
+        hidden.push_back({ std::max(part.x, part.y), end });
       }
       if (slice.AlongLight && !crossings.empty())
       {

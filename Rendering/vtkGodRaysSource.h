@@ -69,12 +69,15 @@ struct vtkGodRaysSource
   vtkProp* Prop = nullptr; ///< the prop that shines, or null for a disc
   double Color[3];         ///< of the disc and, times BackgroundGlow, of the glow
   double Power = 1.0;      ///< irradiance, or intensity of a light at a finite distance, over Color
-  double Position[3];      ///< in view coordinates; of an infinitely far light the direction to it
-  bool Infinite;           ///< whether it is infinitely far
-  double Direction[3];     ///< unit vector from the eye to the light, view coordinates
-  double Clip[3];          ///< X, Y and w in the layer's clip coordinates
-  double Radius;           ///< of the disc or prop: an angle [radians], or a length where Planar
-  double GlowRadius = 0.0; ///< as Radius
+  double SpotAxis[3] = { 0.0, 0.0, -1.0 }; ///< of a spotlight, unit vector, view coordinates
+  double CosCone = 0.0;      ///< cosine of half its cone's angle; 0: it shines everywhere alike
+  double SpotExponent = 0.0; ///< as of vtkLight
+  double Position[3];       ///< in view coordinates; of an infinitely far light the direction to it
+  bool Infinite;            ///< whether it is infinitely far
+  double Direction[3];      ///< unit vector from the eye to the light, view coordinates
+  double Clip[3];           ///< X, Y and w in the layer's clip coordinates
+  double Radius;            ///< of the disc or prop: an angle [radians], or a length where Planar
+  double GlowRadius = 0.0;  ///< as Radius
   double GlowFalloff = 0.0; ///< as Radius
   double LeastPixel =
     0.0;             ///< a pixel's angle where all rays are parallel and so have none [radians]

@@ -23,11 +23,10 @@ namespace
 /// A light is marched to from at most this many picture diagonals away; see MarchScale().
 const double MarchCapDiagonals = 1.5;
 
-/// Where a light stands in the world (w = 1), or in which direction it lies (w = 0).
-bool GetWorldPlace(vtkLight* light, vtkCamera* camera, double place[4])
+/// Where a light stands in the world, and what it looks at.
+void GetWorldPoints(vtkLight* light, vtkCamera* camera, double position[4], double focalPoint[4])
 {
-  double position[4] = { 0.0, 0.0, 0.0, 1.0 };
-  double focalPoint[4] = { 0.0, 0.0, 0.0, 1.0 };
+  position[3] = focalPoint[3] = 1.0;
   if (light->LightTypeIsHeadlight())
   {
     camera->GetPosition(position);
@@ -47,6 +46,14 @@ bool GetWorldPlace(vtkLight* light, vtkCamera* camera, double place[4])
     light->GetTransformedPosition(position);
     light->GetTransformedFocalPoint(focalPoint);
   }
+}
+
+/// Where a light stands in the world (w = 1), or in which direction it lies (w = 0).
+bool GetWorldPlace(vtkLight* light, vtkCamera* camera, double place[4])
+{
+  double position[4];
+  double focalPoint[4];
+  GetWorldPoints(light, camera, position, focalPoint);
   std::copy_n(position, 3, place);
   place[3] = 1.0;
   if (!light->GetPositional())
@@ -84,7 +91,11 @@ std::vector<vtkGodRaysSource> vtkGodRaysSourceFinder::Find(
       radius = this->SourceRadius > 0.0 ? this->SourceRadius : 0.02 * this->FindDiagonal();
     }
     source.Place(view, place, radius);
-    source.Power = this->LightsMedium ? this->FindPower(light) : 1.0;
+    if (this->LightsMedium)
+    {
+      source.Power = this->FindPower(light);
+      this->SetSpot(source, view, light);
+    }
     this->Add(source, view, light->GetDiffuseColor(),
       light->GetSwitch() ? light->GetIntensity() : 0.0, sources);
   }
@@ -212,6 +223,31 @@ double vtkGodRaysSourceFinder::FindDiagonal() const
   const double diagonal[3] = { bounds[1] - bounds[0], bounds[3] - bounds[2],
     bounds[5] - bounds[4] };
   return vtkMath::Norm(diagonal);
+}
+
+//------------------------------------------------------------------------------
+// As VTK shades: from 90 degrees on there is no cone.
+void vtkGodRaysSourceFinder::SetSpot(
+  vtkGodRaysSource& source, const vtkGodRaysView& view, vtkLight* light) const
+{
+  if (!light->GetPositional() || !(light->GetConeAngle() < 90.0))
+  {
+    return;
+  }
+  double position[4];
+  double focalPoint[4];
+  GetWorldPoints(light, this->Renderer->GetActiveCamera(), position, focalPoint);
+  double axis[3];
+  vtkMath::Subtract(focalPoint, position, axis);
+  if (vtkMath::Normalize(axis) > 0.0)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      source.SpotAxis[i] = vtkMath::Dot(view.WorldToView + 4 * i, axis);
+    }
+    source.CosCone = std::cos(vtkMath::RadiansFromDegrees(std::max(light->GetConeAngle(), 1e-3)));
+    source.SpotExponent = light->GetExponent();
+  }
 }
 
 //------------------------------------------------------------------------------

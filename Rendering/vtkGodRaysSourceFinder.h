@@ -49,6 +49,7 @@ private:
   void SetMarch(vtkGodRaysSource& source, const vtkGodRaysView& view) const;
   double FindDiagonal() const;
   double FindPower(vtkLight* light) const;
+  void SetSpot(vtkGodRaysSource& source, const vtkGodRaysView& view, vtkLight* light) const;
 
   std::string Plan;
 };

@@ -713,7 +713,58 @@ struct LitRay
   Real Slope;       // rise of the ray there, for each unit of its length
   Real LightHeight; // rise towards the light there for each unit of length, or its height [length]
   Real PlanetRadius; // whose ground densities are 1 at; 0: that is a plane [length]
+  Real AxisStart;    // of a spotlight: how far along its axis from it the ray starts [length]
+  Real AxisSlope;    // and how far along it each unit of the ray's length leads
+  Real CosCone;      // cosine of half its cone's angle; 0: the light shines everywhere
+  Real SpotExponent; // at least 0; how it fades towards the cone's edge
 };
+
+// The part of a ray, from x to y, that is within a spotlight's cone, at most from 0 to end; y is 0 if
+// there is none.
+// Formula: (AxisStart + AxisSlope s)^2 >= CosCone^2 (Distance^2 + (s - Foot)^2), AxisStart + AxisSlope s
+// >= 0. [length]
+FUNCTION Vec2 SpotPart(IN(LitRay) ray, IN(Real) end)
+{
+  if (ray.CosCone <= 0.0)
+  {
+    return Vec2(0.0, end);
+  }
+  Real square = ray.CosCone * ray.CosCone;
+  Real a = ray.AxisSlope * ray.AxisSlope - square;
+  a = abs(a) < 1e-7 ? -1e-7 : a;
+  Real b = ray.AxisStart * ray.AxisSlope + square * ray.Foot;
+  Real c = ray.AxisStart * ray.AxisStart -
+    square * (ray.Distance * ray.Distance + ray.Foot * ray.Foot);
+  Real root = b * b - a * c;
+  if (root <= 0.0 && a < 0.0)
+  {
+    return Vec2(0.0);
+  }
+  Real q = -(b + (b < 0.0 ? -1.0 : 1.0) * sqrt(max(root, 0.0)));
+  Real one = q / a;
+  Real other = q != 0.0 ? c / q : one;
+  Vec2 part = Vec2(min(one, other), max(one, other));
+  if (a > 0.0)
+  {
+    part = ray.AxisSlope > 0.0 ? Vec2(part.y, end) : Vec2(0.0, part.x);
+  }
+  else if (ray.AxisStart + 0.5 * (part.x + part.y) * ray.AxisSlope < 0.0)
+  {
+    return Vec2(0.0); // the cone behind the light
+  }
+  part = clamp(part, Vec2(0.0), Vec2(end));
+  return part.y > part.x ? part : Vec2(0.0);
+}
+
+// How much of a spotlight's intensity leaves it towards a point of the ray, r from it, in its cone.
+// Formula: cos(angle to the axis)^SpotExponent. [no unit]
+FUNCTION Real SpotFactor(IN(LitRay) ray, IN(Real) s, IN(Real) r)
+{
+  Real cosine = (ray.AxisStart + ray.AxisSlope * s) / r;
+  return ray.CosCone > 0.0 && ray.SpotExponent > 0.0
+    ? pow(clamp(cosine, 1e-30, 1.0), ray.SpotExponent)
+    : 1.0;
+}
 
 // The slope of the way from a point of the ray, s from its start, at a height, to the light, r from it.
 // Formula: LightHeight or MediumSlope; over a planet ((R + Height) LightHeight + s Foot)/(R + height).
@@ -778,8 +829,9 @@ FUNCTION Real ScatteredPart(
 
 // Light that reaches the eye from a point of a ray in a medium of two components, which may be
 // empty, for each unit of the ray's length and of the light's irradiance at the ray, or, times r^2,
-// of its intensity.
-// Formula: sum_k sigma_k density_k phase_k e^-(tau to the eye + tau to the light). [1/(length sr)]
+// of its intensity, on its axis if it is a spotlight, whose cone's edge is not looked at.
+// Formula: SpotFactor sum_k sigma_k density_k phase_k e^-(tau to the eye + tau to the light).
+// [1/(length sr)]
 FUNCTION Real MediumIntegrand(
   IN(MediumComponent) first, IN(MediumComponent) second, IN(LitRay) ray, IN(Real) s)
 {
@@ -798,7 +850,8 @@ FUNCTION Real MediumIntegrand(
       MediumDepth(ray.PlanetRadius, ray.Height, ray.Slope, first.ScaleHeight, s) +
     second.Extinction *
       MediumDepth(ray.PlanetRadius, ray.Height, ray.Slope, second.ScaleHeight, s);
-  return exp(-tau) *
+  Real spot = ray.Infinite != 0 ? 1.0 : SpotFactor(ray, s, r);
+  return spot * exp(-tau) *
     (ScatteredPart(first, height, cosAngle) + ScatteredPart(second, height, cosAngle));
 }
 

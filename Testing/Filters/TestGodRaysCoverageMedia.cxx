@@ -277,7 +277,7 @@ TEST(CoverageMedia, PointLightsInLayersShineAsTheIntegral)
         const vtkGodRays::LitRay lit = { 0, vtkGodRays::dot(to, along),
           std::max(nearest, vtkGodRays::length(vtkGodRays::cross(to, along))),
           eye + vtkGodRays::dot(up, ray.Origin), vtkGodRays::dot(up, along),
-          eye + vtkGodRays::dot(up, light), 0.0 };
+          eye + vtkGodRays::dot(up, light), 0.0, 0.0, 0.0, 0.0, 0.0 };
         // Steps of angle and of length.
         constexpr int parts = 60;
         std::array<double, 2 * parts> places;
@@ -324,6 +324,71 @@ TEST(CoverageMedia, PointLightsInThickLayersShineAsInNone)
     filter->SetScaleHeight(1.0);
     EXPECT_GT(GetLargestDifference(Scatter(filter, depths), without), 0.05 * without.GetMaximum());
   }
+}
+
+//------------------------------------------------------------------------------
+// Before, beside and behind the eye, fading and not, in layers if their axis is vertical, through slats:
+// the ground truth.
+TEST(CoverageMedia, SpotlightsAreShadowed)
+{
+  const auto scenes = MakeScenes(10);
+  struct Case
+  {
+    Vec3 Light;
+    Vec3 Axis;
+    double Exponent;
+    double ScaleHeight;
+  };
+  const Case cases[] = { { { 0.3, 1.5, -9.0 }, { 0.0, -0.3, 1.0 }, 0.0, 0.0 },
+    { { 0.3, 1.5, -9.0 }, { 0.0, -0.3, 1.0 }, 1.0, 0.0 },
+    { { 6.0, 1.0, -3.0 }, { -1.0, 0.0, -0.4 }, 4.0, 0.0 },
+    { { 0.7, 0.9, 3.0 }, { 0.0, 0.1, -1.0 }, 0.0, 2.0 },
+    { { 0.5, 2.6, -5.0 }, { 0.0, -1.0, 0.0 }, 1.0, 2.0 } };
+  for (const Case& each : cases)
+  {
+    for (const bool parallel : { false, true })
+    {
+      vtkNew<Reference> reference;
+      vtkNew<Filter> filter;
+      for (vtkGodRaysMediumFilter* either : { static_cast<vtkGodRaysMediumFilter*>(reference),
+             static_cast<vtkGodRaysMediumFilter*>(filter) })
+      {
+        Prepare(either, Lights[0], 0.1);
+        either->SetLight(each.Light.x, each.Light.y, each.Light.z, 1.0);
+        either->SetConeAngle(25.0);
+        either->SetSpotDirection(each.Axis.x, each.Axis.y, each.Axis.z);
+        either->SetSpotExponent(each.Exponent);
+        either->SetScaleHeight(each.ScaleHeight);
+        either->SetParallelProjection(parallel);
+        either->SetParallelScale(3.5);
+      }
+      reference->SetSize(120, 68);
+      reference->SetTolerance(1e-4);
+      reference->SetNumberOfLayers(1);
+      reference->Update();
+      const Error open = Compare(reference->GetOutput(), filter);
+      reference->SetInputData(scenes[1].Occluders);
+      reference->Update();
+      const Error shadowed = Compare(reference->GetOutput(), filter);
+      filter->SetConeAngle(180.0);
+      const Error everywhere = Compare(reference->GetOutput(), filter);
+      std::cout << (parallel ? "parallel: " : "perspective: ") << open.Largest << ", shadowed "
+                << shadowed.Rms << ", without cone " << everywhere.Rms << "\n";
+      EXPECT_LE(open.Largest, 2e-3) << filter->GetPlan();
+      EXPECT_LE(shadowed.Rms, 0.01);
+      EXPECT_GT(everywhere.Rms, 3.0 * shadowed.Rms);
+    }
+  }
+  vtkNew<Filter> filter;
+  ErrorListener errors(filter);
+  filter->SetScaleHeight(1.0);
+  filter->SetLight(0.0, 1.0, 0.0, 1.0);
+  filter->SetConeAngle(20.0);
+  filter->SetSpotDirection(1.0, 0.0, 0.0);
+  filter->SetSpotExponent(1.0);
+  Scatter(filter, Picture(4, 4));
+  ASSERT_EQ(errors.Texts.size(), 1u);
+  EXPECT_NE(errors.Texts[0].find("SpotExponent"), std::string::npos);
 }
 
 //------------------------------------------------------------------------------

@@ -412,6 +412,69 @@ TEST(SingleScatteringReference, AirOverAPlanet)
 }
 
 //------------------------------------------------------------------------------
+// A spotlight, with and without fading, against a sum over points each of which is asked for its angle.
+TEST(SingleScatteringReference, Spotlights)
+{
+  double worst = 0.0;
+  for (const double cone : { 20.0, 60.0, 85.0 })
+  {
+    for (const double exponent : { 0.0, 1.0, 7.5 })
+    {
+      for (const Vec3& axis : { Vec3(0.0, -1.0, 0.0), Vec3(0.3, 0.2, 1.0), Vec3(-1.0, -0.5, -0.5) })
+      {
+        vtkNew<Reference> reference;
+        reference->SetSize(7, 5);
+        reference->SetViewAngle(70.0);
+        reference->SetFarLimit(20.0);
+        reference->SetTolerance(1e-7);
+        const Vec3 light(0.4, 0.8, -5.0);
+        reference->SetLight(light.x, light.y, light.z, 1.0);
+        reference->SetConeAngle(cone);
+        reference->SetSpotDirection(axis.x, axis.y, axis.z);
+        reference->SetSpotExponent(exponent);
+        reference->Update();
+        const Picture actual = FromImage(reference->GetOutput());
+        const double least = std::cos(vtkMath::RadiansFromDegrees(cone));
+        double peak = 0.0;
+        std::vector<double> expected;
+        for (int y = 0; y < 5; ++y)
+        {
+          for (int x = 0; x < 7; ++x)
+          {
+            const double pixel = 2.0 / 5.0 * std::tan(vtkMath::RadiansFromDegrees(35.0));
+            const Vec3 way((x - 3.0) * pixel, (y - 2.0) * pixel, -1.0);
+            const double length = vtkGodRays::length(way);
+            constexpr int steps = 40000;
+            double sum = 0.0;
+            for (int i = 0; i < steps; ++i)
+            {
+              const double s = (i + 0.5) * 20.0 * length / steps;
+              const Vec3 from = s / length * way - light;
+              const double r = vtkGodRays::length(from);
+              const double cosine = vtkGodRays::dot(from, axis) / (r * vtkGodRays::length(axis));
+              if (cosine >= least)
+              {
+                sum += std::pow(cosine, exponent) / (r * r) * std::exp(-0.05 * (s + r)) *
+                  vtkGodRays::PhaseHenyeyGreenstein(
+                    -vtkGodRays::dot(from, way) / (r * length), 0.6);
+              }
+            }
+            expected.push_back(0.05 * sum * 20.0 * length / steps);
+            peak = std::max(peak, expected.back());
+          }
+        }
+        for (std::size_t i = 0; i < expected.size(); ++i)
+        {
+          worst = std::max(worst, std::abs(actual.Values[3 * i] - expected[i]) / peak);
+        }
+      }
+    }
+  }
+  std::cout << "largest difference " << worst << "\n";
+  EXPECT_LE(worst, 5e-4); // of the sum: its steps end at the cone's edge
+}
+
+//------------------------------------------------------------------------------
 TEST(SingleScatteringReference, AHugePlanetIsAPlane)
 {
   vtkNew<Reference> reference;

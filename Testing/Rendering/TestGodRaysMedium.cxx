@@ -6,10 +6,13 @@
 
 #include "GodRaysMediumTesting.h"
 
+#include "vtkGodRaysDepthWeightedTapsIntegrator.h"
 #include "vtkGodRaysEpipolarCoverageIntegrator.h"
 #include "vtkGodRaysEpipolarIntegrator.h"
 #include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysMath.h"
+#include "vtkGodRaysShadowMapIntegrator.h"
+#include "vtkGodRaysSingleScatteringReference.h"
 
 #include "vtkCamera.h"
 #include "vtkMath.h"
@@ -130,6 +133,43 @@ TEST_F(GodRaysMedium, IsTheSameInAParallelProjectionAndWithAMargin)
 }
 
 // e^-tau of the depth on the graphics card, in linear light, to a level of the 8-bit picture.
+// As VTK shades with it: a cone, and a fading from its axis.
+TEST_F(GodRaysMedium, SpotlightsShineInTheirCones)
+{
+  this->AddPillars();
+  auto spot = MakeLamplight({ 1.0, 2.0, -3.0 });
+  spot->SetFocalPoint(0.0, 0.0, 3.0);
+  spot->SetConeAngle(30.0);
+  spot->SetExponent(2.0);
+  this->Rays->AddLight(spot);
+  const auto setMedium = [](vtkGodRaysSingleScatteringReference* truth)
+  {
+    truth->SetScatteringCoefficient(0.05, 0.05, 0.05);
+    truth->SetFarLimit(30.0);
+    truth->SetSpotDirection(-1.0, -2.0, 6.0);
+    truth->SetConeAngle(30.0);
+    truth->SetSpotExponent(2.0);
+  };
+  const auto truth = GetTrueScattering(
+    this->Renderer, setMedium, { 1.0, 2.0, -3.0, 1.0 }, this->Scene.Window->GetSize());
+  vtkNew<vtkGodRaysEpipolarCoverageIntegrator> coverage;
+  vtkNew<vtkGodRaysShadowMapIntegrator> shadows;
+  vtkNew<vtkGodRaysDepthWeightedTapsIntegrator> taps;
+  const std::array<vtkGodRaysIntegrator*, 3> integrators = { coverage, shadows, taps };
+  for (vtkGodRaysIntegrator* integrator : integrators)
+  {
+    this->Rays->SetIntegrator(integrator);
+    const double error = GetErrorOfScattering(truth, this->GetScattering(), { 1.0, 1.0, 1.0 });
+    spot->SetConeAngle(90.0);
+    const double everywhere = GetErrorOfScattering(truth, this->GetScattering(), { 1.0, 1.0, 1.0 });
+    spot->SetConeAngle(30.0);
+    std::cout << integrator->GetClassName() << ": " << error << ", everywhere " << everywhere
+              << "\n";
+    EXPECT_LT(error, 0.001) << integrator->GetClassName();
+    EXPECT_GT(everywhere, 5.0 * error);
+  }
+}
+
 TEST_F(GodRaysMedium, DimsTheScene)
 {
   this->AddPillars();

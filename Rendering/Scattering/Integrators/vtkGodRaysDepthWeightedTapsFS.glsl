@@ -42,6 +42,7 @@ void main()
   LitRay ray = GetLitRay(place);
   float perDepth = GetLengthPerDepth(place);
   float end = GetEnd(ray, texelFetch(ends, ivec2(place), 0).r, perDepth) / perDepth;
+  vec2 lit = SpotPart(ray, end * perDepth) / perDepth;
   vec3 strength = uniformly ? GetStrength(ray) : vec3(0.0);
 
   vec4 towards = light / max(length(light.xyz), 1e-6); // in scene units the march could overflow
@@ -86,6 +87,7 @@ void main()
     }
     else if (solid || i == numberOfTaps)
     {
+      grown = clamp(grown, lit.x, lit.y);
       if (grown.y > grown.x)
       {
         for (int c = 0; c < channels; ++c)

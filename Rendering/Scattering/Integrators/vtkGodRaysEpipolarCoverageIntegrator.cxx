@@ -128,6 +128,7 @@ bool vtkGodRaysEpipolarCoverageIntegrator::Integrate(const Request& request)
     parameters.LightColor[i] = source.Power * (grey ? 1.0 : source.Color[i]);
   }
   parameters.Medium = *request.Medium;
+  parameters.Spot = rays.GetSpot();
   parameters.Thickness = this->Thickness;
   parameters.Layers = layers;
   if (!vtkGodRaysCoverageSweep::Supports(parameters))
@@ -152,13 +153,16 @@ bool vtkGodRaysEpipolarCoverageIntegrator::Integrate(const Request& request)
 //------------------------------------------------------------------------------
 void vtkGodRaysEpipolarCoverageIntegrator::TellThatNot(const std::string& light)
 {
-  this->Internal->Plan = "the light \"" + light + "\" cannot be evaluated over a planet";
+  this->Internal->Plan = "the light \"" + light + "\" cannot be evaluated in this medium";
   if (this->Internal->Told != light)
   {
     this->Internal->Told = light;
     vtkWarningMacro("The light \""
-      << light << "\" scatters nothing: light that is infinitely far cannot be evaluated over a "
-      << "planet. Set PlanetRadius to 0, or use a vtkGodRaysShadowMapIntegrator.");
+      << light
+      << "\" scatters nothing: in a medium that thins out, light that is infinitely far over a "
+      << "planet, or that fades from an axis that is not vertical, cannot be evaluated. Set "
+         "PlanetRadius, "
+      << "or the light's Exponent, to 0, or use a vtkGodRaysShadowMapIntegrator.");
   }
 }
 

@@ -3,7 +3,6 @@
 #include "vtkGodRaysMediumRays.h"
 
 #include "vtkGodRaysMath.h"
-#include "vtkGodRaysMedium.h"
 #include "vtkGodRaysQuad.h"
 #include "vtkGodRaysSum.h"
 #include "vtkShaderProgram.h"
@@ -49,6 +48,12 @@ vtkGodRaysMediumRays::vtkGodRaysMediumRays(
     this->Light[i] = i == 2 ? -place : place;
   }
   this->Light[3] = source.Infinite ? 0.0 : 1.0;
+  this->Spot.CosCone = source.CosCone;
+  this->Spot.Exponent = source.SpotExponent;
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Spot.Axis[i] = i == 2 ? -source.SpotAxis[i] : source.SpotAxis[i];
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -92,6 +97,9 @@ void vtkGodRaysMediumRays::Set(vtkShaderProgram* program) const
   SetNumber(program, "lightHeight",
     vtkGodRays::MediumStart(medium.PlanetRadius, medium.EyeHeight, up, place, up).x);
   SetNumber(program, "planetRadius", medium.PlanetRadius);
+  vtkGodRaysQuad::SetVector(program, "spotAxis", this->Spot.Axis);
+  SetNumber(program, "cosCone", this->Spot.CosCone);
+  SetNumber(program, "spotExponent", this->Spot.Exponent);
   vtkGodRaysQuad::SetVector(program, "mediumUp", medium.Up);
   SetNumber(program, "eyeHeight", medium.EyeHeight);
   const bool closed = this->IsInfinite() &&

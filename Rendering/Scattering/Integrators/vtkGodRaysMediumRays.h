@@ -12,10 +12,10 @@
 #define vtkGodRaysMediumRays_h
 
 #include "vtkGodRaysIntegrator.h" // For Request
+#include "vtkGodRaysMedium.h"     // For vtkGodRaysSpot
 #include "vtkGodRaysSource.h"     // For vtkGodRaysView::Pinhole
 
 class vtkShaderProgram;
-struct vtkGodRaysMedium;
 
 class vtkGodRaysMediumRays
 {
@@ -43,6 +43,11 @@ public:
    */
   const double* GetLight() const { return this->Light; }
 
+  /**
+   * Its cone, in these coordinates.
+   */
+  const vtkGodRaysSpot& GetSpot() const { return this->Spot; }
+
   const vtkGodRaysView::Pinhole& GetPinhole() const { return this->Pinhole; }
 
   /**
@@ -57,6 +62,7 @@ private:
   vtkGodRaysView::Pinhole Pinhole;
   int LayerSize[2];
   double Light[4];
+  vtkGodRaysSpot Spot;
 };
 
 #endif

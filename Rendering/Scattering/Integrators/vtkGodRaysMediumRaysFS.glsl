@@ -10,6 +10,9 @@ uniform float farLimit;   // where the medium ends [view depth]
 uniform vec4 light;       // (x, y, z)/w, or with w = 0 the direction to it
 uniform vec3 lightColor;  // irradiance or intensity
 uniform float lightHeight; // of a point light
+uniform vec3 spotAxis;    // of a spotlight
+uniform float cosCone;    // 0: it is none
+uniform float spotExponent;
 uniform vec3 mediumUp;
 uniform float eyeHeight;
 uniform float planetRadius; // 0: the ground is a plane
@@ -54,6 +57,10 @@ LitRay GetLitRay(vec2 place)
     ? MediumStart(planetRadius, eyeHeight, mediumUp, origin, light.xyz).y
     : lightHeight;
   ray.PlanetRadius = planetRadius;
+  ray.AxisStart = -dot(spotAxis, to);
+  ray.AxisSlope = dot(spotAxis, direction);
+  ray.CosCone = infinite ? 0.0 : cosCone;
+  ray.SpotExponent = spotExponent;
   return ray;
 }
 
@@ -92,13 +99,15 @@ float GetAirlight(int channel, LitRay ray, float strength, float begin, float en
     components[2 * channel], components[2 * channel + 1], ray, begin, end);
 }
 
+// Airlight of a ray as far as it is in a spotlight's cone.
 float GetTotalAirlight(int channel, LitRay ray, float strength, float end)
 {
+  vec2 part = SpotPart(ray, end);
   float sum = 0.0;
-  float begin = 0.0;
+  float begin = part.x;
   for (int i = 1; i <= totalParts; ++i)
   {
-    float last = MediumPlace(ray, 0.0, end, float(i) / float(totalParts));
+    float last = MediumPlace(ray, part.x, part.y, float(i) / float(totalParts));
     sum += GetAirlight(channel, ray, strength, begin, last);
     begin = last;
   }

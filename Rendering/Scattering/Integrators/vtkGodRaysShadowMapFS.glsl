@@ -70,9 +70,9 @@ float GetVisibility(vec4 clip, int face)
 }
 
 // Where steps end: equal light comes from each, if nothing blocks it. all is of AirlightPlace().
-float GetStep(LitRay ray, float end, float extinction, float all, float t)
+float GetStep(LitRay ray, vec2 part, float extinction, float all, float t)
 {
-  return uniformly ? AirlightPlace(extinction, end, all, t) : MediumPlace(ray, 0.0, end, t);
+  return uniformly ? AirlightPlace(extinction, part.y, all, t) : MediumPlace(ray, part.x, part.y, t);
 }
 
 void main()
@@ -81,6 +81,7 @@ void main()
   LitRay ray = GetLitRay(place);
   float perDepth = GetLengthPerDepth(place);
   float end = GetEnd(ray, texelFetch(ends, ivec2(place), 0).r, perDepth);
+  vec2 part = SpotPart(ray, end);
   vec3 strength = uniformly && !grey ? GetStrength(ray) : vec3(0.0);
   float extinction =
     grey ? GetExtinction(0) : (GetExtinction(0) + GetExtinction(1) + GetExtinction(2)) / 3.0;
@@ -94,10 +95,10 @@ void main()
 
   vec3 lit = vec3(0.0);
   vec3 all = vec3(0.0);
-  float begin = 0.0;
+  float begin = part.x;
   for (int i = 0; i < numberOfSteps; ++i)
   {
-    float at = GetStep(ray, end, extinction, whole, (float(i) + noise) / float(numberOfSteps));
+    float at = GetStep(ray, part, extinction, whole, (float(i) + noise) / float(numberOfSteps));
     int face = cube ? GetFace(origin + at * direction - light.xyz) : 0;
     float visible = GetVisibility(
       cube ? toMap[face] * vec4(origin + at * direction, 1.0) : start + at * change, face);
@@ -107,7 +108,7 @@ void main()
       all.x += 1.0;
       continue;
     }
-    float last = GetStep(ray, end, extinction, whole, float(i + 1) / float(numberOfSteps));
+    float last = GetStep(ray, part, extinction, whole, float(i + 1) / float(numberOfSteps));
     for (int c = 0; c < channels; ++c)
     {
       float airlight = GetAirlight(c, ray, strength[c], begin, last);

@@ -22,7 +22,8 @@
  * nobody touched, I = pi c d^2 with d = half the diagonal of the visible props' bounds. A prop tagged
  * LIGHT is a sphere about its centre that is as bright all over as its colour, I = pi c r^2, r being
  * half the diagonal of its bounds over the square root of 3; it does not block light. c is colour times
- * intensity, in linear light.
+ * intensity, in linear light. A positional light with a ConeAngle below 90 degrees is a spotlight, as VTK
+ * shades with it: I cos(a)^Exponent within the cone, a being the angle from its axis, and nothing outside.
  *
  * Translucent props and volumes block nothing. A picture that is tilted against the axis of view, or has
  * oblong pixels, as only a projection matrix made by hand has, is an error.
