@@ -10,6 +10,9 @@
 #include "vtkGodRaysShadowMapIntegrator.h"
 
 #include "vtkCamera.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
 
 #include <cmath>
 
@@ -56,6 +59,15 @@ TEST_F(GodRaysShadowMap, IsTheGroundTruthWithOccluders)
     { "lamp between", { 0.6, 3.5, 2.0, 1.0 }, 0.00004 },
     { "lamp behind", { 0.5, 1.0, 12.0, 1.0 }, 0.001 },
   });
+}
+
+// Each colour is extinguished in its own way, so that shadows weigh differently.
+TEST_F(GodRaysShadowMap, IsTheGroundTruthInThreeColours)
+{
+  this->AddPillars();
+  this->Model->SetScatteringCoefficient(0.02, 0.05, 0.1);
+  this->Model->SetAbsorptionCoefficient(0.0, 0.02, 0.3);
+  this->CheckErrors({ { "front", { 0.15, 0.1, -1.0, 0.0 }, 0.0067 } });
 }
 
 TEST_F(GodRaysShadowMap, NeedsStepsAndPixels)
@@ -120,6 +132,44 @@ TEST_F(GodRaysShadowMap, IsTheSameInAParallelProjection)
   const double error = this->GetError({ 0.5, 0.3, -1.0, 0.0 });
   std::cout << "error " << error << "\n";
   EXPECT_LT(error, 0.01); // the sides that the view does not show cast shadows, too
+}
+
+TEST_F(GodRaysShadowMap, KeepsTheMapWhileNothingInItChanges)
+{
+  this->AddPillars();
+  auto box = MakeBox({ 0.5, 0.5, 2.0 }, { 2.0, 2.0, 0.1 });
+  this->Renderer->AddActor(box);
+  auto sun = this->AddSun({ 0.15, 0.1, -1.0 });
+  const auto isKept = [this]()
+  {
+    this->Scene.Window->Render();
+    return Says(this->Rays->GetPlan(), ", kept");
+  };
+  EXPECT_FALSE(isKept());
+  const auto before = GetPixels(this->Scene.Window);
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), ", kept"));
+  this->Model->SetScatteringCoefficient(0.1, 0.1, 0.1);
+  EXPECT_TRUE(isKept());
+  this->Model->SetScatteringCoefficient(0.05, 0.05, 0.05);
+  sun->SetPosition(0.3, 0.1, -1.0);
+  EXPECT_FALSE(isKept());
+  sun->SetPosition(0.15, 0.1, -1.0);
+  EXPECT_FALSE(isKept());
+  EXPECT_EQ(before, GetPixels(this->Scene.Window));
+  box->SetPosition(0.3, 0.0, 0.0);
+  EXPECT_FALSE(isKept());
+  EXPECT_GT(GetLargestDifference(before, GetPixels(this->Scene.Window)), 2);
+  vtkPolyDataMapper::SafeDownCast(box->GetMapper())->GetInput()->GetPoints()->Modified();
+  EXPECT_FALSE(isKept());
+  EXPECT_TRUE(isKept());
+  box->VisibilityOff();
+  EXPECT_FALSE(isKept());
+  this->Renderer->GetActiveCamera()->Azimuth(1.0);
+  EXPECT_FALSE(isKept());
+  this->Integrator->SetMapSize(512);
+  EXPECT_FALSE(isKept());
+  this->Scene.Window->Finalize();
+  EXPECT_FALSE(isKept());
 }
 
 TEST_F(GodRaysShadowMap, LeavesTheSceneAndRolesAlone)

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysShadowMap.h"
 
+#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysMedium.h"
 #include "vtkGodRaysProjection.h"
 #include "vtkGodRaysSource.h"
+#include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -14,11 +16,16 @@
 #include "vtkProp.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
 #include "vtkTextureObject.h"
+#include "vtkUniforms.h"
 #include "vtk_glew.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <string>
+#include <utility>
 
 namespace
 {
@@ -41,6 +48,27 @@ bool GetBounds(const vtkGodRaysIntegrator::Request& request, double bounds[6])
   }
   vtkGodRaysCompositor::JoinBounds(request.Compositor, bounds);
   return vtkMath::AreBoundsInitialized(bounds);
+}
+
+/// Add what an actor's depths depend on. False if VTK does not tell: of parts, of pieces, of what turns
+/// to the camera or has holes of its own.
+bool AddState(vtkProp* prop, std::vector<const void*>& objects, std::vector<double>& numbers)
+{
+  auto actor = vtkActor::SafeDownCast(prop);
+  if (!actor || std::string(actor->GetClassName()) != "vtkOpenGLActor" || actor->GetTexture() ||
+    !actor->GetMapper() ||
+    std::string(actor->GetMapper()->GetClassName()) != "vtkOpenGLPolyDataMapper")
+  {
+    return false;
+  }
+  vtkShaderProperty* shader = actor->GetShaderProperty();
+  objects.push_back(actor);
+  const vtkMTimeType times[] = { actor->GetRedrawMTime(), actor->GetUserTransformMatrixMTime(),
+    shader->GetShaderMTime(), shader->GetVertexCustomUniforms()->GetMTime(),
+    shader->GetGeometryCustomUniforms()->GetMTime(),
+    shader->GetFragmentCustomUniforms()->GetMTime() };
+  numbers.insert(numbers.end(), std::begin(times), std::end(times));
+  return true;
 }
 
 /// Right-handed: right, up, and backwards from what is looked at.
@@ -91,6 +119,7 @@ vtkGodRaysShadowMap::~vtkGodRaysShadowMap() = default;
 //------------------------------------------------------------------------------
 bool vtkGodRaysShadowMap::Draw(const vtkGodRaysIntegrator::Request& request, int size)
 {
+  this->Kept = false;
   this->Fit(request);
   if (this->NumberOfFaces == 0)
   {
@@ -103,10 +132,56 @@ bool vtkGodRaysShadowMap::Draw(const vtkGodRaysIntegrator::Request& request, int
   vtkGodRaysTarget& map = this->Maps[this->NumberOfFaces / 6];
   map.Prepare(
     request.Window, columns * this->Size, rows * this->Size, { 0, GL_DEPTH_COMPONENT32F });
+  State state = this->GetState(request);
+  this->Kept = !state.Objects.empty() && state.Objects == this->Drawn.Objects &&
+    state.Numbers == this->Drawn.Numbers;
+  if (this->Kept)
+  {
+    return true;
+  }
+  this->Drawn = State();
   if (!map.Bind())
   {
     return false;
   }
+  this->Render(request, map);
+  this->Drawn = std::move(state);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysShadowMap::State vtkGodRaysShadowMap::GetState(
+  const vtkGodRaysIntegrator::Request& request) const
+{
+  State state;
+  if (request.Compositor && request.Compositor->IsDistributed())
+  {
+    return state; // the others would have to agree
+  }
+  state.Objects = { request.Window, request.Renderer,
+    this->Maps[this->NumberOfFaces / 6].GetDepth() };
+  state.Numbers = { this->Size + 0.0, this->NumberOfFaces + 0.0 };
+  const double* world = request.View->WorldToView;
+  state.Numbers.insert(state.Numbers.end(), world, world + 16);
+  for (int face = 0; face < this->NumberOfFaces; ++face)
+  {
+    const double* matrix = this->ViewToMap[face];
+    state.Numbers.insert(state.Numbers.end(), matrix, matrix + 16);
+  }
+  for (vtkProp* prop : *request.Blocking)
+  {
+    if (!AddState(prop, state.Objects, state.Numbers))
+    {
+      return State();
+    }
+  }
+  return state;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysShadowMap::Render(
+  const vtkGodRaysIntegrator::Request& request, vtkGodRaysTarget& map)
+{
   vtkOpenGLState* state = request.Window->GetState();
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
@@ -130,7 +205,6 @@ bool vtkGodRaysShadowMap::Draw(const vtkGodRaysIntegrator::Request& request, int
     request.Compositor->Reduce(depth.data(), depth.size(), vtkGodRaysCompositor::LEAST);
     map.WriteDepth(depth);
   }
-  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -341,6 +415,7 @@ void vtkGodRaysShadowMap::Set(vtkShaderProgram* program) const
 //------------------------------------------------------------------------------
 void vtkGodRaysShadowMap::Release(vtkWindow* window)
 {
+  this->Drawn = State();
   this->Maps[0].Release(window);
   this->Maps[1].Release(window);
 }

@@ -6,7 +6,8 @@
  *
  * One face, fitted to what blocks, for a light that is infinitely far or sees all of it within 60
  * degrees of one direction; else the six faces of a cube about the light, side by side in one texture.
- * It is drawn anew for every light of every frame, as VTK does not tell when a prop's vertices changed.
+ * What was drawn for the last light serves again while view, light, faces and what blocks are the same. Of
+ * plain actors VTK tells that; with any other prop, and on several processes, it is drawn anew.
  */
 
 #ifndef vtkGodRaysShadowMap_h
@@ -14,6 +15,8 @@
 
 #include "vtkGodRaysIntegrator.h" // For Request
 #include "vtkGodRaysTarget.h"
+
+#include <vector> // For std::vector
 
 class vtkCamera;
 class vtkShaderProgram;
@@ -36,6 +39,11 @@ public:
   int GetNumberOfFaces() const { return this->NumberOfFaces; }
   int GetSize() const { return this->Size; }
 
+  /**
+   * Whether the last Draw() took what was there.
+   */
+  bool WasKept() const { return this->Kept; }
+
   vtkTextureObject* GetDepth() const { return this->Maps[this->NumberOfFaces / 6].GetDepth(); }
 
   /**
@@ -46,6 +54,15 @@ public:
   void Release(vtkWindow* window);
 
 private:
+  /// What the picture in the map depends on; empty if that cannot be told.
+  struct State
+  {
+    std::vector<const void*> Objects;
+    std::vector<double> Numbers;
+  };
+  State GetState(const vtkGodRaysIntegrator::Request& request) const;
+
+  void Render(const vtkGodRaysIntegrator::Request& request, vtkGodRaysTarget& map);
   void Fit(const vtkGodRaysIntegrator::Request& request);
   void FitDirectional(const vtkGodRaysIntegrator::Request& request, const double corners[8][3]);
   void FitPoint(const vtkGodRaysIntegrator::Request& request, const double corners[8][3]);
@@ -53,6 +70,8 @@ private:
     const double high[2]);
 
   vtkGodRaysTarget Maps[2]; // of one face, and of six
+  State Drawn;              // what is in the map
+  bool Kept = false;
   vtkSmartPointer<vtkCamera> Camera;
   int Size = 0; // of a face [pixels]
   int NumberOfFaces = 0;

@@ -82,7 +82,6 @@ void main()
   float perDepth = GetLengthPerDepth(place);
   float end = GetEnd(ray, texelFetch(ends, ivec2(place), 0).r, perDepth);
   vec2 part = SpotPart(ray, end);
-  vec3 strength = uniformly && !grey ? GetStrength(ray) : vec3(0.0);
   float extinction =
     grey ? GetExtinction(0) : (GetExtinction(0) + GetExtinction(1) + GetExtinction(2)) / 3.0;
   float whole = extinction * end * MeanExponential(extinction * end);
@@ -109,12 +108,14 @@ void main()
       continue;
     }
     float last = GetStep(ray, part, extinction, whole, float(i + 1) / float(numberOfSteps));
+    vec3 sum = vec3(0.0);
     for (int c = 0; c < channels; ++c)
     {
-      float airlight = GetAirlight(c, ray, strength[c], begin, last);
-      lit[c] += visible * airlight;
-      all[c] += airlight;
+      float depth = uniformly ? GetExtinction(c) * last : 0.0;
+      sum[c] = uniformly ? last * MeanExponential(depth) : all[c] + GetAirlight(c, ray, 0.0, begin, last);
     }
+    lit += visible * (sum - all);
+    all = sum;
     begin = last;
   }
   for (int c = 0; c < channels; ++c)

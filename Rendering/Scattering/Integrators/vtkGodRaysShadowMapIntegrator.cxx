@@ -144,8 +144,8 @@ std::string vtkGodRaysShadowMapIntegrator::Describe(vtkGodRaysModel*, double)
   std::ostringstream text;
   const vtkGodRaysShadowMap& map = this->Internal->Map;
   text << "shadow map: " << map.GetNumberOfFaces() << " of " << map.GetSize() << " x "
-       << map.GetSize() << " pixels for the last light, " << this->NumberOfSteps
-       << " steps a pixel";
+       << map.GetSize() << " pixels for the last light"
+       << (map.WasKept() ? ", kept, " : ", drawn, ") << this->NumberOfSteps << " steps a pixel";
   return text.str();
 }
 
