@@ -79,12 +79,14 @@ int main(int argc, char* argv[])
 
   // So does smoke, which is a volume. The fire below it shines.
   vtkNew<vtkGodRaysSmokeSource> plume;
+  plume->SetDimensions(48, 48, 72);
+  plume->SetSpacing(1.0 / 15.0);
   plume->SetDiffusivity(0.002);
   plume->SetTurbulence(1.4);
   plume->SetTurbulenceSize(0.8);
   plume->SetSourceRadius(0.25);
   plume->SetSourceRate(8.0);
-  plume->SetTimeStep(0.008);
+  plume->SetTimeStep(0.01);
   plume->SetEndTime(1000.0);
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(0.0, 0.0);
