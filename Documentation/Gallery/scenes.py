@@ -9,6 +9,7 @@ import os
 import pathlib
 import runpy
 import sys
+import tempfile
 
 import vtkmodules.all as vtk
 
@@ -17,8 +18,9 @@ examples = pathlib.Path(__file__).resolve().parents[2] / "Examples"
 
 def run(name, *arguments):
     script = str(examples / name / f"{name}.py")
-    sys.argv = [script, os.path.join(folder, "small.png"), *arguments]
-    return runpy.run_path(script)
+    with tempfile.NamedTemporaryFile(suffix=".png") as small:
+        sys.argv = [script, small.name, *arguments]
+        return runpy.run_path(script)
 
 
 def write(scene, name, size=(800, 600)):
