@@ -122,5 +122,6 @@ void main()
   {
     lit[c] = all[c] > 0.0 ? lit[c] / all[c] : 1.0;
   }
-  gl_FragData[0] = vec4(lit, 1.0);
+  float depth = min(texelFetch(ends, ivec2(place), 0).r, farLimit) / farLimit;
+  gl_FragData[0] = grey ? vec4(lit.x, depth, 0.0, 1.0) : vec4(lit, depth);
 }

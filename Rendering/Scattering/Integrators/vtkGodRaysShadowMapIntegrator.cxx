@@ -27,7 +27,7 @@ struct vtkGodRaysShadowMapIntegrator::Internals
   vtkGodRaysQuad March{ "vtkGodRaysShadowMapFS", vtkGodRaysShadowMapFS };
   vtkGodRaysQuad Filter{ "vtkGodRaysShadowMapFilterFS", vtkGodRaysShadowMapFilterFS };
   vtkGodRaysShadowMap Map;
-  vtkGodRaysTarget Lit[2];      // the part that is lit, of one channel, and of three
+  vtkGodRaysTarget Lit[2];      // the part that is lit, of one channel, and of three, and the depth
   vtkGodRaysTarget RowMeans[2]; // its means of rows, alike
 
   bool Bind(vtkGodRaysTarget& target, const Request& request, bool grey);
@@ -42,9 +42,9 @@ bool vtkGodRaysShadowMapIntegrator::Internals::Bind(
   vtkGodRaysTarget& target, const Request& request, bool grey)
 {
   const unsigned int format = request.Result->GetFormat();
-  const unsigned int one = format == GL_RGBA32F ? GL_R32F : GL_R16F;
+  const unsigned int two = format == GL_RGBA32F ? GL_RG32F : GL_RG16F;
   target.Prepare(request.Window, request.Result->GetWidth(), request.Result->GetHeight(),
-    { grey ? one : format, 0 });
+    { grey ? two : format, 0 });
   request.Window->GetState()->vtkglDisable(GL_BLEND);
   return target.Bind();
 }
