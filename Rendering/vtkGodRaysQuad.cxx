@@ -68,8 +68,9 @@ vtkShaderProgram* vtkGodRaysQuad::Begin(
     this->Failed = true;
     vtkGenericWarningMacro("The shader " << this->Name
                                          << " does not compile on this OpenGL driver, so the scene "
-                                            "is drawn without rays. Use a driver with OpenGL 3.2 "
-                                            "or later, or report the compiler's message above.");
+                                            "is drawn without what it makes. Use a driver with "
+                                            "OpenGL 3.2 or later, or report the compiler's message "
+                                            "above.");
     return nullptr;
   }
   return this->Helper->Program;

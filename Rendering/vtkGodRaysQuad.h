@@ -4,10 +4,10 @@
  * @class   vtkGodRaysQuad
  * @brief   a fragment shader over the shared mathematics, drawn as a quad; private to this module
  *
- * The shader text may use the tags //VTK::GodRays::Types and //VTK::GodRays::Functions,
- * //VTK::GodRays::MediumRays, see vtkGodRaysMediumRays, and //VTK::GodRays::Terms, which becomes a constant bool for each term that a frame needs or does not:
- * so that what is not needed costs nothing. A shader is built at the first Begin() with its terms
- * and kept until Release(): numbers are uniforms, never text.
+ * The shader text may use the tags //VTK::GodRays::Types, //VTK::GodRays::Functions,
+ * //VTK::GodRays::MediumRays, see vtkGodRaysMediumRays, and //VTK::GodRays::Terms, which becomes a constant
+ * bool for each term that a frame needs or does not, so that what is not needed costs nothing. A shader is
+ * built at the first Begin() with its terms and kept until Release(): numbers are uniforms, never text.
  */
 
 #ifndef vtkGodRaysQuad_h

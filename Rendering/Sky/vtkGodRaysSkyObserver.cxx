@@ -3,6 +3,7 @@
 #include "vtkGodRaysSkyObserver.h"
 
 #include "vtkGodRaysSource.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 
 #include <algorithm>
@@ -74,6 +75,7 @@ std::string vtkGodRaysSkyObserver::Describe() const
 {
   std::ostringstream text;
   text << "observer: " << this->Height << " m above the ground, the sun "
-       << std::asin(std::clamp(this->Sun.z, -1.0, 1.0)) * 57.29577951308232 << " degrees high\n";
+       << vtkMath::DegreesFromRadians(std::asin(std::clamp(this->Sun.z, -1.0, 1.0)))
+       << " degrees high\n";
   return text.str();
 }

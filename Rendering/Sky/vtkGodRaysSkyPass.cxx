@@ -24,7 +24,6 @@
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
-#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h"
@@ -201,13 +200,17 @@ bool vtkGodRaysSkyPass::Detach(vtkRenderer* renderer)
   {
     return false;
   }
+  const WithoutRays withoutRays(renderer);
+  if (renderer->GetPass() != sky)
+  {
+    return false;
+  }
   Internals& self = *sky->Internal;
   if (self.Window)
   {
     self.Window->MakeCurrent();
     self.Release(self.Window);
   }
-  const WithoutRays withoutRays(renderer);
   self.Attachment.Detach(sky, renderer);
   return true;
 }
@@ -332,7 +335,7 @@ const char* vtkGodRaysSkyPass::FindReasonForNoSky(
 {
   if (!window)
   {
-    this->Complain("the render window is not an OpenGL window. Use VTK's OpenGL back end");
+    this->Complain("sky", "the render window is not an OpenGL window. Use VTK's OpenGL back end");
     return "the window is not an OpenGL one";
   }
   if (s->GetRenderer()->GetSelector())
@@ -353,13 +356,14 @@ const char* vtkGodRaysSkyPass::FindReasonForNoSky(
   const std::string fault = this->GetAtmosphere()->FindFault();
   if (!fault.empty())
   {
-    this->Complain(fault.substr(0, fault.size() - 1));
+    this->Complain("sky", fault.substr(0, fault.size() - 1));
     return "the atmosphere cannot be used";
   }
   double sun[3];
   if (!this->GetSunDirection(sun))
   {
-    this->Complain("Up and North are parallel, or one of them is 0. Set directions that are not");
+    this->Complain(
+      "sky", "Up and North are parallel, or one of them is 0. Set directions that are not");
     return "there is no direction to the sun";
   }
   return nullptr;
@@ -396,7 +400,7 @@ void vtkGodRaysSkyPass::Render(const vtkRenderState* s)
   auto window = vtkOpenGLRenderWindow::SafeDownCast(s->GetRenderer()->GetRenderWindow());
   if (self.DrawsScene)
   {
-    this->Complain("the delegate of this pass leads back to it. Set another delegate, or none");
+    this->Complain("the delegate of this pass", "it leads back to this pass. Set another, or none");
     self.RendererSteps->Render(s);
     return;
   }
@@ -439,9 +443,10 @@ void vtkGodRaysSkyPass::Render(const vtkRenderState* s)
   }
   if (!drawn)
   {
-    this->Complain("the framebuffer of this window cannot be copied or drawn into. Render into a "
-                   "window or framebuffer with a depth buffer and 8-bit or floating-point RGBA "
-                   "colours");
+    this->Complain("sky",
+      "the framebuffer of this window cannot be copied or drawn into. Render into a "
+      "window or framebuffer with a depth buffer and 8-bit or floating-point RGBA "
+      "colours");
   }
   overlays.Draw();
   vtkOpenGLCheckErrorMacro("failed after Render");
@@ -491,10 +496,9 @@ const char* vtkGodRaysSkyPass::FindReasonForNoAir(const vtkRenderState* s)
   vtkGodRaysView::Pinhole pinhole;
   if (!this->Internal->View.GetPinhole(viewport + 2, pinhole))
   {
-    this->Complain(
-      "air is not drawn before it, as the picture is tilted against the axis of view, or "
-      "its pixels are oblong. Use a projection matrix without that, or switch "
-      "AerialPerspective off");
+    this->Complain("the air before it",
+      "the picture is tilted against the axis of view, or its pixels are oblong. Use a projection "
+      "matrix without that, or switch AerialPerspective off");
     return "the projection is not one that it takes";
   }
   return nullptr;
@@ -652,12 +656,13 @@ bool vtkGodRaysSkyPass::Draw(const int viewport[4], const int part[4], Stage sta
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysSkyPass::Complain(const std::string& complaint)
+void vtkGodRaysSkyPass::Complain(const char* what, const std::string& reason)
 {
+  const std::string complaint = std::string("without ") + what + ": " + reason;
   if (this->Internal->Complaint != complaint)
   {
     this->Internal->Complaint = complaint;
-    vtkErrorMacro("The scene is drawn without sky: " << complaint << ".");
+    vtkErrorMacro("The scene is drawn " << complaint << ".");
   }
 }
 

@@ -69,7 +69,8 @@ public:
    * Attach: give a renderer a sky, or return the one that it has. What draws the renderer now becomes the
    * sky's delegate; god rays that it has stay over the sky. The renderer owns the pass. Null, after an
    * error, for a null renderer.
-   * Detach: take the sky off and give the renderer back what it had. False if it has none.
+   * Detach: take the sky off and give the renderer back what it had. False if it has none, or if
+   * another pass than god rays has it for its delegate: give that pass another one.
    */
   static vtkGodRaysSkyPass* Attach(vtkRenderer* renderer);
   static bool Detach(vtkRenderer* renderer);
@@ -252,7 +253,7 @@ private:
     AIR
   };
   bool Draw(const int viewport[4], const int part[4], Stage stage);
-  void Complain(const std::string& complaint);
+  void Complain(const char* what, const std::string& reason);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

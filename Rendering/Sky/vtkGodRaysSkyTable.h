@@ -22,7 +22,6 @@
 class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
-class vtkTextureObject;
 class vtkWindow;
 
 class vtkGodRaysSkyTable
