@@ -76,6 +76,7 @@ protected:
   vtkNew<vtkGodRaysSkyPass> Sky;
   vtkNew<vtkGodRaysSkySource> Truth;
   std::vector<Vec3> Seen; // linear light of the last frame, lower left first
+  int Every = 13;         // pixel is compared, which is from all rows and columns
 
   GodRaysSkyPass()
   {
@@ -174,16 +175,13 @@ protected:
   void AddPairs(std::vector<Pair>& pairs, double lowest, double highest)
   {
     this->Render();
-    for (int y = 1; y < Size; y += 3)
+    for (int i = 0; i < Size * Size; i += this->Every)
     {
-      for (int x = 1; x < Size; x += 5)
+      const Vec3 ray = this->GetRay(i % Size, i / Size);
+      const double elevation = vtkMath::DegreesFromRadians(std::asin(ray.z));
+      if (elevation > lowest && elevation < highest)
       {
-        const Vec3 ray = this->GetRay(x, y);
-        const double elevation = vtkMath::DegreesFromRadians(std::asin(ray.z));
-        if (elevation > lowest && elevation < highest)
-        {
-          pairs.push_back({ this->Seen[y * Size + x], this->GetTruth(ray) });
-        }
+        pairs.push_back({ this->Seen[i], this->GetTruth(ray) });
       }
     }
   }
@@ -281,16 +279,18 @@ TEST_F(GodRaysSkyPass, IsTheIntegralByDay)
   }
 }
 
-// The edge between day and night is in sight.
+// The edge between day and night is in sight. Where it meets the planet's edge, a few pixels, of which
+// samples may have none, are further off.
 TEST_F(GodRaysSkyPass, IsTheIntegralFromSpace)
 {
+  this->Every = 1;
   for (const double height : { 1e6, 2.0 * EarthRadius })
   {
     for (const double sun : { 90.0, 30.0, 5.0, 1.0, -10.0, -30.0 })
     {
       const double error = this->GetErrorOfSky(height, sun, 1.0);
       std::cout << height << " m, sun " << sun << ": " << error << "\n";
-      EXPECT_LT(error, 0.01) << height << " " << sun;
+      EXPECT_LT(error, 0.02) << height << " " << sun;
     }
   }
 }
