@@ -256,26 +256,31 @@ void vtkGodRaysSkyIntegrator::PrepareMultipleScattering()
         {
           const int k = std::min(i, 14 - i);
           const double slope = i < 7 ? -Places[k] : Places[k];
+          std::array<double, 8> cosAngles;
           for (int j = 0; j < 8; ++j)
           {
-            const double cosAngle = slope * sunSlope +
+            cosAngles[j] = slope * sunSlope +
               std::sqrt((1.0 - slope * slope) * (1.0 - sunSlope * sunSlope)) *
                 std::cos(Pi * (j + 0.5) / 8.0);
-            const SkyWay way = MakeSkyWay(this->Sky, height, slope, sunSlope, cosAngle);
-            const double weight = Weights[k] / 16.0; // of all directions
-            const double near = 0.15 * way.Length;
-            for (int part = 0; part < 2; ++part)
+          }
+          SkyWay way = MakeSkyWay(this->Sky, height, slope, sunSlope, cosAngles[0]);
+          const double weight = Weights[k] / 16.0; // of all directions
+          const double near = 0.15 * way.Length;
+          for (int part = 0; part < 2; ++part)
+          {
+            const double begin = part == 0 ? 0.0 : near;
+            const double reach = 0.5 * ((part == 0 ? near : way.Length) - begin);
+            for (int n = 0; n < 15; ++n)
             {
-              const double begin = part == 0 ? 0.0 : near;
-              const double reach = 0.5 * ((part == 0 ? near : way.Length) - begin);
-              for (int n = 0; n < 15; ++n)
+              const int m = std::min(n, 14 - n);
+              const double distance = begin + reach * (1.0 + (n < 7 ? -Places[m] : Places[m]));
+              const Vec3 scattering = (weight * reach * Weights[m]) *
+                this->GetDiffuseScattering(SkyPoint(this->Sky, way, distance).x) *
+                exp(-SkyDepth(this->DiffuseSky, way.Height, way.Slope, distance));
+              for (const double cosAngle : cosAngles) // the sun alone depends on the azimuth
               {
-                const int m = std::min(n, 14 - n);
-                const double distance = begin + reach * (1.0 + (n < 7 ? -Places[m] : Places[m]));
+                way.CosAngle = cosAngle;
                 const Vec2 point = SkyPoint(this->Sky, way, distance);
-                const Vec3 scattering = (weight * reach * Weights[m]) *
-                  this->GetDiffuseScattering(point.x) *
-                  exp(-SkyDepth(this->DiffuseSky, way.Height, way.Slope, distance));
                 again += scattering;
                 if (!this->IsInShadow(point.x, point.y))
                 {
@@ -284,10 +289,15 @@ void vtkGodRaysSkyIntegrator::PrepareMultipleScattering()
                 }
               }
             }
-            if (way.MeetsGround)
+          }
+          if (way.MeetsGround)
+          {
+            const Vec3 left =
+              weight * exp(-SkyDepth(this->DiffuseSky, way.Height, way.Slope, way.Length));
+            for (const double cosAngle : cosAngles)
             {
-              twice += weight *
-                exp(-SkyDepth(this->DiffuseSky, way.Height, way.Slope, way.Length)) *
+              way.CosAngle = cosAngle;
+              twice += left *
                 SkyGround(this->DiffuseSky, this->Albedo, SkyPoint(this->Sky, way, way.Length).y);
             }
           }
