@@ -173,10 +173,11 @@ public:
 
   ///@{
   /**
-   * Set/Get the size of the picture on which taps are summed, as a fraction of the viewport's
-   * [no unit]; vtkGodRaysEpipolarIntegrator reads it for parity formulations alone. Below 1 the result is interpolated where it is smooth and evaluated anew, at full
-   * size, where neighbours differ by more than ErrorTolerance. Parity formulations of more than
-   * one pass are always evaluated at full size. Valid range: [0.125, 1]. Default is 1.
+   * Set/Get the size of the picture on which taps are summed, as a fraction of the viewport's [no unit];
+   * vtkGodRaysEpipolarIntegrator reads it for parity formulations alone. Below 1 the result is interpolated
+   * where it is smooth and evaluated anew, at full size, where neighbours differ by more than
+   * ErrorTolerance. Parity formulations of more than one pass are always evaluated at full size. Valid
+   * range: [0.125, 1]. Default is 1.
    */
   void SetResolutionScale(double scale);
   vtkGetMacro(ResolutionScale, double);

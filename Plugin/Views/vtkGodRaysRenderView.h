@@ -5,8 +5,8 @@
  * @brief   ParaView's render view with god rays
  *
  * The view "Render View (God Rays)" of the ParaView plugin. It holds a vtkGodRaysPass and a
- * vtkGodRaysSkyPass and forwards to them; what it adds is ParaView's: a sun by azimuth and elevation or by date and place, presets by name,
- * and roles by representation.
+ * vtkGodRaysSkyPass and forwards to them; what it adds is ParaView's: a sun by azimuth and elevation or by
+ * date and place, presets by name, and roles by representation.
  *
  * What data do to light is the property God Rays Role of their representation, whatever its type: see
  * vtkSIGodRaysRoleProperty. Axes, grids and the like never block light or shine.
@@ -179,7 +179,8 @@ public:
   void SetPreset(const char* name);
 
   /**
-   * Set how long the scene's unit is for media by name and for the sky [m]. Valid range: [1e-12, 1e12]. Default is 1.
+   * Set how long the scene's unit is for media by name and for the sky [m]. Valid range: [1e-12, 1e12].
+   * Default is 1.
    */
   void SetWorldUnitInMeters(double meters);
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // An example, run off screen: its light against the processor's, or that of a medium against the ground
-// truth; its picture against the baseline; and the same picture without rays, which must not pass. Compiled once for each example, with
-// EXAMPLE_SOURCE and EXAMPLE_NAME.
+// truth; its picture against the baseline; and the same picture without rays, which must not pass. Compiled
+// once for each example, with EXAMPLE_SOURCE and EXAMPLE_NAME.
 
 #include "GodRaysMediumTruth.h"
 

@@ -3,7 +3,7 @@
 """The window of the example Statue in Python, run by a user who is a program.
 
 What each slider does to the light is checked in C++; here, that each is connected.
-Usage: TestStatue.py Statue.py
+Usage: TestStatue.py Statue.py [program]
 """
 
 import os
@@ -15,7 +15,7 @@ import unittest
 import vtkmodules.all as vtk
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-EXAMPLE, _ = sys.argv[1:]
+EXAMPLE = sys.argv[1]
 
 
 class User(vtk.vtkGenericRenderWindowInteractor):

@@ -25,7 +25,7 @@ class Parallel(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
-        cls.serial = cls.draw("serial", on_processes(1))
+        cls.serial = cls.draw("serial", on_processes(1), SCENES + ORDERED)
 
     @classmethod
     def tearDownClass(cls):
@@ -119,7 +119,6 @@ class Parallel(unittest.TestCase):
                 rays = abs(full - read(folder, name + "-plain")).mean()
                 self.assertLess(abs(dragged - full).mean(), 0.1 * rays)
                 self.assertGreater(abs(dragged - full).max(), 8 * LEVELS)  # it was reduced
-
 
 
 unittest.main(verbosity=2)

@@ -155,7 +155,6 @@ SCENES = {
 }
 
 
-
 def save_dragged(view, path):
     """Write what the window shows while the camera is dragged."""
     view.ImageReductionFactor = REDUCTION

@@ -58,8 +58,8 @@ def enable(target, light=None, occluders=(), ignored=(), preset=None, **paramete
         ``renderer``, such as PyVista's and vedo's, or a render view of paraview.simple in built-in
         mode; representations and lights of ParaView can then be given as props and lights.
     light: what shines. A vtkLight; a prop, which shines in the colours in which it is drawn; three
-        numbers, the direction from which sunlight comes, such as sun() gives; or a list of these. None takes the props
-        tagged "light", or else the renderer's own lights that stand in the scene.
+        numbers, the direction from which sunlight comes, such as sun() gives; or a list of these. None
+        takes the props tagged "light", or else the renderer's own lights that stand in the scene.
     occluders, ignored: props to tag. Props without a tag block light unless
         untagged_props_occlude=False.
     preset: the name of a look or of a medium, see vtkGodRaysRadialModel.GetPresetName and
