@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Outdoors: the sun behind clouds, mountains, and a fire on a slope with its smoke.
+// Or, with the argument baked, shafts of the clouds behind everything.
 
 #include "../ExampleWindow.h"
+#include "BakeSky.h"
 
 #include "vtkActor.h"
 #include "vtkAssignAttribute.h"
@@ -12,6 +14,7 @@
 #include "vtkGodRaysCloudLayerSource.h"
 #include "vtkGodRaysFireSource.h"
 #include "vtkGodRaysPass.h"
+#include "vtkGodRaysRadialModel.h"
 #include "vtkGodRaysSkyPass.h"
 #include "vtkGodRaysSmokeSource.h"
 #include "vtkGodRaysTerrainSource.h"
@@ -25,6 +28,9 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 #include "vtkWarpScalar.h"
+
+#include <initializer_list>
+#include <string>
 
 int main(int argc, char* argv[])
 {
@@ -155,7 +161,27 @@ int main(int argc, char* argv[])
     fire->UpdateTimeStep(time);
   };
   advance();
+  const bool baked = argc > 1 && argv[argc - 1] == std::string("baked");
+  if (baked)
+  {
+    // The shafts of the clouds alone, once, behind everything. They are made short enough to end within a
+    // face of the panorama: sums along lines of one picture do not go on in the next.
+    vtkGodRaysRadialModel::SafeDownCast(rays->GetModel())->SetDensity(0.85);
+    const std::initializer_list<vtkProp*> scene = { ground, smoke, flames };
+    for (vtkProp* prop : scene)
+    {
+      prop->VisibilityOff();
+    }
+    renderer->AddActor(BakeSky(renderer));
+    for (vtkProp* prop : scene)
+    {
+      prop->VisibilityOn();
+    }
+    clouds->VisibilityOff();
+    rays->Detach(renderer);
+  }
+
   vtkNew<vtkRenderWindow> window;
   window->AddRenderer(renderer);
-  return ShowOrWrite(window, argc, argv, advance);
+  return ShowOrWrite(window, argc - baked, argv, advance);
 }

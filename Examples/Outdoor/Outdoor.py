@@ -1,11 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Outdoors: the sun behind clouds, mountains, and a fire on a slope with its smoke."""
+"""Outdoors: the sun behind clouds, mountains, and a fire on a slope with its smoke.
+Or, with the argument baked, shafts of the clouds behind everything."""
 
 import sys
 
 import godrays
 import vtkmodules.all as vtk
+from bake_sky import bake_sky
 
 renderer = vtk.vtkRenderer()
 
@@ -135,11 +137,25 @@ def advance():
         source.UpdateTimeStep(time)
 
 
+advance()
+baked = sys.argv[-1] == "baked"
+if baked:
+    # The shafts of the clouds alone, once, behind everything. They are made short enough to end within a
+    # face of the panorama: sums along lines of one picture do not go on in the next.
+    rays.GetModel().SetDensity(0.85)
+    scene = ground, smoke, flames
+    for prop in scene:
+        prop.VisibilityOff()
+    renderer.AddActor(bake_sky(renderer))
+    for prop in scene:
+        prop.VisibilityOn()
+    clouds.VisibilityOff()
+    godrays.disable(renderer)
+
 window = vtk.vtkRenderWindow()
 window.AddRenderer(renderer)
 window.SetSize(400, 300)
-advance()
-if len(sys.argv) > 1:
+if len(sys.argv) > 1 + baked:
     window.SetMultiSamples(0)
     window.SetOffScreenRendering(True)
     window.Render()

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The outdoor scene: rays blur nothing, smoke is a body from every side, and time runs.
+"""The outdoor scene: rays blur nothing, smoke is a body from every side, and time runs;
+and shafts that are baked into the sky stay behind the scene, and are those that are drawn live.
 
 Usage: TestOutdoor.py example.py program
 """
@@ -148,15 +149,135 @@ def check_time_runs():
     check("half a second of the sources moves the picture", moved > 0.05, f"{moved:.2%} of it")
 
 
+def covered():
+    """Where the scene is opaque."""
+    window.Render()
+    grabber = vtk.vtkWindowToImageFilter()
+    grabber.SetInput(window)
+    grabber.SetInputBufferTypeToZBuffer()
+    grabber.ReadFrontBufferOff()
+    grabber.ShouldRerenderOff()
+    grabber.Update()
+    return pixels(grabber.GetOutput())[..., 0] < 1
+
+
+def check_baked_shafts_are_behind():
+    """Before the baked sky, each pixel of the scene is what it is without any rays."""
+    baked = shown()
+    ground_seen = covered()
+    box.VisibilityOff()
+    without = shown()
+    rays.Attach(renderer)
+    with_rays = shown()
+    rays.Detach(renderer)
+    box.VisibilityOn()
+    error = numpy.abs(baked - without)[ground_seen].max()
+    part = f"{ground_seen.mean():.0%} of the picture"
+    check("the baked sky is behind", error == 0 and ground_seen.mean() > 0.3, f"{error} levels in {part}")
+    veil = numpy.abs(with_rays - without)[ground_seen].max(axis=1)
+    check("a veil would be seen", numpy.median(veil) > 10, f"{numpy.median(veil)} levels in the median")
+
+
+def show_only(*props):
+    """Let nothing be seen but these."""
+    for prop in ground, clouds, smoke, flames, box:
+        prop.SetVisibility(prop in props)
+
+
+def difference_of_blocks(picture, other):
+    """Root mean square, over blocks of 5 x 5 pixels: the sky's texels are as large as a pixel, so that
+    edges of clouds are softer in it."""
+    rows, columns, _ = picture.shape
+    blocks = (picture - other).reshape(rows // 5, 5, columns // 5, 5, -1).mean(axis=(1, 3))
+    return numpy.sqrt(numpy.mean(blocks**2))
+
+
+def check_baked_sky_is_the_live_one():
+    """In whatever direction one looks, the box shows what sky, clouds and rays are when drawn now."""
+    camera = renderer.GetActiveCamera()
+    for angle in 0, 100, 180:
+        camera.Yaw(angle)
+        show_only(box)
+        sky_pass = renderer.GetPass()
+        renderer.SetPass(None)
+        baked = shown()
+        renderer.SetPass(sky_pass)
+        show_only(clouds)
+        rays.Attach(renderer)
+        live = shown()
+        rays.Detach(renderer)
+        camera.Yaw(-angle)
+
+        where = f"at {angle} degrees"
+        found = difference_of_blocks(baked, live)
+        check(f"the baked sky is the live one {where}", found < 3, f"{found:.2f} levels")
+        beside = difference_of_blocks(numpy.roll(baked, (2, 2), axis=(0, 1)), live)
+        check(f"two pixels beside it is not {where}", beside > 4, f"{beside:.2f} levels")
+        twice = difference_of_blocks(encoded(baked / 255), live)
+        check(f"encoded twice it is not {where}", twice > 40, f"{twice:.2f} levels")
+
+
+def jump_across_edges(panorama):
+    """How much more levels change across an edge of the cube than beside it, at the worst of all edges."""
+    height, width, _ = panorama.shape
+
+    def level(x, y, z):
+        column = (numpy.arctan2(x, z) / (2 * numpy.pi) + 0.5) * width
+        row = (numpy.arctan2(y, numpy.hypot(x, z)) / numpy.pi + 0.5) * height
+        return panorama[row.astype(int), column.astype(int) % width]
+
+    def jump(axis, a, b):
+        along = numpy.roll(numpy.eye(3), axis, axis=1)
+        edge = (a * along[1] + b * along[2])[:, None] + along[0][:, None] * numpy.linspace(-0.9, 0.9, 400)
+        step = 0.006 * (a * along[1] - b * along[2])[:, None]  # a texel or two
+        levels = [level(*(edge + i * step)) for i in (-1.5, -0.5, 0.5, 1.5)]
+        before, across, after = numpy.abs(numpy.diff(levels, axis=0)).mean(axis=(1, 2))
+        return across - max(before, after)
+
+    signs = (-1, 1)
+    return max(jump(axis, a, b) for axis in range(3) for a in signs for b in signs)
+
+
+def check_faces_meet():
+    from bake_sky import take_panorama  # beside the example
+
+    show_only(clouds)
+    rays.Attach(renderer)
+    window.RemoveRenderer(renderer)
+    model = rays.GetModel()
+    density = model.GetDensity()
+    jumps = []
+    for each in density, 0.98:  # the baked shafts, and those that are drawn live
+        model.SetDensity(each)
+        jumps.append(jump_across_edges(pixels(take_panorama(renderer)).astype(int)))
+    model.SetDensity(density)
+    window.AddRenderer(renderer)
+    rays.Detach(renderer)
+    check("the faces of the sky meet", jumps[0] < 0.5, f"{jumps[0]:.2f} levels")
+    check("long shafts would end at an edge", jumps[1] > 10, f"{jumps[1]:.2f} levels")
+
+
 folder = os.getcwd()
 example, _ = sys.argv[1:]
-sys.argv = [example, os.path.join(folder, "Outdoor_checks.png")]
-scene = runpy.run_path(example)
-renderer, window, rays, sun = (scene[name] for name in ("renderer", "window", "rays", "sun"))
-smoke, plume, advance = (scene[name] for name in ("smoke", "plume", "advance"))
-ground, clouds, flames = (scene[name] for name in ("ground", "clouds", "flames"))
+sys.path.insert(0, os.path.dirname(example))
 failures = []
+
+
+def run(*variant):
+    """Run the example, and take over what it has by these names."""
+    sys.argv = [example, os.path.join(folder, "Outdoor_checks.png"), *variant]
+    scene = runpy.run_path(example)
+    names = "renderer window rays sun smoke plume advance ground clouds flames"
+    globals().update((name, scene[name]) for name in names.split())
+
+
+run()
 check_nothing_is_blurred()
 check_time_runs()
 check_smoke_is_a_body()
+run("baked")
+box = next(prop for prop in renderer.GetViewProps() if prop.IsA("vtkSkybox"))
+check_baked_shafts_are_behind()
+check_baked_sky_is_the_live_one()
+check_faces_meet()
 sys.exit(f"{len(failures)} checks failed" if failures else 0)
