@@ -8,6 +8,7 @@
 #define BakeSky_h
 
 #include "vtkCamera.h"
+#include "vtkCullerCollection.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -21,7 +22,7 @@
 
 /**
  * The picture about the camera, in all directions: its middle is where the camera looks, its upper edge
- * where ViewUp points. The renderer must be in no window.
+ * where ViewUp points. The renderer must be in no window, and has no cullers afterwards.
  */
 inline vtkSmartPointer<vtkImageData> TakePanorama(vtkRenderer* renderer)
 {
@@ -33,6 +34,7 @@ inline vtkSmartPointer<vtkImageData> TakePanorama(vtkRenderer* renderer)
   panorama->InterpolateOn();
   panorama->SetDelegatePass(drawnBy);
   renderer->SetPass(panorama);
+  renderer->GetCullers()->RemoveAllItems(); // they would take away what is behind the camera
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(true);
   window->SetMultiSamples(0);

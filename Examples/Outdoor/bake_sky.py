@@ -7,7 +7,7 @@ import vtkmodules.all as vtk
 
 def take_panorama(renderer):
     """The picture about the camera, in all directions: its middle is where the camera looks, its
-    upper edge where ViewUp points. The renderer must be in no window."""
+    upper edge where ViewUp points. The renderer must be in no window, and has no cullers afterwards."""
     resolution = 512  # of a face of 90 degrees
     drawn_by = renderer.GetPass()
     panorama = vtk.vtkPanoramicProjectionPass()
@@ -16,6 +16,7 @@ def take_panorama(renderer):
     panorama.InterpolateOn()
     panorama.SetDelegatePass(drawn_by)
     renderer.SetPass(panorama)
+    renderer.GetCullers().RemoveAllItems()  # they would take away what is behind the camera
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(0)
