@@ -35,6 +35,8 @@ inline vtkSmartPointer<vtkImageData> TakePanorama(vtkRenderer* renderer)
   panorama->SetDelegatePass(drawnBy);
   renderer->SetPass(panorama);
   renderer->GetCullers()->RemoveAllItems(); // they would take away what is behind the camera
+  const bool peels = renderer->GetUseDepthPeeling();
+  renderer->UseDepthPeelingOn(); // without, a face's depth is copied as OpenGL forbids
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(true);
   window->SetMultiSamples(0);
@@ -48,6 +50,7 @@ inline vtkSmartPointer<vtkImageData> TakePanorama(vtkRenderer* renderer)
   picture->Update();
   window->RemoveRenderer(renderer);
   renderer->SetPass(drawnBy);
+  renderer->SetUseDepthPeeling(peels);
   return picture->GetOutput();
 }
 

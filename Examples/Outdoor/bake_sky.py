@@ -17,6 +17,8 @@ def take_panorama(renderer):
     panorama.SetDelegatePass(drawn_by)
     renderer.SetPass(panorama)
     renderer.GetCullers().RemoveAllItems()  # they would take away what is behind the camera
+    peels = renderer.GetUseDepthPeeling()
+    renderer.UseDepthPeelingOn()  # without, a face's depth is copied as OpenGL forbids
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(0)
@@ -30,6 +32,7 @@ def take_panorama(renderer):
     picture.Update()
     window.RemoveRenderer(renderer)
     renderer.SetPass(drawn_by)
+    renderer.SetUseDepthPeeling(peels)
     return picture.GetOutput()
 
 
