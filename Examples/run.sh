@@ -97,7 +97,9 @@ for name in ColouredLights DustyHall Facade MinimalSun Outdoor Planet SkyImage S
   build/bin/$name "$out/$name.png"
   echo "$out/$name-python.png: /usr/bin/python3 Examples/$name/$name.py"
   /usr/bin/python3 Examples/$name/$name.py "$out/$name-python.png"
-done'
+done
+echo "$out/Outdoor-baked.png: build/bin/Outdoor baked"
+build/bin/Outdoor "$out/Outdoor-baked.png" baked'
 
 echo "== Pictures"
 xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" bash -c "$make_pictures" ||
