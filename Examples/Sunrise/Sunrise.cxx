@@ -29,6 +29,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -50,7 +51,8 @@ int main(int argc, char* argv[])
   for (int i = 1; i < argc; ++i)
   {
     const std::string argument = argv[i];
-    const int number = std::atoi(argv[i]);
+    char* rest = nullptr;
+    const long number = std::strtol(argv[i], &rest, 10);
     if (EndsWith(argument, ".png") || EndsWith(argument, ".ogv"))
     {
       output = argument;
@@ -59,9 +61,9 @@ int main(int argc, char* argv[])
     {
       elevations = argument;
     }
-    else if (number > 0)
+    else if (*rest == '\0' && number > 0 && number <= 1000000)
     {
-      frames = number;
+      frames = static_cast<int>(number);
     }
     else
     {
@@ -95,6 +97,16 @@ int main(int argc, char* argv[])
     terrain->SetSeed(4);
     heights = terrain;
   }
+  heights->Update();
+  auto grid = vtkImageData::SafeDownCast(heights->GetOutputDataObject(0));
+  vtkDataArray* values = grid->GetPointData()->GetScalars();
+  if (!values || grid->GetDimensions()[2] != 1)
+  {
+    std::cerr << elevations
+              << " has no elevations: one slice of values at its points, in metres. Make "
+              << "one with Examples/make_terrain.py.\n";
+    return EXIT_FAILURE;
+  }
   const double exaggeration = elevations.empty() ? 1.0 : 3.0;
   vtkNew<vtkImageDataGeometryFilter> surface;
   surface->SetInputConnection(heights->GetOutputPort());
@@ -107,7 +119,6 @@ int main(int argc, char* argv[])
   normals->Update();
   double bounds[6]; // west, east, south, north, low, high
   normals->GetOutput()->GetBounds(bounds);
-  auto grid = vtkImageData::SafeDownCast(heights->GetOutputDataObject(0));
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(normals->GetOutputPort());
   mapper->ScalarVisibilityOff();
@@ -163,9 +174,9 @@ int main(int argc, char* argv[])
     const double azimuth = vtkMath::RadiansFromDegrees(day->GetAzimuth() - 8.0);
     const double distance = 0.35 * std::min(bounds[1] - bounds[0], bounds[3] - bounds[2]);
     const double ahead[2] = { distance * std::sin(azimuth), distance * std::cos(azimuth) };
-    double eye[3] = { center[0] - ahead[0], center[1] - ahead[1], 0.0 };
+    double eye[3] = { center[0] - ahead[0], center[1] - ahead[1], grid->GetOrigin()[2] };
     const vtkIdType point = grid->FindPoint(eye);
-    const double below = grid->GetPointData()->GetScalars()->GetTuple1(point) * exaggeration;
+    const double below = eye[2] + values->GetTuple1(point) * exaggeration;
     eye[2] = std::max(0.4 * bounds[4] + 0.6 * bounds[5], below + 0.15 * (bounds[5] - bounds[4]));
     vtkCamera* camera = renderer->GetActiveCamera();
     camera->SetPosition(eye);

@@ -36,6 +36,14 @@ else:
     heights.SetFeatures(5)
     heights.SetGain(0.45)
     heights.SetSeed(4)
+heights.Update()
+grid = heights.GetOutput()
+values = grid.GetPointData().GetScalars()
+if not values or grid.GetDimensions()[2] != 1:
+    sys.exit(
+        f"{elevations} has no elevations: one slice of values at its points, in metres. Make one with "
+        "Examples/make_terrain.py."
+    )
 surface = vtk.vtkImageDataGeometryFilter()
 surface.SetInputConnection(heights.GetOutputPort())
 warp = vtk.vtkWarpScalar()
@@ -92,8 +100,8 @@ def set_time(hours):
     distance = 0.35 * min(east - west, north - south)
     x, y = distance * math.sin(azimuth), distance * math.cos(azimuth)
     eye_x, eye_y = (west + east) / 2 - x, (south + north) / 2 - y
-    point = heights.GetOutput().FindPoint(eye_x, eye_y, 0)
-    below = heights.GetOutput().GetPointData().GetScalars().GetTuple1(point) * exaggeration
+    base = grid.GetOrigin()[2]
+    below = base + values.GetTuple1(grid.FindPoint(eye_x, eye_y, base)) * exaggeration
     height = max(0.4 * low + 0.6 * high, below + 0.15 * (high - low))
     camera = renderer.GetActiveCamera()
     camera.SetPosition(eye_x, eye_y, height)

@@ -6,30 +6,14 @@ Usage: TestPlanet.py example.py program
 """
 
 import os
-import pathlib
 import runpy
 import subprocess
 import sys
 
 import numpy
-import vtkmodules.all as vtk
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from example_testing import baseline, check, encoded, end, read
 
 import godrays
-
-
-def check(what, condition, figures=""):
-    print(f"{'good' if condition else 'BAD'}: {what} {figures}")
-    failures.extend([] if condition else [what])
-
-
-def read(file):
-    reader = vtk.vtkPNGReader()
-    reader.SetFileName(file)
-    reader.Update()
-    width, height, _ = reader.GetOutput().GetDimensions()
-    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
-    return pixels.reshape(height, width, -1).astype(int)
 
 
 def expected(x, y):
@@ -49,23 +33,19 @@ def expected(x, y):
     source.SetSunElevation(numpy.degrees(numpy.arcsin(sun.dot(up))))
     light = [0, 0, 0]
     source.GetRadiance([look.dot(each) for each in (numpy.cross(north, up), north, up)], light)
-    light = numpy.minimum(scene["sky"].GetExposure() * numpy.array(light), 1)
-    curve = 1.055 * numpy.maximum(light, 0.0031308) ** (1 / 2.4) - 0.055
-    return 255 * numpy.where(light <= 0.0031308, 12.92 * light, curve)
+    return encoded(scene["sky"].GetExposure() * numpy.array(light))
 
 
 folder = os.getcwd()
 example, program = sys.argv[1:]
-failures = []
-baseline = str(pathlib.Path(__file__).parents[1] / "Baseline" / "Example-Planet.png")
 picture = os.path.join(folder, "Planet_cxx.png")
 subprocess.run([program, picture], check=True)
-difference = numpy.abs(read(picture) - read(baseline)).max()
+difference = numpy.abs(read(picture) - baseline("Planet")).max()
 check("the program draws the baseline", difference <= 2, f"to {difference} levels")
 picture = os.path.join(folder, "Planet_py.png")
 sys.argv = [example, picture]
 scene = runpy.run_path(example)
-difference = numpy.abs(read(picture) - read(baseline)).max()
+difference = numpy.abs(read(picture) - baseline("Planet")).max()
 check("so does the script", difference <= 2, f"to {difference} levels")
 
 scene["lines"].VisibilityOff()
@@ -84,4 +64,4 @@ for name, places in (
     figures = f"to {numpy.abs(error).max():.1f} levels, {numpy.sqrt((error**2).mean()):.2f} root mean square"
     check(f"{name} is that of the integral", numpy.abs(error).max() <= 3, figures)
 check("space is black", (pixels[150, :40] == 0).all() and (pixels[150, 380:] == 0).all())
-sys.exit(f"{len(failures)} checks failed" if failures else 0)
+end()

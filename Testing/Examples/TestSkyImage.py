@@ -6,32 +6,17 @@ Usage: TestSkyImage.py example.py program
 """
 
 import os
-import pathlib
 import subprocess
 import sys
 
 import numpy
-import vtkmodules.all as vtk
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from example_testing import baseline, check, end, read
 
 import godrays
 
 
-def check(what, condition, figures=""):
-    print(f"{'good' if condition else 'BAD'}: {what} {figures}")
-    failures.extend([] if condition else [what])
-
-
 def run(command, *arguments):
     return subprocess.run([*command, *arguments], capture_output=True, text=True)
-
-
-def read(file):
-    reader = vtk.vtkHDRReader() if file.endswith(".hdr") else vtk.vtkPNGReader()
-    reader.SetFileName(file)
-    reader.Update()
-    width, height, _ = reader.GetOutput().GetDimensions()
-    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, -1)
 
 
 def check_both(name, *arguments):
@@ -49,11 +34,8 @@ def check_both(name, *arguments):
 folder = os.getcwd()
 example, program = sys.argv[1:]
 commands = {"C++": [program], "Python": [sys.executable, example]}
-failures = []
 
-picture = check_both("sky.png").astype(int)
-baseline = pathlib.Path(__file__).parents[1] / "Baseline" / "Example-SkyImage.png"
-difference = numpy.abs(picture - read(str(baseline))).max()
+difference = numpy.abs(check_both("sky.png") - baseline("SkyImage")).max()
 check("the picture is the baseline", difference <= 2, f"to {difference} levels")
 
 light = check_both("light.hdr", "40", "180")
@@ -84,4 +66,4 @@ for command in commands.values():
         done = run(command, *arguments)
         told = done.returncode == 1 and word in done.stderr and "Traceback" not in done.stderr
         check(f"{' '.join(arguments)} is an error that is told", told)
-sys.exit(f"{len(failures)} checks failed" if failures else 0)
+end()

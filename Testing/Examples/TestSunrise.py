@@ -13,24 +13,13 @@ import sys
 
 import numpy
 import vtkmodules.all as vtk
+from example_testing import check, end, read
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-
-
-def check(what, condition, figures=""):
-    print(f"{'good' if condition else 'BAD'}: {what} {figures}")
-    failures.extend([] if condition else [what])
 
 
 def run(*arguments):
     command = [sys.executable, example, *map(str, arguments)]
     return subprocess.run(command, capture_output=True, text=True)
-
-
-def read(file):
-    reader = vtk.vtkPNGReader()
-    reader.SetFileName(file)
-    reader.Update()
-    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(float)
 
 
 def packets_of(data):
@@ -131,6 +120,7 @@ def check_elevations():
     image = vtk.vtkImageData()
     image.SetDimensions(30, 20, 1)
     image.SetSpacing(90, 90, 1)
+    image.SetOrigin(0, 0, 500)  # which is added to them
     image.GetPointData().SetScalars(numpy_to_vtk(heights.ravel(), deep=True))
     writer = vtk.vtkXMLImageDataWriter()
     writer.SetInputData(image)
@@ -142,17 +132,22 @@ def check_elevations():
     check("elevations are read", done.returncode == 0, done.stderr)
     default = read(os.path.join(folder, "Sunrise_checks.png"))
     check("and drawn", numpy.abs(read(picture) - default).mean() > 2)
-    for argument, word in ("nowhere.vti", "make_terrain.py"), ("-1", "Usage"):
-        done = run(argument)
-        told = argument in done.stderr and word in done.stderr and "Traceback" not in done.stderr
-        check(f"{argument} is an error that says what to do", done.returncode == 1 and told)
+    image.GetPointData().Initialize()
+    empty = os.path.join(folder, "Sunrise_empty.vti")
+    writer.SetFileName(empty)
+    writer.Write()
+    faults = ("nowhere.vti", "make_terrain.py"), (empty, "make_terrain.py"), ("-1", "Usage"), ("9s", "Usage")
+    for command in [program], [sys.executable, example]:
+        for argument, word in faults:
+            done = subprocess.run([*command, argument], capture_output=True, text=True)
+            told = argument in done.stderr and word in done.stderr and "Traceback" not in done.stderr
+            check(f"{argument} is an error that says what to do", done.returncode == 1 and told)
 
 
 folder = os.getcwd()
 example, program = sys.argv[1:]
-failures = []
 check_film()
 check_program()
 check_light()
 check_elevations()
-sys.exit(f"{len(failures)} checks failed" if failures else 0)
+end()
