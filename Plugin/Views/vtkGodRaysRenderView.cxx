@@ -649,16 +649,34 @@ void vtkGodRaysRenderView::UpdateSky()
     }
     camera->GetPosition(origin);
   }
+  double direction[3];
+  if (!this->FindSun(up, north, direction))
+  {
+    self.Sky->SetUp(0.0, 0.0, 0.0); // it says that there is no sky, and draws none
+    return;
+  }
   const double* angles = this->GetSunAngles();
   self.Sky->SetUp(up);
   self.Sky->SetNorth(north);
   self.Sky->SetOrigin(origin);
   self.Sky->SetSunAzimuth(std::fmod(angles[0], 360.0));
   self.Sky->SetSunElevation(angles[1]);
-  if (!this->SunErrorTold)
+  self.Sky->UpdateLight(self.Sun); // it has the colour that the air leaves
+}
+
+//------------------------------------------------------------------------------
+// The direction to the sun; without one, an error that is told once.
+bool vtkGodRaysRenderView::FindSun(const double up[3], const double north[3], double direction[3])
+{
+  const double* angles = this->GetSunAngles();
+  const bool found =
+    vtkGodRaysSunPosition::ComputeDirection(angles[0], angles[1], up, north, direction);
+  if (!found && !this->SunErrorTold)
   {
-    self.Sky->UpdateLight(self.Sun); // it has the colour that the air leaves
+    vtkErrorMacro("There is no sun: SunUp and SunNorth must be finite, not 0 and not parallel.");
+    this->SunErrorTold = true;
   }
+  return found;
 }
 
 //------------------------------------------------------------------------------
@@ -666,16 +684,10 @@ bool vtkGodRaysRenderView::UpdateSun()
 {
   double up[3], north[3];
   this->GetSunAxes(up, north);
-  const double* angles = this->GetSunAngles();
   vtkInternals& self = *this->Internals;
   double direction[3];
-  if (!vtkGodRaysSunPosition::ComputeDirection(angles[0], angles[1], up, north, direction))
+  if (!this->FindSun(up, north, direction))
   {
-    if (!this->SunErrorTold)
-    {
-      vtkErrorMacro("There is no sun: SunUp and SunNorth must be finite, not 0 and not parallel.");
-      this->SunErrorTold = true;
-    }
     return false;
   }
   if (!this->UseSky) // which makes the sun its own
@@ -689,7 +701,7 @@ bool vtkGodRaysRenderView::UpdateSun()
   }
   // At night it does not shine; a sun by its angles may well stand below a scene without a sky.
   return (this->SunPosition == AZIMUTH_AND_ELEVATION && !this->UseSky) ||
-    angles[1] > -self.Pass->GetSunAngularRadius();
+    this->GetSunAngles()[1] > -self.Pass->GetSunAngularRadius();
 }
 
 //------------------------------------------------------------------------------

@@ -243,6 +243,7 @@ private:
   void UpdatePasses();
   void GetSunAxes(double up[3], double north[3]) const;
   void UpdateSky();
+  bool FindSun(const double up[3], const double north[3], double direction[3]);
   bool UpdateSun();
   void UpdateLights();
   void UpdateRoles();

@@ -138,12 +138,15 @@ class Sky(Case):
         self.assertLess(abs(layer(view) - white).max(), 2e-3 * white.max())
 
     def test_axes_that_are_parallel(self):
-        view = make_view(UseSky=1, SunFrame="World, by Up and North")
-        view.SunUp = view.SunNorth = [0.0, 0.0, 1.0]
-        with Messages() as messages:
-            simple.Render(view)
-            simple.Render(view)
-        self.assertEqual(messages.text.count("ERR"), 2, messages.text)  # of the rays, of the sky
+        for source in ("Sun", "Lights of the Light Inspector"):
+            for up in ([0.0, 0.0, 1.0], [float("nan"), 0.0, 0.0]):
+                view = make_view(UseSky=1, SunFrame="World, by Up and North", LightSource=source)
+                view.SunUp, view.SunNorth = up, [0.0, 0.0, 1.0]
+                with Messages() as messages:
+                    simple.Render(view)
+                    simple.Render(view)
+                # of the rays, of the sky
+                self.assertEqual(messages.text.count("ERR"), 2, messages.text)
 
     def test_its_picture_is_the_baseline(self):
         view = make_view(size=(480, 360), UseSky=1, SunElevation=2.0, SunAzimuth=4.0, **UP)

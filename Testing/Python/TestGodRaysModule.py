@@ -291,6 +291,7 @@ class Sky(unittest.TestCase):
             (TypeError, "no parameter expo; there are: aerial_perspective", {"expo": 1}),
             (TypeError, "no parameter sun_azimuth", {"sun_azimuth": 1}),
             (ValueError, "azimuth, elevation", {"sun": (1, 2, 3, 4)}),
+            (ValueError, "azimuth, elevation", {"sun": (0, 0, 0)}),
             (TypeError, "vtkLight, not str", {"light": "sun"}),
             (ValueError, "no atmosphere 'venus'", {"atmosphere": "venus"}),
         ):

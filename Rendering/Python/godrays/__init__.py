@@ -141,7 +141,7 @@ def sky(target, sun=None, light=None, atmosphere=None, **parameters):
     settings = _named(parameters, _properties(vtkGodRaysSkyPass()) - own)
     if sun is not None:
         sun = [float(number) for number in sun]
-        if len(sun) not in (2, 3):
+        if len(sun) not in (2, 3) or len(sun) == 3 and not any(sun):
             raise ValueError(f"sun={sun} should be (azimuth, elevation) or a direction (x, y, z)")
     if light is not None and not isinstance(light, vtkLight):
         raise TypeError(f"light should be a vtkLight, not {type(light).__name__}")
@@ -157,7 +157,10 @@ def sky(target, sun=None, light=None, atmosphere=None, **parameters):
     if atmosphere is not None:
         found.SetAtmosphere(atmosphere)
     if sun is not None:
-        azimuth, elevation = sun if len(sun) == 2 else _angles(sun, found.GetUp(), found.GetNorth())
+        try:
+            azimuth, elevation = sun if len(sun) == 2 else _angles(sun, found.GetUp(), found.GetNorth())
+        except ZeroDivisionError as error:
+            raise ValueError("up and north should be directions that are not parallel") from error
         found.SetSunAzimuth(azimuth)
         found.SetSunElevation(elevation)
     if light is not None:
