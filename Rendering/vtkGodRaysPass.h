@@ -334,7 +334,8 @@ public:
    * Copy a layer of the last frame drawn: 32-bit float RGB, linear light (display-referred for
    * formulations that sum shown colours), one value a pixel of the viewport (the occlusion layer:
    * of the viewport and its margin), origin at the lower left. With several lights the occlusion
-   * layers are added, for which the window is rendered once more unless Output is OCCLUSION.
+   * layers are added, for which the window is rendered once more unless Output is OCCLUSION. The
+   * scattering is before Intensity.
    * Returns false, and empties the image, when the last frame had no rays, or when it is asked for
    * the layers of several lights while the window renders.
    */
