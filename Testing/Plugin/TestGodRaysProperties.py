@@ -8,7 +8,9 @@ from plugin_testing import *
 
 # What a class has, and ParaView has in another form: objects, and what is not a parameter.
 ELSEWHERE = {
-    "vtkGodRaysPass": {"Model", "Integrator", "Role", "DelegatePass", "Compositor"},
+    # the view knows by itself how colours stand for light
+    "vtkGodRaysPass": {
+        "Model", "Integrator", "Role", "DelegatePass", "Compositor", "DisplayTransfer"},  # fmt: skip
     "vtkGodRaysReferenceFilter": set(),
     "vtkGodRaysScatteringFilter": set(),
     "vtkGodRaysSkySource": {"Atmosphere"},
