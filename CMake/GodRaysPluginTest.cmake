@@ -56,7 +56,7 @@ function(godrays_add_plugin_test name)
   add_test(NAME ${name} COMMAND "${arg_PROGRAM}" "${CMAKE_CURRENT_SOURCE_DIR}/${arg_FILE}")
   set_tests_properties(${name} PROPERTIES
     LABELS      plugin
-    TIMEOUT     600
+    TIMEOUT     1200
     ENVIRONMENT "${environment}")
   if(arg_INSTALLED)
     set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED godrays_installed)

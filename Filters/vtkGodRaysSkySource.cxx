@@ -4,6 +4,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
+#include "vtkGodRaysProgress.h"
 #include "vtkGodRaysSetGet.h"
 #include "vtkGodRaysSkyAtmosphere.h"
 #include "vtkGodRaysSkyIntegrator.h"
@@ -15,7 +16,6 @@
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <cmath>
@@ -366,17 +366,7 @@ int vtkGodRaysSkySource::RequestData(
 }
 
 //------------------------------------------------------------------------------
-// Newer VTKs are told to stop in turn, and pass it on.
 bool vtkGodRaysSkySource::TellProgress(double progress)
 {
-  this->UpdateProgress(progress);
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111)
-  if (this->GetAbortExecute())
-  {
-    this->SetAbortOutput(true);
-  }
-  return !this->CheckAbort();
-#else
-  return this->GetAbortExecute() == 0;
-#endif
+  return vtkGodRays::TellProgress(this, progress);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysFramebuffer.h"
 
-#include "vtk_glew.h"
+#include "vtkGodRaysOpenGL.h"
 
 namespace
 {

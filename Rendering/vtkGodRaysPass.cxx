@@ -11,6 +11,7 @@
 #include "vtkGodRaysMedium.h"
 #include "vtkGodRaysMediumModel.h"
 #include "vtkGodRaysOcclusionPass.h"
+#include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysRadialModel.h"
 #include "vtkGodRaysScene.h"
 #include "vtkGodRaysSetGet.h"
@@ -36,7 +37,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 #include "vtkWeakPointer.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <cstdlib>

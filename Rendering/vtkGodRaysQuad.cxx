@@ -4,6 +4,7 @@
 
 #include "vtkGodRaysFunctions.h"
 #include "vtkGodRaysMediumRaysFS.h"
+#include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysTypes.h"
 #include "vtkObject.h"
 #include "vtkOpenGLQuadHelper.h"
@@ -12,7 +13,6 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <string>

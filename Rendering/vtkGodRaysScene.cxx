@@ -6,13 +6,13 @@
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
 #include "vtkFrameBufferObjectBase.h"
+#include "vtkGodRaysOpenGL.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
-#include "vtk_glew.h"
 
 vtkStandardNewMacro(vtkGodRaysScene);
 

@@ -3,10 +3,10 @@
 #include "vtkGodRaysSum.h"
 
 #include "vtkGodRaysBlendPass.h"
+#include "vtkGodRaysOpenGL.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkTextureObject.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysTarget.h"
 
+#include "vtkGodRaysOpenGL.h"
 #include "vtkImageData.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkTextureObject.h"
-#include "vtk_glew.h"
 
 #include <cstddef>
 

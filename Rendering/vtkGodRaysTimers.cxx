@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysTimers.h"
 
+#include "vtkGodRaysOpenGL.h"
 #include "vtkOpenGLRenderTimer.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysViewDepths.h"
 
+#include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysSource.h"
 #include "vtkGodRaysViewDepthsFS.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-#include "vtk_glew.h"
 
 #include <atomic>
 

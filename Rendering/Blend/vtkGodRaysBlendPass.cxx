@@ -4,6 +4,7 @@
 
 #include "vtkGodRaysBlendFS.h"
 #include "vtkGodRaysMedium.h"
+#include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysQuad.h"
 #include "vtkGodRaysSource.h"
 #include "vtkObjectFactory.h"
@@ -11,7 +12,6 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-#include "vtk_glew.h"
 
 vtkStandardNewMacro(vtkGodRaysBlendPass);
 

@@ -6,6 +6,7 @@
 #include "vtkCamera.h"
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysOcclusionFS.h"
+#include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysPass.h"
 #include "vtkGodRaysProjection.h"
 #include "vtkGodRaysQuad.h"
@@ -22,7 +23,6 @@
 #include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <cmath>

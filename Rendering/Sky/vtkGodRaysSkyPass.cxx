@@ -9,6 +9,7 @@
 #include "vtkGodRaysAttachment.h"
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysFramebuffer.h"
+#include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysPass.h"
 #include "vtkGodRaysQuad.h"
 #include "vtkGodRaysScene.h"
@@ -36,7 +37,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 #include "vtkWeakPointer.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <cmath>

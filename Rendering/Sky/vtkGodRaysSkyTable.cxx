@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysSkyTable.h"
 
+#include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysSkyTableFS.h"
 #include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-#include "vtk_glew.h"
 
 #include <cmath>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Counters.h"
 
+#include "CountOpenGLCalls.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <atomic>
@@ -81,66 +81,34 @@ void operator delete(void* memory, std::size_t) noexcept
 }
 #endif
 
-namespace
-{
-// Functions that GLEW has by pointer: ours is put before the one that is there.
-#define COUNT_POINTER(name, parameters, arguments, count)                                          \
-  decltype(__glew##name) Real##name = nullptr;                                                     \
-  void GLAPIENTRY Count##name parameters                                                           \
-  {                                                                                                \
-    count;                                                                                         \
-    Real##name arguments;                                                                          \
-  }
-COUNT_POINTER(CompileShader, (GLuint s), (s), ++Shaders)
-COUNT_POINTER(LinkProgram, (GLuint p), (p), ++Shaders)
-COUNT_POINTER(
-  BufferData, (GLenum t, GLsizeiptr s, const void* d, GLenum u), (t, s, d, u), ++Objects)
-COUNT_POINTER(GenBuffers, (GLsizei n, GLuint* f), (n, f), Objects += n)
-COUNT_POINTER(GenFramebuffers, (GLsizei n, GLuint* f), (n, f), Objects += n)
-COUNT_POINTER(GenRenderbuffers, (GLsizei n, GLuint* f), (n, f), Objects += n)
-COUNT_POINTER(GenVertexArrays, (GLsizei n, GLuint* f), (n, f), Objects += n)
-COUNT_POINTER(GenQueries, (GLsizei n, GLuint* f), (n, f), Objects += n)
-#undef COUNT_POINTER
-}
-
-extern "C"
-{
-  void GLAPIENTRY glTexImage2D(GLenum target, GLint level, GLint internalFormat, GLsizei width,
-    GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels)
-  {
-    static const auto next =
-      reinterpret_cast<decltype(&glTexImage2D)>(dlsym(RTLD_NEXT, "glTexImage2D"));
-    ++Objects;
-    next(target, level, internalFormat, width, height, border, format, type, pixels);
-  }
-  void GLAPIENTRY glGenTextures(GLsizei n, GLuint* textures)
-  {
-    static const auto next =
-      reinterpret_cast<decltype(&glGenTextures)>(dlsym(RTLD_NEXT, "glGenTextures"));
-    Objects += n;
-    next(n, textures);
-  }
-}
+COUNT_CALLS(CompileShader, (GLuint s), (s), ++Shaders)
+COUNT_CALLS(LinkProgram, (GLuint p), (p), ++Shaders)
+COUNT_CALLS(BufferData, (GLenum t, GLsizeiptr s, const void* d, GLenum u), (t, s, d, u), ++Objects)
+COUNT_CALLS(GenBuffers, (GLsizei n, GLuint* f), (n, f), Objects += n)
+COUNT_CALLS(GenFramebuffers, (GLsizei n, GLuint* f), (n, f), Objects += n)
+COUNT_CALLS(GenRenderbuffers, (GLsizei n, GLuint* f), (n, f), Objects += n)
+COUNT_CALLS(GenVertexArrays, (GLsizei n, GLuint* f), (n, f), Objects += n)
+COUNT_CALLS(GenQueries, (GLsizei n, GLuint* f), (n, f), Objects += n)
+COUNT_CALLS_1_1(TexImage2D,
+  (GLenum target, GLint level, GLint internalFormat, GLsizei width, GLsizei height, GLint border,
+    GLenum format, GLenum type, const void* pixels),
+  (target, level, internalFormat, width, height, border, format, type, pixels), ++Objects)
+COUNT_CALLS_1_1(GenTextures, (GLsizei n, GLuint* t), (n, t), Objects += n)
 
 //------------------------------------------------------------------------------
 void StartCounters(vtkOpenGLRenderWindow* window)
 {
   window->MakeCurrent();
-#define INSTALL(name)                                                                              \
-  if (__glew##name && __glew##name != Count##name)                                                 \
-  {                                                                                                \
-    Real##name = __glew##name;                                                                     \
-    __glew##name = Count##name;                                                                    \
-  }
-  INSTALL(CompileShader)
-  INSTALL(LinkProgram)
-  INSTALL(BufferData)
-  INSTALL(GenBuffers)
-  INSTALL(GenFramebuffers)
-  INSTALL(GenRenderbuffers)
-  INSTALL(GenVertexArrays)
-  INSTALL(GenQueries)
-#undef INSTALL
+  INSTALL_COUNT(CompileShader)
+  INSTALL_COUNT(LinkProgram)
+  INSTALL_COUNT(BufferData)
+  INSTALL_COUNT(GenBuffers)
+  INSTALL_COUNT(GenFramebuffers)
+  INSTALL_COUNT(GenRenderbuffers)
+  INSTALL_COUNT(GenVertexArrays)
+  INSTALL_COUNT(GenQueries)
+  INSTALL_COUNT_1_1(TexImage2D)
+  INSTALL_COUNT_1_1(GenTextures)
   Shaders = 0;
   Objects = 0;
   NumberOfCallers = 0;

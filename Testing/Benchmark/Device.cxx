@@ -4,13 +4,13 @@
 
 #include "GodRaysPictures.h"
 
+#include "vtkGodRaysOpenGL.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderingOpenGLConfigure.h"
 #include "vtkShaderProgram.h"
-#include "vtk_glew.h"
 
 #include <chrono>
 #include <cstdlib>

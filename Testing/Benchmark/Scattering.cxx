@@ -5,9 +5,9 @@
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysReferenceFilter.h"
 
+#include "vtkGodRaysOpenGL.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,6 +7,7 @@
 #include "GodRaysTesting.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkGodRaysOpenGL.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -15,7 +16,6 @@
 #include "vtkRenderStepsPass.h"
 #include "vtkTextureObject.h"
 #include "vtkToneMappingPass.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <memory>

@@ -16,9 +16,9 @@
 #include "vtkGodRaysTapsIntegrator.h"
 #include "vtkGodRaysTarget.h"
 
+#include "vtkGodRaysOpenGL.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <chrono>

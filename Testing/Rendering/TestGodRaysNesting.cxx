@@ -8,6 +8,7 @@
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkFramebufferPass.h"
 #include "vtkGaussianBlurPass.h"
+#include "vtkGodRaysOpenGL.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFXAAPass.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -20,7 +21,6 @@
 #include "vtkTextureObject.h"
 #include "vtkToneMappingPass.h"
 #include "vtkTranslucentPass.h"
-#include "vtk_glew.h"
 
 #include <cmath>
 #include <functional>

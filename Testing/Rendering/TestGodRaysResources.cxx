@@ -4,6 +4,7 @@
 // What is made on the graphics card, counted where OpenGL is called, so that VTK's own work counts
 // as well: a steady frame makes nothing, no number needs a new shader, and nothing is left behind.
 
+#include "CountOpenGLCalls.h"
 #include "GodRaysTesting.h"
 
 #include "vtkGodRaysEpipolarCoverageIntegrator.h"
@@ -15,9 +16,6 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProperty.h"
-#include "vtk_glew.h"
-
-#include <dlfcn.h>
 
 #include <functional>
 #include <string>
@@ -77,63 +75,54 @@ std::ostream& operator<<(std::ostream& os, const Counts& c)
 
 Counts Now;
 
-template <typename Function>
-Function Next(Function, const char* name)
-{
-  return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
 }
 
-// Functions that GLEW has by pointer: ours is put before the one that is there.
-#define COUNT_POINTER(name, parameters, arguments, count)                                          \
-  decltype(__glew##name) Real##name = nullptr;                                                     \
-  void GLAPIENTRY Count##name parameters                                                           \
-  {                                                                                                \
-    count;                                                                                         \
-    Real##name arguments;                                                                          \
-  }
-COUNT_POINTER(CompileShader, (GLuint s), (s), ++Now.Shaders)
-COUNT_POINTER(LinkProgram, (GLuint p), (p), ++Now.Programs)
-COUNT_POINTER(
+COUNT_CALLS(CompileShader, (GLuint s), (s), ++Now.Shaders)
+COUNT_CALLS(LinkProgram, (GLuint p), (p), ++Now.Programs)
+COUNT_CALLS(
   BufferData, (GLenum t, GLsizeiptr s, const void* d, GLenum u), (t, s, d, u), ++Now.Buffers)
-COUNT_POINTER(
+COUNT_CALLS(
   GenFramebuffers, (GLsizei n, GLuint* f), (n, f), (Now.Framebuffers += n, Now.Objects += n))
-COUNT_POINTER(DeleteFramebuffers, (GLsizei n, const GLuint* f), (n, f), Now.Framebuffers -= n)
-COUNT_POINTER(
+COUNT_CALLS(DeleteFramebuffers, (GLsizei n, const GLuint* f), (n, f), Now.Framebuffers -= n)
+COUNT_CALLS(
   GenRenderbuffers, (GLsizei n, GLuint* f), (n, f), (Now.Renderbuffers += n, Now.Objects += n))
-COUNT_POINTER(DeleteRenderbuffers, (GLsizei n, const GLuint* f), (n, f), Now.Renderbuffers -= n)
-COUNT_POINTER(
+COUNT_CALLS(DeleteRenderbuffers, (GLsizei n, const GLuint* f), (n, f), Now.Renderbuffers -= n)
+COUNT_CALLS(
   GenVertexArrays, (GLsizei n, GLuint* f), (n, f), (Now.VertexArrays += n, Now.Objects += n))
-COUNT_POINTER(DeleteVertexArrays, (GLsizei n, const GLuint* f), (n, f), Now.VertexArrays -= n)
-COUNT_POINTER(GenQueries, (GLsizei n, GLuint* f), (n, f), Now.Queries += n)
-COUNT_POINTER(DeleteQueries, (GLsizei n, const GLuint* f), (n, f), Now.Queries -= n)
-COUNT_POINTER(TexImage2DMultisample,
+COUNT_CALLS(DeleteVertexArrays, (GLsizei n, const GLuint* f), (n, f), Now.VertexArrays -= n)
+COUNT_CALLS(GenQueries, (GLsizei n, GLuint* f), (n, f), Now.Queries += n)
+COUNT_CALLS(DeleteQueries, (GLsizei n, const GLuint* f), (n, f), Now.Queries -= n)
+COUNT_CALLS(TexImage2DMultisample,
   (GLenum t, GLsizei n, GLenum i, GLsizei w, GLsizei h, GLboolean f), (t, n, i, w, h, f),
   ++Now.Images)
-#undef COUNT_POINTER
+COUNT_CALLS_1_1(TexImage2D,
+  (GLenum target, GLint level, GLint internalFormat, GLsizei width, GLsizei height, GLint border,
+    GLenum format, GLenum type, const void* pixels),
+  (target, level, internalFormat, width, height, border, format, type, pixels), ++Now.Images)
+COUNT_CALLS_1_1(GenTextures, (GLsizei n, GLuint* t), (n, t), (Now.Textures += n, Now.Objects += n))
+COUNT_CALLS_1_1(DeleteTextures, (GLsizei n, const GLuint* t), (n, t), Now.Textures -= n)
 
-/// Count from now on in this window. GLEW sets its pointers anew whenever a window is initialized.
+namespace
+{
+/// Count from now on in this window. The loader sets its pointers anew whenever a window is initialized.
 void Count(vtkRenderWindow* window)
 {
   vtkOpenGLRenderWindow::SafeDownCast(window)->Initialize();
-#define INSTALL(name)                                                                              \
-  if (__glew##name != Count##name)                                                                 \
-  {                                                                                                \
-    Real##name = __glew##name;                                                                     \
-    __glew##name = Count##name;                                                                    \
-  }
-  INSTALL(CompileShader)
-  INSTALL(LinkProgram)
-  INSTALL(BufferData)
-  INSTALL(GenFramebuffers)
-  INSTALL(DeleteFramebuffers)
-  INSTALL(GenRenderbuffers)
-  INSTALL(DeleteRenderbuffers)
-  INSTALL(GenVertexArrays)
-  INSTALL(DeleteVertexArrays)
-  INSTALL(GenQueries)
-  INSTALL(DeleteQueries)
-  INSTALL(TexImage2DMultisample)
-#undef INSTALL
+  INSTALL_COUNT(CompileShader)
+  INSTALL_COUNT(LinkProgram)
+  INSTALL_COUNT(BufferData)
+  INSTALL_COUNT(GenFramebuffers)
+  INSTALL_COUNT(DeleteFramebuffers)
+  INSTALL_COUNT(GenRenderbuffers)
+  INSTALL_COUNT(DeleteRenderbuffers)
+  INSTALL_COUNT(GenVertexArrays)
+  INSTALL_COUNT(DeleteVertexArrays)
+  INSTALL_COUNT(GenQueries)
+  INSTALL_COUNT(DeleteQueries)
+  INSTALL_COUNT(TexImage2DMultisample)
+  INSTALL_COUNT_1_1(TexImage2D)
+  INSTALL_COUNT_1_1(GenTextures)
+  INSTALL_COUNT_1_1(DeleteTextures)
 }
 
 /// What one frame makes.
@@ -143,31 +132,6 @@ Counts Draw(Stage& scene)
   scene.Window->Render();
   return Now - before;
 }
-}
-
-// Functions that VTK links to: these symbols of the program come before the driver's.
-extern "C"
-{
-  void GLAPIENTRY glTexImage2D(GLenum target, GLint level, GLint internalFormat, GLsizei width,
-    GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels)
-  {
-    static const auto next = Next(&glTexImage2D, "glTexImage2D");
-    ++Now.Images;
-    next(target, level, internalFormat, width, height, border, format, type, pixels);
-  }
-  void GLAPIENTRY glGenTextures(GLsizei n, GLuint* textures)
-  {
-    static const auto next = Next(&glGenTextures, "glGenTextures");
-    Now.Textures += n;
-    Now.Objects += n;
-    next(n, textures);
-  }
-  void GLAPIENTRY glDeleteTextures(GLsizei n, const GLuint* textures)
-  {
-    static const auto next = Next(&glDeleteTextures, "glDeleteTextures");
-    Now.Textures -= n;
-    next(n, textures);
-  }
 }
 
 namespace

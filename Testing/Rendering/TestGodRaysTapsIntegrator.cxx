@@ -15,10 +15,10 @@
 
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
+#include "vtkGodRaysOpenGL.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPointData.h"
-#include "vtk_glew.h"
 
 #include <cmath>
 #include <limits>

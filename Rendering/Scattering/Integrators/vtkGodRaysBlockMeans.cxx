@@ -8,6 +8,7 @@
 #include "vtkGodRaysClippedTaps.h"
 #include "vtkGodRaysMarch.h"
 #include "vtkGodRaysMath.h"
+#include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysQuad.h"
 #include "vtkGodRaysSum.h"
 #include "vtkGodRaysTarget.h"
@@ -15,7 +16,6 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <array>

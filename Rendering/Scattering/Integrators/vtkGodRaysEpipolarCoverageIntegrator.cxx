@@ -6,6 +6,7 @@
 #include "vtkGodRaysCoverageSweep.h"
 #include "vtkGodRaysMediumModel.h"
 #include "vtkGodRaysMediumRays.h"
+#include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysSetGet.h"
 #include "vtkGodRaysSolidLayers.h"
 #include "vtkGodRaysSource.h"
@@ -15,7 +16,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 

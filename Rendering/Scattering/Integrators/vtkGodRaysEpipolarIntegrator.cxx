@@ -5,6 +5,7 @@
 #include "vtkGodRaysBlockMeans.h"
 #include "vtkGodRaysClippedTaps.h"
 #include "vtkGodRaysMath.h"
+#include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysRadialModel.h"
 #include "vtkGodRaysRadialSweep.h"
 #include "vtkGodRaysSum.h"
@@ -15,7 +16,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkSMPTools.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,10 +3,10 @@
 #include "vtkGodRaysMediumRays.h"
 
 #include "vtkGodRaysMath.h"
+#include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysQuad.h"
 #include "vtkGodRaysSum.h"
 #include "vtkShaderProgram.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <string>

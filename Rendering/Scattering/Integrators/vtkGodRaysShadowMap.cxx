@@ -6,6 +6,7 @@
 #include "vtkCamera.h"
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysMedium.h"
+#include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysProjection.h"
 #include "vtkGodRaysSource.h"
 #include "vtkMapper.h"
@@ -19,7 +20,6 @@
 #include "vtkShaderProperty.h"
 #include "vtkTextureObject.h"
 #include "vtkUniforms.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <cmath>

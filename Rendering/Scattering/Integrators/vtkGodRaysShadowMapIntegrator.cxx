@@ -4,6 +4,7 @@
 
 #include "vtkGodRaysMediumModel.h"
 #include "vtkGodRaysMediumRays.h"
+#include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysQuad.h"
 #include "vtkGodRaysShadowMap.h"
 #include "vtkGodRaysShadowMapFS.h"
@@ -15,7 +16,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
-#include "vtk_glew.h"
 
 #include <sstream>
 

@@ -3,6 +3,7 @@
 #include "vtkGodRaysSolidLayers.h"
 
 #include "vtkCamera.h"
+#include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysProjection.h"
 #include "vtkGodRaysSource.h"
 #include "vtkObjectFactory.h"
@@ -13,7 +14,6 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-#include "vtk_glew.h"
 
 #include <memory>
 

@@ -3,6 +3,7 @@
 #include "vtkGodRaysTapsIntegrator.h"
 
 #include "vtkGodRaysMath.h"
+#include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysQuad.h"
 #include "vtkGodRaysRadialModel.h"
 #include "vtkGodRaysSum.h"
@@ -13,7 +14,6 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <cmath>
