@@ -2,23 +2,225 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysAttachment.h"
 
-#include "vtkImageProcessingPass.h"
+#include "vtkCameraPass.h"
+#include "vtkCommand.h"
+#include "vtkEDLShading.h"
+#include "vtkGodRaysPass.h"
+#include "vtkGodRaysSkyPass.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseKey.h"
+#include "vtkNew.h"
+#include "vtkPanoramicProjectionPass.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkSSAAPass.h"
+#include "vtkSSAOPass.h"
+#include "vtkSequencePass.h"
+
+namespace
+{
+// Passes that lead back to themselves have no end.
+const int DeepestNesting = 32;
+
+/// Call a function with the pass as what it is, if it has one delegate.
+template <typename Function>
+bool WithDelegate(vtkRenderPass* pass, const Function& function)
+{
+  if (auto image = vtkImageProcessingPass::SafeDownCast(pass))
+  {
+    function(image);
+    return true;
+  }
+  if (auto camera = vtkCameraPass::SafeDownCast(pass))
+  {
+    function(camera);
+    return true;
+  }
+  if (auto supersampling = vtkSSAAPass::SafeDownCast(pass))
+  {
+    function(supersampling);
+    return true;
+  }
+  return false;
+}
+
+/// What a pass has others draw.
+std::vector<vtkRenderPass*> GetDelegates(vtkRenderPass* pass)
+{
+  std::vector<vtkRenderPass*> delegates;
+  WithDelegate(pass, [&delegates](auto* each) { delegates.push_back(each->GetDelegatePass()); });
+  auto sequence = vtkSequencePass::SafeDownCast(pass);
+  if (vtkRenderPassCollection* passes = sequence ? sequence->GetPasses() : nullptr)
+  {
+    for (int i = 0; i < passes->GetNumberOfItems(); ++i)
+    {
+      delegates.push_back(vtkRenderPass::SafeDownCast(passes->GetItemAsObject(i)));
+    }
+  }
+  return delegates;
+}
+
+bool Extend(std::vector<vtkRenderPass*>& path, vtkRenderPass* next,
+  const std::function<bool(vtkRenderPass*)>& is)
+{
+  if (!next || path.size() == DeepestNesting)
+  {
+    return false;
+  }
+  path.push_back(next);
+  if (is(next))
+  {
+    return true;
+  }
+  for (vtkRenderPass* delegate : GetDelegates(next))
+  {
+    if (Extend(path, delegate, is))
+    {
+      return true;
+    }
+  }
+  path.pop_back();
+  return false;
+}
+
+/// Whether a pass works on what is finished below it, so that ours belongs under it. SSAO and EDL shade
+/// surfaces, and leave depth behind.
+bool IsOver(vtkRenderPass* other, vtkImageProcessingPass* pass)
+{
+  if (vtkGodRaysPass::SafeDownCast(other))
+  {
+    return vtkGodRaysSkyPass::SafeDownCast(pass) != nullptr;
+  }
+  return vtkSSAAPass::SafeDownCast(other) ||
+    (vtkImageProcessingPass::SafeDownCast(other) && !vtkGodRaysSkyPass::SafeDownCast(other) &&
+      !vtkSSAOPass::SafeDownCast(other) && !vtkEDLShading::SafeDownCast(other) &&
+      !vtkPanoramicProjectionPass::SafeDownCast(other));
+}
+
+/// The innermost pass that is over ours, null if there is none.
+vtkRenderPass* FindInnermostOver(vtkRenderPass* root, vtkImageProcessingPass* pass, int depth = 0)
+{
+  const bool isOver = IsOver(root, pass);
+  if (depth == DeepestNesting || (vtkImageProcessingPass::SafeDownCast(root) && !isOver))
+  {
+    return nullptr;
+  }
+  for (vtkRenderPass* delegate : GetDelegates(root))
+  {
+    if (vtkRenderPass* found = FindInnermostOver(delegate, pass, depth + 1))
+    {
+      return found;
+    }
+  }
+  return isOver ? root : nullptr;
+}
+}
+
+vtkInformationKeyRestrictedMacro(
+  vtkGodRaysAttachment, PASSES, ObjectBase, "vtkRenderPassCollection");
+
+//------------------------------------------------------------------------------
+/// Called when the renderer starts to render. The renderer holds it and, as information, the pass.
+class vtkGodRaysAttachment::Watch : public vtkCommand
+{
+public:
+  static Watch* New() { return new Watch; }
+  void Execute(vtkObject*, unsigned long, void*) override
+  {
+    vtkRenderPass* delegate = this->Pass->GetDelegatePass();
+    if (delegate == this->Attachment->Delegate || vtkGodRaysSkyPass::SafeDownCast(delegate))
+    {
+      this->Attachment->Insert(this->Pass, this->Attachment->Renderer);
+    }
+  }
+
+  vtkGodRaysAttachment* Attachment = nullptr; // of the pass
+  vtkImageProcessingPass* Pass = nullptr;
+};
+
+//------------------------------------------------------------------------------
+std::vector<vtkRenderPass*> vtkGodRaysAttachment::FindPath(
+  vtkRenderer* renderer, const std::function<bool(vtkRenderPass*)>& is)
+{
+  std::vector<vtkRenderPass*> path;
+  Extend(path, renderer->GetPass(), is);
+  return path;
+}
+
+//------------------------------------------------------------------------------
+vtkRenderPass* vtkGodRaysAttachment::FindPass(
+  vtkRenderer* renderer, const std::function<bool(vtkRenderPass*)>& is)
+{
+  const auto path = FindPath(renderer, is);
+  if (!path.empty())
+  {
+    return path.back();
+  }
+  auto passes = vtkRenderPassCollection::SafeDownCast(renderer->GetInformation()->Get(PASSES()));
+  for (int i = 0; passes && i < passes->GetNumberOfItems(); ++i)
+  {
+    auto pass = vtkRenderPass::SafeDownCast(passes->GetItemAsObject(i));
+    if (is(pass))
+    {
+      return pass;
+    }
+  }
+  return nullptr;
+}
 
 //------------------------------------------------------------------------------
 void vtkGodRaysAttachment::Attach(vtkImageProcessingPass* pass, vtkRenderer* renderer)
 {
-  if (this->FormerPass) // of a renderer that is gone
+  if (this->Renderer == renderer)
+  {
+    this->Insert(pass, renderer);
+    return;
+  }
+  if (this->WatchTag) // on a renderer that is gone
   {
     pass->SetDelegatePass(this->FormerDelegate);
   }
   this->Renderer = renderer;
+  this->Over = nullptr;
+  this->Former = nullptr;
   this->FormerDelegate = pass->GetDelegatePass();
-  this->FormerPass = renderer->GetPass() == pass ? nullptr : renderer->GetPass();
-  if (this->FormerPass)
+  this->Delegate = this->FormerDelegate;
+  this->Insert(pass, renderer);
+
+  vtkNew<Watch> watch;
+  watch->Attachment = this;
+  watch->Pass = pass;
+  // after others that arrange passes in this event
+  this->WatchTag = renderer->AddObserver(vtkCommand::StartEvent, watch, -1.0f);
+  vtkInformation* information = renderer->GetInformation();
+  if (!information->Has(PASSES()))
   {
-    pass->SetDelegatePass(this->FormerPass);
+    information->Set(PASSES(), vtkNew<vtkRenderPassCollection>());
   }
-  renderer->SetPass(pass);
+  vtkRenderPassCollection::SafeDownCast(information->Get(PASSES()))->AddItem(pass);
+}
+
+//------------------------------------------------------------------------------
+// Put the pass among the renderer's, if it is not among them.
+void vtkGodRaysAttachment::Insert(vtkImageProcessingPass* pass, vtkRenderer* renderer)
+{
+  if (!FindPath(renderer, [pass](vtkRenderPass* each) { return each == pass; }).empty())
+  {
+    return;
+  }
+  this->Over = FindInnermostOver(renderer->GetPass(), pass);
+  this->Former = this->Over ? GetDelegates(this->Over).front() : renderer->GetPass();
+  pass->SetDelegatePass(this->Former ? this->Former : this->FormerDelegate);
+  this->Delegate = pass->GetDelegatePass();
+  this->Put(pass, renderer);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysAttachment::Put(vtkRenderPass* pass, vtkRenderer* renderer)
+{
+  if (!WithDelegate(this->Over, [pass](auto* over) { over->SetDelegatePass(pass); }))
+  {
+    renderer->SetPass(pass);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -30,17 +232,33 @@ bool vtkGodRaysAttachment::Has(vtkImageProcessingPass* pass, vtkRenderer* render
 //------------------------------------------------------------------------------
 void vtkGodRaysAttachment::Detach(vtkImageProcessingPass* pass, vtkRenderer* renderer)
 {
+  const vtkSmartPointer<vtkImageProcessingPass> keep = pass;
   const bool attached = this->Renderer == renderer;
-  if (renderer->GetPass() == pass)
+  vtkSmartPointer<vtkRenderPass> next = attached ? this->Former : nullptr;
+  vtkRenderPass* delegate = pass->GetDelegatePass();
+  if (vtkGodRaysSkyPass::SafeDownCast(delegate) || vtkGodRaysSkyPass::SafeDownCast(next))
   {
-    renderer->SetPass(attached ? this->FormerPass : nullptr);
+    // A sky has come under god rays since, and stays, or has gone.
+    next = delegate == this->FormerDelegate ? nullptr : delegate;
+  }
+  const auto path = FindPath(renderer, [pass](vtkRenderPass* each) { return each == pass; });
+  vtkRenderPass* over = path.size() > 1 ? path[path.size() - 2] : nullptr;
+  if (path.size() == 1 || (over && (over == this->Over || vtkGodRaysPass::SafeDownCast(over))))
+  {
+    this->Over = over;
+    this->Put(next, renderer);
   }
   if (!attached)
   {
     return;
   }
+  renderer->RemoveObserver(this->WatchTag);
+  this->WatchTag = 0;
+  vtkRenderPassCollection::SafeDownCast(renderer->GetInformation()->Get(PASSES()))
+    ->RemoveItem(pass);
   pass->SetDelegatePass(this->FormerDelegate);
-  this->FormerPass = nullptr;
+  this->Over = nullptr;
+  this->Former = nullptr;
   this->FormerDelegate = nullptr;
   this->Renderer = nullptr;
 }

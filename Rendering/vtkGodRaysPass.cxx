@@ -48,6 +48,14 @@ vtkInformationKeyMacro(vtkGodRaysPass, ROLE, Integer);
 
 namespace
 {
+/// The number of tiles of a large screenshot, across or up, whichever is more; 1 for a whole picture.
+double GetTiles(vtkRenderWindow* window)
+{
+  int tiles[2];
+  window->GetTileScale(tiles);
+  return std::max(tiles[0], tiles[1]);
+}
+
 bool IsDisabledByEnvironment()
 {
   const char* value = std::getenv("GODRAYS_DISABLE");
@@ -88,7 +96,9 @@ struct vtkGodRaysPass::Internals
   bool KeepAllLayers = false;
   int NumberOfSources = 0; // of the last frame
   vtkGodRaysTransfer Transfer = vtkGodRaysTransfer::SRGB;
+  double Margin = 0.0;        // of the layers of this frame
   bool DrawsScene = false;    // at this moment
+  bool Releases = false;      // at this moment
   bool IsOwnDelegate = false; // its delegate called it while it drew the scene
   std::string LightPlan;
   std::string StagePlan;
@@ -313,12 +323,18 @@ void vtkGodRaysPass::Attach(vtkRenderer* renderer)
   }
   Internals& self = *this->Internal;
   vtkRenderer* former = self.Attachment.GetRenderer();
-  if (former == renderer && renderer->GetPass() == this)
+  if (former != renderer)
   {
-    return;
+    const vtkSmartPointer<vtkGodRaysPass> keep = this;
+    this->Detach(former);
   }
-  this->Detach(former);
   self.Attachment.Attach(this, renderer);
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysPass* vtkGodRaysPass::Find(vtkRenderer* renderer)
+{
+  return renderer ? vtkGodRaysAttachment::Find<vtkGodRaysPass>(renderer) : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -423,7 +439,8 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
     int viewport[4];
     vtkGodRaysScene::GetViewport(s, viewport);
     vtkGodRaysScene::UpdateStereo(renderer);
-    view.Set(renderer, viewport + 2, this->LayerMargin);
+    self.Margin = this->FindMargin(window, viewport + 2);
+    view.Set(renderer, viewport + 2, self.Margin);
     self.Transfer = self.Model->GetLinearLight()
       ? vtkGodRaysFindTransfer(this->DisplayTransfer, renderer, this)
       : vtkGodRaysTransfer::NONE;
@@ -519,6 +536,20 @@ const char* vtkGodRaysPass::FindReasonForNoRays(
 }
 
 //------------------------------------------------------------------------------
+// A large screenshot is drawn in tiles: what is on the others must cast into each as on one picture.
+double vtkGodRaysPass::FindMargin(vtkOpenGLRenderWindow* window, const int size[2]) const
+{
+  if (this->Output == OCCLUSION) // which shows the layer with its margin
+  {
+    return this->LayerMargin;
+  }
+  const double wanted = GetTiles(window) - 1.0;
+  const double largest = vtkTextureObject::GetMaximumTextureSize(window);
+  const double possible = 0.5 * (largest / std::max(size[0], size[1]) - 1.0);
+  return std::max(this->LayerMargin, std::min(wanted, possible));
+}
+
+//------------------------------------------------------------------------------
 // Whether the picture changes where no light is scattered.
 bool vtkGodRaysPass::DimsScene() const
 {
@@ -562,6 +593,7 @@ std::vector<vtkGodRaysSource> vtkGodRaysPass::FindSources(
   finder.BackgroundGlowFalloff = this->BackgroundGlowFalloff;
   finder.Transfer = self.Transfer;
   finder.CapsMarch = self.Model->CapsMarch();
+  finder.Tiles = GetTiles(renderer->GetRenderWindow());
   finder.LightsMedium = self.MediumModel != nullptr;
   finder.Compositor = self.Compositor;
   auto sources = finder.Find(view, self.Lights);
@@ -630,7 +662,7 @@ bool vtkGodRaysPass::RenderRays(
     blended = this->DrawOutput(viewport, view);
   }
   self.Timers.Stop();
-  this->DescribeStages(this->LayerMargin);
+  this->DescribeStages(self.Margin);
   return blended;
 }
 
@@ -648,7 +680,7 @@ bool vtkGodRaysPass::FindOccluders(const vtkRenderState* s, const vtkGodRaysView
   occlusion.Multisampled = bound.Multisampled;
   occlusion.ColorFormat = precision;
   occlusion.OneColorFormat = self.Integrator->GetOneColorFormat(self.Window, self.Model, precision);
-  occlusion.Margin = this->LayerMargin;
+  occlusion.Margin = self.Margin;
   occlusion.UntaggedPropsOcclude = this->UntaggedPropsOcclude;
   occlusion.LampsOcclude = !self.MediumModel;
   occlusion.Dims = !self.MediumModel;
@@ -853,9 +885,16 @@ void vtkGodRaysPass::Complain(const std::string& complaint)
 //------------------------------------------------------------------------------
 void vtkGodRaysPass::ReleaseGraphicsResources(vtkWindow* window)
 {
+  Internals& self = *this->Internal;
+  if (self.Releases) // its delegate leads back to it
+  {
+    return;
+  }
+  self.Releases = true;
   this->Superclass::ReleaseGraphicsResources(window);
-  this->Internal->Release(window);
-  this->Internal->RendererSteps->ReleaseGraphicsResources(window);
+  self.Release(window);
+  self.RendererSteps->ReleaseGraphicsResources(window);
+  self.Releases = false;
 }
 
 //------------------------------------------------------------------------------

@@ -238,9 +238,10 @@ public:
   /**
    * Set/Get how far the occlusion layer reaches beyond each edge of the picture, as a fraction of
    * the picture's width and height [no unit], so that lights and occluders just outside act as
-   * they should. Above 0 the occluders are rendered a second time. A screenshot in two by two
-   * tiles, as of vtkWindowToImageFilter with a scale of 2, needs 1: each tile is a picture of its
-   * own, and rays from other tiles end where its layer does. Valid range: [0, 1]. Default is 0.
+   * they should. Above 0 the occluders are rendered a second time. Where a window is drawn in n by n
+   * tiles, as by vtkWindowToImageFilter with a scale of n, it is n - 1 at least, as far as textures can
+   * be large enough: a tile is a picture of its own, and rays come from what is on the others. Valid
+   * range: [0, 1]. Default is 0.
    */
   void SetLayerMargin(double margin);
   vtkGetMacro(LayerMargin, double);
@@ -315,18 +316,23 @@ public:
 
   ///@{
   /**
-   * Attach: set this pass on a renderer and keep how the renderer draws. A pass that the renderer
-   * has becomes the delegate; without one the renderer's own steps draw the scene, with its depth
-   * peeling, SSAO, FXAA, shadows and hidden-line removal. A delegate must leave the scene's depth
-   * in the framebuffer that it got: vtkSSAAPass, vtkToneMappingPass and vtkGaussianBlurPass do not,
-   * so that nothing would block light; let them have this pass as their delegate instead.
-   * If it has this pass for its own delegate already, give it to the renderer by SetPass() instead.
+   * Attach: put this pass among those of a renderer and keep how the renderer draws. Passes that work on a
+   * finished picture and leave no depth (vtkSSAAPass, vtkOpenGLFXAAPass, vtkGaussianBlurPass,
+   * vtkDepthOfFieldPass, vtkToneMappingPass and other vtkImageProcessingPasses) get this pass for their
+   * delegate. Any other pass that the renderer has, such as vtkSSAOPass, vtkEDLShading or a vtkCameraPass
+   * with shadow maps, becomes the delegate of this one; without one the renderer's own steps draw the
+   * scene, with its depth peeling, SSAO, FXAA, shadows and hidden-line removal.
+   * From then on, the rays stay: when somebody sets another pass on the renderer, or none, this one is put
+   * among the passes again as the renderer starts to render, until Detach(). The renderer keeps this pass
+   * alive. One that the renderer's passes have for a delegate already stays where it is.
    * Detach: release everything on the graphics card and restore the renderer's former pass; a
    * renderer that got this pass by SetPass() has none then. For any other renderer nothing happens.
    * Attaching to another renderer detaches from the one before. A null renderer is an error.
+   * Find: the first, outermost vtkGodRaysPass among a renderer's passes, null if there is none.
    */
   void Attach(vtkRenderer* renderer);
   void Detach(vtkRenderer* renderer);
+  static vtkGodRaysPass* Find(vtkRenderer* renderer);
   ///@}
 
   ///@{
@@ -394,6 +400,7 @@ private:
   bool ComposeLayer(const vtkGodRaysSource& source, const std::vector<vtkGodRaysSource>& sources,
     unsigned int precision);
   bool Scatter(vtkRenderer* renderer, const vtkGodRaysView& view, const vtkGodRaysSource& source);
+  double FindMargin(vtkOpenGLRenderWindow* window, const int size[2]) const;
   bool DimsScene() const;
   bool DrawOutput(const int viewport[4], const vtkGodRaysView& view);
   void ShowNoLight(const vtkRenderState* s, vtkOpenGLState* state);

@@ -200,8 +200,8 @@ void vtkGodRaysSourceFinder::SetMarch(vtkGodRaysSource& source, const vtkGodRays
   const glm::dvec3 clip(source.Clip[0], source.Clip[1], distance);
   const double diagonal = 2.0 * std::hypot(view.Aspect, 1.0);
   const bool capped = this->CapsMarch || view.Parallel;
-  const double cap =
-    capped ? MarchCapDiagonals * diagonal * view.ViewScale : std::numeric_limits<float>::max();
+  const double cap = capped ? MarchCapDiagonals * diagonal * view.ViewScale * this->Tiles
+                            : std::numeric_limits<float>::max();
   source.MarchScale = vtkGodRays::MarchScale(clip, view.Aspect, cap);
   if (!capped && source.Clip[2] <= 0.0)
   {

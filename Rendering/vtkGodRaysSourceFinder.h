@@ -22,14 +22,15 @@ class vtkGodRaysSourceFinder
 {
 public:
   vtkRenderer* Renderer;
-  double SourceRadius;                        ///< of positional lights [world units]; 0: automatic
-  double SunAngularRadius;                    ///< of directional lights [degrees]
-  double BackgroundGlow;                      ///< fraction of the light's radiance
-  double BackgroundGlowRadius;                ///< [degrees]
-  double BackgroundGlowFalloff;               ///< [degrees]
-  vtkGodRaysTransfer Transfer;                ///< of the colours of lights
-  bool CapsMarch;                             ///< see vtkGodRaysModel
-  bool LightsMedium;                          ///< all that shines counts, wherever it is
+  double SourceRadius;          ///< of positional lights [world units]; 0: automatic
+  double SunAngularRadius;      ///< of directional lights [degrees]
+  double BackgroundGlow;        ///< fraction of the light's radiance
+  double BackgroundGlowRadius;  ///< [degrees]
+  double BackgroundGlowFalloff; ///< [degrees]
+  vtkGodRaysTransfer Transfer;  ///< of the colours of lights
+  bool CapsMarch;               ///< see vtkGodRaysModel
+  double Tiles = 1.0;           // that the whole picture is wide or high, of which the view is one
+  bool LightsMedium;            ///< all that shines counts, wherever it is
   vtkGodRaysCompositor* Compositor = nullptr; ///< of a scene on several processes
 
   /**

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysTransfer.h"
 
+#include "vtkGodRaysAttachment.h"
 #include "vtkGodRaysPass.h"
 #include "vtkRenderer.h"
 #include "vtkToneMappingPass.h"
@@ -15,14 +16,8 @@ vtkGodRaysTransfer vtkGodRaysFindTransfer(
     return type == vtkGodRaysPass::POWER_TRANSFER ? vtkGodRaysTransfer::POWER
                                                   : vtkGodRaysTransfer::SRGB;
   }
-  auto outer = vtkImageProcessingPass::SafeDownCast(renderer->GetPass());
-  while (outer && outer != pass)
-  {
-    if (vtkToneMappingPass::SafeDownCast(outer))
-    {
-      return vtkGodRaysTransfer::POWER;
-    }
-    outer = vtkImageProcessingPass::SafeDownCast(outer->GetDelegatePass());
-  }
-  return vtkGodRaysTransfer::SRGB;
+  const auto path = vtkGodRaysAttachment::FindPath(renderer,
+    [pass](vtkRenderPass* each) { return each == pass || vtkToneMappingPass::SafeDownCast(each); });
+  return !path.empty() && path.back() != pass ? vtkGodRaysTransfer::POWER
+                                              : vtkGodRaysTransfer::SRGB;
 }

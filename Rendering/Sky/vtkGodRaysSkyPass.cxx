@@ -57,47 +57,6 @@ using vtkGodRays::Vec3;
 
 namespace
 {
-/// The pass of a type among those of a renderer, each the delegate of the one before.
-template <typename Pass>
-Pass* FindPass(vtkRenderer* renderer)
-{
-  vtkRenderPass* pass = renderer->GetPass();
-  while (pass && !Pass::SafeDownCast(pass))
-  {
-    auto outer = vtkImageProcessingPass::SafeDownCast(pass);
-    pass = outer ? outer->GetDelegatePass() : nullptr;
-  }
-  return Pass::SafeDownCast(pass);
-}
-
-/// While it lives, god rays that are all that a renderer has are taken off it.
-class WithoutRays
-{
-public:
-  explicit WithoutRays(vtkRenderer* renderer)
-    : Renderer(renderer)
-    , Rays(vtkGodRaysPass::SafeDownCast(renderer->GetPass()))
-  {
-    if (this->Rays)
-    {
-      this->Rays->Detach(renderer);
-    }
-  }
-  ~WithoutRays()
-  {
-    if (this->Rays)
-    {
-      this->Rays->Attach(this->Renderer);
-    }
-  }
-  WithoutRays(const WithoutRays&) = delete;
-  void operator=(const WithoutRays&) = delete;
-
-private:
-  vtkRenderer* Renderer;
-  vtkSmartPointer<vtkGodRaysPass> Rays;
-};
-
 /// Whether the sky is drawn after the scene, where nothing is. That takes less, but all of the scene needs
 /// depth, and edges must not be smoothed with what is behind them before. SSAO clears what is behind.
 bool IsDrawnAfter(const vtkRenderState* s)
@@ -181,11 +140,10 @@ vtkGodRaysSkyPass* vtkGodRaysSkyPass::Attach(vtkRenderer* renderer)
     vtkGenericWarningMacro("vtkGodRaysSkyPass::Attach needs a vtkRenderer, not null.");
     return nullptr;
   }
-  if (auto known = FindPass<vtkGodRaysSkyPass>(renderer))
+  if (auto known = Find(renderer))
   {
     return known;
   }
-  const WithoutRays withoutRays(renderer);
   vtkNew<vtkGodRaysSkyPass> sky;
   sky->Internal->Attachment.Attach(sky, renderer);
   return sky;
@@ -194,14 +152,8 @@ vtkGodRaysSkyPass* vtkGodRaysSkyPass::Attach(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 bool vtkGodRaysSkyPass::Detach(vtkRenderer* renderer)
 {
-  vtkSmartPointer<vtkGodRaysSkyPass> sky =
-    renderer ? FindPass<vtkGodRaysSkyPass>(renderer) : nullptr;
+  const vtkSmartPointer<vtkGodRaysSkyPass> sky = Find(renderer);
   if (!sky)
-  {
-    return false;
-  }
-  const WithoutRays withoutRays(renderer);
-  if (renderer->GetPass() != sky)
   {
     return false;
   }
@@ -212,7 +164,13 @@ bool vtkGodRaysSkyPass::Detach(vtkRenderer* renderer)
     self.Release(self.Window);
   }
   self.Attachment.Detach(sky, renderer);
-  return true;
+  return Find(renderer) != sky;
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysSkyPass* vtkGodRaysSkyPass::Find(vtkRenderer* renderer)
+{
+  return renderer ? vtkGodRaysAttachment::Find<vtkGodRaysSkyPass>(renderer) : nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -66,14 +66,16 @@ public:
 
   ///@{
   /**
-   * Attach: give a renderer a sky, or return the one that it has. What draws the renderer now becomes the
-   * sky's delegate; god rays that it has stay over the sky. The renderer owns the pass. Null, after an
+   * Attach: give a renderer a sky, or return the one that it has. It is put among the renderer's passes, and
+   * kept there, as by vtkGodRaysPass::Attach(), under god rays. The renderer owns the pass. Null, after an
    * error, for a null renderer.
    * Detach: take the sky off and give the renderer back what it had. False if it has none, or if
-   * another pass than god rays has it for its delegate: give that pass another one.
+   * another pass was given it for its delegate by hand: give that pass another one.
+   * Find: the sky that a renderer has, null if it has none.
    */
   static vtkGodRaysSkyPass* Attach(vtkRenderer* renderer);
   static bool Detach(vtkRenderer* renderer);
+  static vtkGodRaysSkyPass* Find(vtkRenderer* renderer);
   ///@}
 
   ///@{

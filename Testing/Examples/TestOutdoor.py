@@ -199,7 +199,7 @@ def check_baked_sky_is_the_live_one():
         camera.Yaw(angle)
         show_only(box)
         sky_pass = renderer.GetPass()
-        renderer.SetPass(None)
+        godrays.vtkGodRaysSkyPass.Detach(renderer)
         baked = shown()
         renderer.SetPass(sky_pass)
         show_only(clouds)

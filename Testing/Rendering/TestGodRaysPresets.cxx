@@ -30,6 +30,14 @@ namespace
 {
 const std::array<double, 3> Towards = { 0.06, 0.08, -1.0 }; // the sun
 
+/// Since VTK 9.4 gradients are dithered, by half a level before presets multiply it.
+template <typename Renderer>
+auto DitherNoGradient(Renderer* renderer, int) -> decltype(renderer->SetDitherGradient(false))
+{
+  renderer->SetDitherGradient(false);
+}
+void DitherNoGradient(vtkRenderer*, long) {}
+
 /// A temple's columns, a ring and a figure between them, dark before a low sun.
 class Temple : public Stage
 {
@@ -42,6 +50,7 @@ public:
     this->Renderer->SetBackground(0.34, 0.22, 0.2);
     this->Renderer->SetBackground2(0.07, 0.1, 0.22);
     this->Renderer->GradientBackgroundOn();
+    DitherNoGradient(this->Renderer.Get(), 0);
     vtkCamera* camera = this->Renderer->GetActiveCamera();
     camera->SetPosition(0.0, 1.3, 12.0);
     camera->SetFocalPoint(0.0, 1.9, 0.0);
