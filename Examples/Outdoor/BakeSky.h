@@ -71,6 +71,9 @@ inline vtkSmartPointer<vtkSkybox> BakeSky(vtkRenderer* renderer)
   box->SetProjectionToSphere();
   box->SetFloorPlane(up[0], up[1], up[2], 0.0);
   box->SetFloorRight(right[0], right[1], right[2]);
+  // VTK 9.6 turns the box by the environment of the renderer instead.
+  renderer->SetEnvironmentUp(up[0], up[1], up[2]);
+  renderer->SetEnvironmentRight(camera->GetDirectionOfProjection());
   box->SetTexture(texture); // shown as it is: its colours are the window's already
   return box;
 }

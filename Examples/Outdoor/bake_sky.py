@@ -50,5 +50,8 @@ def bake_sky(renderer):
     box.SetProjectionToSphere()
     box.SetFloorPlane(*camera.GetViewUp(), 0)
     box.SetFloorRight(right)
+    # VTK 9.6 turns the box by the environment of the renderer instead.
+    renderer.SetEnvironmentUp(*camera.GetViewUp())
+    renderer.SetEnvironmentRight(*camera.GetDirectionOfProjection())
     box.SetTexture(texture)  # shown as it is: its colours are the window's already
     return box

@@ -172,7 +172,7 @@ int main(int argc, char* argv[])
   }
   const std::string picture = argv[1];
   const std::string baseline = argv[2];
-  const int levels = 2;
+  const int levels = EXAMPLE_LEVELS;
 
   const int status = Run(picture, argv[3]);
   const int difference = GetDifference(picture, baseline);

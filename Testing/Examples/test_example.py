@@ -13,7 +13,7 @@ import sys
 import numpy
 from example_testing import read
 
-LEVELS = 2
+LEVELS = int(os.environ["EXAMPLE_LEVELS"])
 
 
 def difference(example, picture, baseline, **environment):

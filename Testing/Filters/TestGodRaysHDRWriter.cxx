@@ -34,6 +34,8 @@ vtkSmartPointer<vtkImageData> WriteAndRead(vtkImageData* image)
   writer->SetFileName(fileName);
   writer->Write();
   EXPECT_EQ(writer->GetErrorCode(), vtkErrorCode::NoError);
+  // VTK 9.6 loses its place in a file that is shorter than its buffer. What follows the picture is not read.
+  std::ofstream(fileName, std::ios::binary | std::ios::app) << std::string(1 << 16, ' ');
   vtkNew<vtkHDRReader> reader;
   EXPECT_TRUE(reader->CanReadFile(fileName));
   reader->SetFileName(fileName);
