@@ -73,14 +73,26 @@ std::string ListPresets()
 /// Props that show axes rather than data.
 bool IsAnnotation(vtkProp* prop)
 {
-  for (const char* type : { "vtkPVCenterAxesActor", "vtkGridAxes3DActor", "vtkCubeAxesActor",
-         "vtkPolarAxesActor", "vtkAxesActor", "vtkAxisActor" })
+  // The grid of axes is ParaView's vtkGridAxes3DActor to 5.13, VTK's vtkGridAxesActor3D since 6.0.
+  for (const char* type : { "vtkPVCenterAxesActor", "vtkGridAxes3DActor", "vtkGridAxesActor3D",
+         "vtkCubeAxesActor", "vtkPolarAxesActor", "vtkAxesActor", "vtkAxisActor" })
   {
     if (prop->IsA(type))
     {
       return true;
     }
   }
+  return false;
+}
+
+/// Whether ANARI draws a view; ParaView has it since 6.1.
+template <typename View>
+auto IsDrawnByANARI(View* view, int) -> decltype(view->GetEnableANARI())
+{
+  return view->GetEnableANARI();
+}
+bool IsDrawnByANARI(vtkPVRenderView*, long)
+{
   return false;
 }
 
@@ -136,6 +148,7 @@ struct vtkGodRaysRenderView::vtkInternals
   vtkNew<vtkLight> Sun;
   vtkNew<vtkGodRaysSunPosition> SunPosition;
   std::string Plan;
+  bool IsRayTraced = false;
 
   std::vector<vtkSmartPointer<vtkLight>> ChosenLights;
 
@@ -229,11 +242,11 @@ void vtkGodRaysRenderView::UpdatePasses()
   self.Sky->SetDisplayTransfer(transfer);
   auto& passes = self.Chain->Passes;
   passes.clear();
-  if (this->UseSky)
+  if (this->UseSky && !self.IsRayTraced)
   {
     passes.emplace_back(self.Sky);
   }
-  if (this->UseGodRays)
+  if (this->UseGodRays && !self.IsRayTraced)
   {
     passes.emplace_back(self.Pass);
   }
@@ -558,6 +571,7 @@ void vtkGodRaysRenderView::RemoveRepresentationInternal(vtkDataRepresentation* r
 void vtkGodRaysRenderView::AboutToRenderOnLocalProcess(bool interactive)
 {
   this->Superclass::AboutToRenderOnLocalProcess(interactive);
+  this->UpdateRayTracing();
   // With an image pass, ParaView would smooth edges twice: as the renderer draws, and by a pass.
   // Where pictures are joined, the former is done to the joined one; elsewhere the latter is, so
   // that the edges of shafts are smoothed alike.
@@ -577,6 +591,26 @@ void vtkGodRaysRenderView::AboutToRenderOnLocalProcess(bool interactive)
 
   this->UpdateRoles();
   this->UpdateLights();
+}
+
+//------------------------------------------------------------------------------
+// A ray tracer draws the scene as it does without us: nothing of it is where our passes look.
+void vtkGodRaysRenderView::UpdateRayTracing()
+{
+  const char* tracer = this->GetEnableOSPRay() ? "OSPRay"
+    : IsDrawnByANARI(this, 0)                  ? "ANARI"
+                                               : nullptr;
+  if (this->Internals->IsRayTraced == (tracer != nullptr))
+  {
+    return;
+  }
+  this->Internals->IsRayTraced = tracer != nullptr;
+  this->UpdatePasses();
+  if (tracer && (this->UseGodRays || this->UseSky))
+  {
+    vtkWarningMacro("God rays and sky are not drawn while "
+      << tracer << " draws this view. Switch ray tracing off to see them.");
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -246,6 +246,7 @@ private:
   bool FindSun(const double up[3], const double north[3], double direction[3]);
   bool UpdateSun();
   void UpdateLights();
+  void UpdateRayTracing();
   void UpdateRoles();
 
   struct vtkInternals;

@@ -18,12 +18,18 @@ EXAMPLES = pathlib.Path(__file__).parents[2] / "Examples" / "ParaView"
 TEMPORARY = pathlib.Path(os.environ["GODRAYS_TEMPORARY"])
 BASELINES = pathlib.Path(os.environ["GODRAYS_BASELINES"])
 
+# Background, colours and lights are not the default ones, which are others since ParaView 6.0.
 STATE = """
 from paraview.simple import *
 view = CreateView("RenderView")
 view.ViewSize = [480, 360]
 view.OrientationAxesVisibility = 0
-Show(Contour(Input=Wavelet(), ContourBy=["POINTS", "RTData"], Isosurfaces=[150.0]), view)
+view.UseColorPaletteForBackground = 0
+view.Background = [0.25, 0.27, 0.34]
+view.UseLight = 0
+shown = Show(Contour(Input=Wavelet(), ContourBy=["POINTS", "RTData"], Isosurfaces=[150.0]), view)
+ColorBy(shown, None)
+shown.AmbientColor = shown.DiffuseColor = [0.35, 0.4, 0.85]
 view.CameraPosition = [0, 0, 50]
 view.CameraFocalPoint = [0, 0, 0]
 Render(view)

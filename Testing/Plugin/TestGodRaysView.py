@@ -224,7 +224,7 @@ class View(Case):
                 add_pillars(plain)
                 expected = pixels(plain)
                 setattr(plain, name, 0)
-                self.assert_different(pixels(plain), expected, 3)
+                self.assert_different(pixels(plain), expected, 2)
                 view = make_view(**{name: 1})
                 add_pillars(view)
                 self.assert_different(pixels(view), expected, 50)
