@@ -4,53 +4,33 @@
 #
 # Usage: bash Examples/run.sh
 #
-# Install what is missing (Debian 12), build into build/, and make pictures of real data and of all
-# examples in build/examples/, without a screen. Needs no ParaView.
+# Install what is missing (Debian 12, 13 or 14), build the program godrays and the examples in build/, and
+# make pictures of real data and of all examples in build/examples/, without a screen. Needs no ParaView.
+#
+# build/ is configured as Testing/run.sh and `cmake --preset dev` do it, or as it was. Of it, only what
+# makes pictures is built, and at first only what makes the first one.
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 die() { echo "Examples/run.sh: $*" >&2; exit 1; }
 
-# ---------------------------------------------------------------------------------------------
-# Packages. apt-get runs only when one is missing.
+examples=(
+  ColouredLights DustyHall Facade MinimalSun Outdoor Planet SkyImage Statue Sunrise TaggedOccluders
+  TwoViewports)
 
-packages=(
-  g++ cmake ninja-build ccache
-  libvtk9-dev python3-vtk9 libglm-dev libhwy-dev libcli11-dev libgtest-dev libbenchmark-dev
-  xvfb xauth libgl1-mesa-dri
-  python3-numpy python-matplotlib-data assimp-testmodels) # the last two: elevations and a mesh
+. CMake/packages.sh
+install_packages "${build_packages[@]}" "${configure_packages[@]}" "${example_packages[@]}"
+installed=$SECONDS
 
-missing=()
-for package in "${packages[@]}"; do
-  status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) || status=none
-  [ "$status" = installed ] || missing+=("$package")
-done
-
-apt_get() # <argument>... as root
+build() # <target>...
 {
-  local as_root=()
-  if [ "$(id -u)" -ne 0 ]; then
-    command -v sudo >/dev/null ||
-      die "this needs root, and there is no sudo: apt-get $*. Run it as root, and this again."
-    as_root=(sudo)
-  fi
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=600 "$@" ||
-    die "apt-get $1 failed: see its messages above."
+  cmake --build --preset dev --target "$@"
 }
 
-if [ ${#missing[@]} -gt 0 ]; then
-  echo "== Installing ${missing[*]}"
-  apt_get update
-  apt_get install -y --no-install-recommends "${missing[@]}"
-fi
-
-# ---------------------------------------------------------------------------------------------
-# Build
-
-echo "== Building"
-cmake --preset dev -DPython3_EXECUTABLE=/usr/bin/python3
-cmake --build --preset dev
+echo "== Building godrays"
+cmake --preset dev -DGODRAYS_BUILD_EXAMPLES=ON -DGODRAYS_WRAP_PYTHON=ON
+build godrays
 
 # ---------------------------------------------------------------------------------------------
 # Data
@@ -71,13 +51,15 @@ mkdir -p "$out/data"
 /usr/bin/python3 Examples/make_terrain.py "$(dirname "$elevations")" "$out/data"
 
 # ---------------------------------------------------------------------------------------------
-# Pictures, all under one X server. -noreset: without it, the server restarts when its last client
-# leaves, and a client that comes at that moment is turned away.
+# Pictures. -noreset: without it, the X server restarts when its last client leaves, and a client that
+# comes at that moment is turned away.
 
 export PYTHONPATH=build/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH}
 export out mesh
 
-make_pictures='
+make_pictures() # <commands> <argument>...
+{
+  local functions='
 set -eu
 show() # <picture> <argument>... for godrays
 {
@@ -85,25 +67,33 @@ show() # <picture> <argument>... for godrays
   shift
   echo "$picture: build/bin/godrays $*"
   build/bin/godrays "$@" --output "$picture" --stats >"${picture%.png}.txt"
+}'
+  xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" bash -c "$functions$1" make_pictures "${@:2}" ||
+    die "a picture could not be made: see the messages above."
 }
-show jacksboro "$out/data/jacksboro.vti"
+
+echo "== Pictures"
+make_pictures '
+show jacksboro "$out/data/jacksboro.vti"'
+echo "== The first picture, after $SECONDS s, of which $installed s to install: $PWD/$out/jacksboro.png"
+
+echo "== Building the examples"
+build "${examples[@]}" vtkGodRaysFiltersPython vtkGodRaysRenderingPython
+
+echo "== Pictures"
+make_pictures '
 show jacksboro-without-rays "$out/data/jacksboro.vti" --no-rays
 show topobathy "$out/data/topobathy.vts" --elevation-scale 10
 show engine "$mesh"
 show engine-before-a-lamp "$mesh" --light 90,-40,-300 --light-size 25
-for name in ColouredLights DustyHall Facade MinimalSun Outdoor Planet SkyImage Statue Sunrise \
-  TaggedOccluders TwoViewports; do
+for name in "$@"; do
   echo "$out/$name.png: build/bin/$name"
   build/bin/$name "$out/$name.png"
   echo "$out/$name-python.png: /usr/bin/python3 Examples/$name/$name.py"
   /usr/bin/python3 Examples/$name/$name.py "$out/$name-python.png"
 done
 echo "$out/Outdoor-baked.png: build/bin/Outdoor baked"
-build/bin/Outdoor "$out/Outdoor-baked.png" baked'
-
-echo "== Pictures"
-xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" bash -c "$make_pictures" ||
-  die "a picture could not be made: see the messages above."
+build/bin/Outdoor "$out/Outdoor-baked.png" baked' "${examples[@]}"
 
 cat <<END
 

@@ -2,86 +2,94 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Usage: bash Testing/run.sh [--vtk-only] [-L <label>]
+# Usage: bash Testing/run.sh [--on <suite>] [--vtk-only] [-L <label>]
 #
-# Install what is missing (Debian 12), build against the system's VTK in build/ and against the
-# VTK inside ParaView in build-paraview/, install the former into build/install, and run the tests
-# of both without a screen. The last lines are ctest's own; the exit status is 0 if all passed.
+# Install what is missing (Debian 12, 13 or 14), build, install into build/install, and run the tests
+# without a screen. build/ has the system's VTK. Where ParaView is built on that, too (Debian 14), the
+# plugin is in build/; where it has a VTK of its own, it is in build-paraview/. The last lines are
+# ctest's own, and are in build/summary.txt; the exit status is 0 if all passed.
 #
-#   --vtk-only   leave ParaView out
-#   -L <label>   only tests with this label: see Testing/CMakeLists.txt
+#   --on <suite>   do all this in that Debian: bookworm, trixie or forky. Where this one is another, it
+#                  is in build-<suite>/root, and its build trees beside it: see CMake/debian-root.sh
+#   --vtk-only     leave ParaView out
+#   -L <label>     only tests with this label: see Testing/CMakeLists.txt
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 die() { echo "Testing/run.sh: $*" >&2; exit 1; }
 
+on=
 paraview=true
+options=()
 selection=()
 while [ $# -gt 0 ]; do
   case $1 in
-    --vtk-only) paraview=false ;;
+    --on) [ $# -gt 1 ] || die "--on needs a suite: bookworm, trixie or forky."
+          on=$2; shift ;;
+    --vtk-only) paraview=false; options+=("$1") ;;
     -L) [ $# -gt 1 ] || die "-L needs a label, such as: -L math"
         selection+=(-L "$2"); shift ;;
-    *) die "unknown option $1; there are --vtk-only and -L <label>." ;;
+    *) die "unknown option $1; there are --on <suite>, --vtk-only and -L <label>." ;;
   esac
   shift
 done
 
-# ---------------------------------------------------------------------------------------------
-# Packages. apt-get runs only when one is missing.
+. CMake/packages.sh
 
-packages=(
-  g++ cmake ninja-build ccache clang-format-14
-  libvtk9-dev python3-vtk9 python3-numpy libglm-dev libhwy-dev libcli11-dev libgtest-dev
-  libbenchmark-dev
-  xvfb xauth libgl1-mesa-dri)
-if $paraview; then
-  packages+=(paraview paraview-dev openmpi-bin libqt5svg5) # the last: the icons of its window
+if [ -n "$on" ] && [ "$on" != "$suite" ]; then
+  exec bash CMake/debian-root.sh "$on" bash Testing/run.sh "${options[@]}" "${selection[@]}"
 fi
 
-missing=()
-for package in "${packages[@]}"; do
-  status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) || status=none
-  [ "$status" = installed ] || missing+=("$package")
-done
-
-apt_get() # <argument>... as root
+times=
+took() # <stage>: tell how long it took, since the last one
 {
-  local as_root=()
-  if [ "$(id -u)" -ne 0 ]; then
-    command -v sudo >/dev/null ||
-      die "this needs root, and there is no sudo: apt-get $*. Run it as root, and this again."
-    as_root=(sudo)
-  fi
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=600 "$@" ||
-    die "apt-get $1 failed: see its messages above."
+  times+="${times:+, }$1 $((SECONDS - begun)) s"
+  echo "== $1: $((SECONDS - begun)) s"
+  begun=$SECONDS
 }
-
-if [ ${#missing[@]} -gt 0 ]; then
-  echo "== Installing ${missing[*]}"
-  apt_get update
-  # python3-paraview and python3-vtk9 exclude each other: the trailing "-" leaves the former out.
-  apt_get install -y --no-install-recommends "${missing[@]}" python3-paraview-
-fi
+begun=$SECONDS
 
 # ---------------------------------------------------------------------------------------------
-# Build
+# Packages
 
-build() # <preset>
+packages=("${build_packages[@]}" "${configure_packages[@]}" "${test_packages[@]}")
+if $paraview; then
+  packages+=("${paraview_packages[@]}")
+fi
+install_packages "${packages[@]}"
+took packages
+
+# ---------------------------------------------------------------------------------------------
+# Build. What is to be tested is named: CMake would leave out what it does not find.
+
+build() # <preset> <argument>... for the configuration
 {
   echo "== Building: $1"
-  cmake --preset "$1"
+  cmake --preset "$@" -DGODRAYS_BUILD_TESTING=ON -DGODRAYS_BUILD_EXAMPLES=ON
   cmake --build --preset "$1"
+  took "building $1"
+}
+
+make_paraview_root() # <folder>
+{
+  local command=(bash CMake/paraview-root.sh "$1")
+  "${command[@]}" || { apt_get update; "${command[@]}"; } # its download needs fresh lists
 }
 
 trees=(build)
-build dev
+rm -f build/summary.txt
+if $paraview && $paraview_shares_vtk; then
+  make_paraview_root build/paraview
+  build dev -DGODRAYS_WRAP_PYTHON=ON -DGODRAYS_BUILD_PARAVIEW_PLUGIN=ON \
+    -DParaView_DIR="$PWD/build/paraview/usr/lib/native/cmake/paraview"
+else
+  build dev -DGODRAYS_WRAP_PYTHON=ON -DGODRAYS_BUILD_PARAVIEW_PLUGIN=OFF
+fi
 cmake --install build --prefix build/install >build/install.log ||
   die "the installation into build/install failed: see build/install.log"
-if $paraview; then
-  make_root=(bash CMake/paraview-root.sh build-paraview/root)
-  "${make_root[@]}" || { apt_get update; "${make_root[@]}"; } # its download needs fresh lists
+if $paraview && ! $paraview_shares_vtk; then
+  make_paraview_root build-paraview/root
   build paraview
   trees+=(build-paraview)
 fi
@@ -105,10 +113,14 @@ exit $failed'
 status=0
 xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \
   bash -c "$run_ctest" run_ctest "$(nproc)" "${trees[*]}" "${selection[@]}" || status=$?
+took tests
 
 echo
+echo "== $suite: $times"
 for tree in "${trees[@]}"; do
-  echo "== $tree, $(sed -n 's/^VTK_DIR:[A-Z]*=/VTK from /p' "$tree/CMakeCache.txt")"
+  vtk=$(sed -n 's/^VTK_DIR:[A-Z]*=/VTK from /p' "$tree/CMakeCache.txt")
+  echo "== $suite, $tree, $vtk"
+  grep -E '\((Skipped|Not Run|Disabled)\)$' "$tree/ctest.log" || true
   grep -E 'tests passed, |No tests were found' "$tree/ctest.log" || echo "ctest did not finish"
-done
+done | tee build/summary.txt
 exit "$status"

@@ -1,0 +1,112 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Usage: debian-root.sh <suite> <command> [<argument>...]
+#
+# Run a command as root in another Debian: bookworm, trixie or forky, in a root of its own in
+# build-<suite>/root. It is made at first, with debootstrap and the mirror of apt's own sources, or that
+# of the variable DEBIAN_MIRROR. There the source tree is /godrays, and the command runs in it. Its build
+# trees are those in build-<suite>/, not those of this system; ccache's folder is the same.
+#
+# The mounts are in a mount namespace of the command's own. Outside there are none, and build-<suite> can
+# be deleted at any time.
+
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+die() { echo "debian-root.sh: $*" >&2; exit 1; }
+
+[ $# -ge 2 ] || die "a suite and a command are needed, such as: forky bash Testing/run.sh"
+case $1 in
+  bookworm | trixie | forky) ;;
+  *) die "there is no suite $1: name bookworm, trixie or forky." ;;
+esac
+[ "$(id -u)" -eq 0 ] || die "a root of another Debian can only be made and used by root. Run this as root."
+unshare --mount true || die "mounts cannot be made here. In a container: start it with all privileges."
+
+. CMake/packages.sh
+
+folder=$PWD/build-$1
+root=$folder/root
+made=$root/etc/godrays-root # written when debootstrap has finished
+other=$1
+shift
+
+mkdir -p "$folder"
+exec 9>"$folder/root.lock"
+flock --nonblock 9 || die "another run is using $root. Wait for its end."
+
+# ---------------------------------------------------------------------------------------------
+# The root. One that debootstrap did not finish is made anew, and so is one whose packages were left
+# half installed and do not come right.
+
+find_mirror()
+{
+  apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Origin: Debian' 'Label: Debian' |
+    awk '/^http/ && !found { print; found = 1 } END { exit !found }'
+}
+
+make_root()
+{
+  if [ -e "$root" ]; then
+    ! grep -qF " $root/" /proc/self/mounts ||
+      die "something is mounted in $root, which is to be made anew. Unmount it; findmnt lists it."
+    echo "== $root is unfinished, and is made anew"
+    rm -rf --one-file-system "$root"
+  fi
+  install_packages debootstrap
+  local mirror=${DEBIAN_MIRROR:-}
+  [ -n "$mirror" ] || mirror=$(find_mirror) || { apt_get update; mirror=$(find_mirror); } ||
+    die "apt's sources name no mirror of Debian. Name one with DEBIAN_MIRROR=<URL>."
+  local script=() # an older debootstrap does not know the names of later suites
+  [ -e "/usr/share/debootstrap/scripts/$other" ] || script=(sid)
+  echo "== Making $root"
+  unshare --mount debootstrap --variant=minbase "$other" "$root" "$mirror" "${script[@]}" \
+    >"$folder/debootstrap.log" 2>&1 || die "debootstrap failed: see $folder/debootstrap.log"
+
+  # apt's ways to the mirror are those of this system. What dpkg writes need not survive a power cut.
+  apt-config dump | grep -E '^Acquire::(Check-Date|Check-Valid-Until|Retries|[^ ]*Proxy[^ ]*) ' \
+    >"$root/etc/apt/apt.conf.d/90godrays" || true
+  echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/godrays"
+  touch "$made"
+}
+
+left_half_installed() { [ -n "$(chroot "$root" dpkg --audit 2>&1)" ]; }
+
+if [ -f "$made" ] && left_half_installed; then
+  chroot "$root" env DEBIAN_FRONTEND=noninteractive dpkg --configure -a </dev/null || true
+  ! left_half_installed || rm "$made"
+fi
+[ -f "$made" ] || make_root
+
+# ---------------------------------------------------------------------------------------------
+# The command
+
+cp --dereference --remove-destination /etc/resolv.conf /etc/hosts "$root/etc/"
+
+cache=$(ccache --get-config cache_dir 2>/dev/null) || cache=${XDG_CACHE_HOME:-$HOME/.cache}/ccache
+trees=(build build-paraview build-release) # those of CMakePresets.json
+mkdir -p "$cache" "$root/godrays" "$root/root/.cache/ccache" "${trees[@]}" "${trees[@]/#/$folder/}"
+
+environment=(HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8)
+for name in CI TERM CCACHE_DISABLE http_proxy https_proxy no_proxy; do
+  [ -z "${!name:-}" ] || environment+=("$name=${!name}")
+done
+
+mount_and_run='
+set -eu
+root=$1 folder=$2 cache=$3 trees=$4
+shift 4
+mount --bind "$PWD" "$root/godrays"
+for tree in $trees; do
+  mount --bind "$folder/$tree" "$root/godrays/$tree"
+done
+mount --bind "$cache" "$root/root/.cache/ccache"
+mount -t proc proc "$root/proc"
+mount --rbind /sys "$root/sys"
+mount --rbind /dev "$root/dev"
+exec chroot "$root" env -i --chdir=/godrays "$@"'
+
+exec unshare --mount bash -c "$mount_and_run" debian-root.sh \
+  "$root" "$folder" "$cache" "${trees[*]}" "${environment[@]}" "$@"
