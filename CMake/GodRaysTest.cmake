@@ -27,7 +27,7 @@ function(godrays_add_test_program name)
     DISCOVERY_MODE PRE_TEST
     DISCOVERY_TIMEOUT 60
     TEST_PREFIX "${arg_LABEL}."
-    PROPERTIES LABELS ${arg_LABEL} TIMEOUT 300)
+    PROPERTIES LABELS ${arg_LABEL} TIMEOUT 900)
 endfunction()
 
 # godrays_add_python_test(<name> LABEL <label> FILE <file.py> ENVIRONMENT <NAME=value>...)
@@ -39,6 +39,6 @@ function(godrays_add_python_test name)
     COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/${arg_FILE}" -v)
   set_tests_properties(${name} PROPERTIES
     LABELS      ${arg_LABEL}
-    TIMEOUT     300
+    TIMEOUT     900
     ENVIRONMENT "${arg_ENVIRONMENT}")
 endfunction()

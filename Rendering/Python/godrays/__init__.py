@@ -11,9 +11,13 @@
 The classes are those of C++, vtkGodRaysPass first of all; their documentation is theirs.
 """
 
+from __future__ import annotations
+
 import math
 import numbers
 import operator
+import sys
+from typing import TYPE_CHECKING, Any
 
 try:
     import vtkmodules.vtkRenderingOpenGL2  # the OpenGL classes behind vtkRenderer and the like
@@ -29,6 +33,14 @@ except ImportError as error:
         "Debian 12 install python3-vtk9 and use /usr/bin/python3; leave other VTKs out of "
         "PYTHONPATH."
     ) from error
+
+from . import _browser
+
+if TYPE_CHECKING:
+    import datetime
+    from collections.abc import Sequence
+
+    from ._typing import Lights, Prop, Props, Role, Target
 
 _ROLES = {
     "automatic": vtkGodRaysPass.AUTOMATIC,
@@ -51,12 +63,20 @@ def _preset_names(model):
     return [model.GetPresetName(i) for i in range(model.GetNumberOfPresets())]
 
 
-def enable(target, light=None, occluders=(), ignored=(), preset=None, **parameters):
+def enable(
+    target: Target,
+    light: Lights | None = None,
+    occluders: Props | None = (),
+    ignored: Props | None = (),
+    preset: str | None = None,
+    **parameters: Any,
+) -> vtkGodRaysPass:
     """Put god rays into a scene and return their vtkGodRaysPass, attached to the renderer.
 
     target: a vtkRenderer, a vtkRenderWindow (its first renderer counts), a plotter with a
-        ``renderer``, such as PyVista's and vedo's, or a render view of paraview.simple in built-in
-        mode; representations and lights of ParaView can then be given as props and lights.
+        ``renderer``, such as PyVista's and vedo's (that of the active subplot counts), or a render view
+        of paraview.simple in built-in mode; representations and lights of ParaView can then be given
+        as props and lights. Effects of a plotter can be put on before and after.
     light: what shines. A vtkLight; a prop, which shines in the colours in which it is drawn; three
         numbers, the direction from which sunlight comes, such as sun() gives; or a list of these. None
         takes the props tagged "light", or else the renderer's own lights that stand in the scene.
@@ -73,7 +93,7 @@ def enable(target, light=None, occluders=(), ignored=(), preset=None, **paramete
     and the tagged props that shone before.
     """
     renderer = _renderer(target)
-    rays = _find(renderer)
+    rays = vtkGodRaysPass.Find(renderer)
     known = rays is not None
     rays = rays or vtkGodRaysPass()
 
@@ -119,10 +139,19 @@ def enable(target, light=None, occluders=(), ignored=(), preset=None, **paramete
 
     if not known:
         rays.Attach(renderer)
+        _rebuild(renderer)
+    if hasattr(target, "export_html"):
+        _browser.watch(target)
     return rays
 
 
-def sky(target, sun=None, light=None, atmosphere=None, **parameters):
+def sky(
+    target: Target,
+    sun: Sequence[float] | None = None,
+    light: vtkLight | None = None,
+    atmosphere: vtkGodRaysAtmosphere | str | None = None,
+    **parameters: Any,
+) -> vtkGodRaysSkyPass:
     """Put the physical sky behind a scene and return its vtkGodRaysSkyPass, attached to the renderer.
 
     target: as of enable(). God rays and sky can be put on in any order.
@@ -168,24 +197,26 @@ def sky(target, sun=None, light=None, atmosphere=None, **parameters):
     return found
 
 
-def disable(target):
+def disable(target: Target) -> None:
     """Take the god rays off a renderer, window or plotter; nothing happens if it has none.
 
-    ValueError: they are the delegate of another pass, which has to be given another one.
+    ValueError: another pass was given them for its delegate by hand, and has to be given another one.
     """
     renderer = _renderer(target)
-    rays = _find(renderer)
+    rays = vtkGodRaysPass.Find(renderer)
     if rays is None:
         return
-    if renderer.GetPass() is not rays:
+    rays.Detach(renderer)
+    if not _rebuild(renderer) and vtkGodRaysPass.Find(renderer) is rays:
         raise ValueError(
             f"the god rays are a delegate of the renderer's {renderer.GetPass().GetClassName()}: "
             "take them out of it with SetDelegatePass()"
         )
-    rays.Detach(renderer)
+    if hasattr(target, "export_html"):
+        _browser.unwatch(target)
 
 
-def tag(prop, role):
+def tag(prop: Prop, role: Role | int) -> None:
     """Say what a prop does to light: "occluder", "light", "ignored" or "automatic"."""
     if isinstance(role, str):
         if role not in _ROLES:
@@ -194,7 +225,13 @@ def tag(prop, role):
     vtkGodRaysPass.SetRole(_prop(prop), role)
 
 
-def sun(date, latitude, longitude, up=(0, 0, 1), north=(0, 1, 0)):
+def sun(
+    date: datetime.datetime | str,
+    latitude: float,
+    longitude: float,
+    up: Sequence[float] = (0, 0, 1),
+    north: Sequence[float] = (0, 1, 0),
+) -> tuple[float, float, float]:
     """The direction of the sun at a time and place, as a light of enable().
 
     date: a datetime of the library with its time zone, or a text like 2024-06-21T19:30+02:00; without
@@ -226,7 +263,7 @@ def sun(date, latitude, longitude, up=(0, 0, 1), north=(0, 1, 0)):
             f"the sun is {-position.GetElevation():.1f} degrees below the horizon at {text}; it "
             f"rises at {position.GetSunrise():.2f} h and sets at {position.GetSunset():.2f} h"
         )
-    return tuple(direction)
+    return direction[0], direction[1], direction[2]
 
 
 def _renderer(target):
@@ -281,12 +318,10 @@ def _unwrap(thing):
     return client
 
 
-def _find(renderer):
-    """The vtkGodRaysPass among the renderer's passes, or None."""
-    each = renderer.GetPass()
-    while each is not None and not isinstance(each, vtkGodRaysPass):
-        each = each.GetDelegatePass() if hasattr(each, "GetDelegatePass") else None
-    return each
+def _rebuild(renderer):
+    """Have pyvista-render-passes, if a renderer's passes are its, build them anew. False if not."""
+    provider = sys.modules.get("godrays.pyvista_provider")
+    return provider is not None and provider.rebuild(renderer)
 
 
 def _shining(renderer):

@@ -1,0 +1,34 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Correct uses of godrays, for TestTyping.py: a type checker has nothing to say of them."""
+
+import datetime
+
+import godrays
+import pyvista
+from godrays import vtkGodRaysHomogeneousModel, vtkGodRaysPass, vtkGodRaysSkyPass
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkRenderer, vtkRenderWindow
+
+renderer = vtkRenderer()
+window = vtkRenderWindow()
+plotter = pyvista.Plotter()
+actor = vtkActor()
+lamp = vtkLight()
+
+rays: vtkGodRaysPass = godrays.enable(renderer)
+godrays.enable(window, light=lamp, preset="fog", asymmetry=0.3)
+godrays.enable(plotter, light=(1, 2, 1), occluders=[actor], ignored=actor, density=0.9)
+godrays.enable(plotter.renderer, light=[lamp, actor, (0.0, 1.0, 0.0)], model="radial")
+godrays.enable(plotter, light=None, occluders=None, model=vtkGodRaysHomogeneousModel())
+rays.SetIntensity(0.7)
+plan: str = rays.GetPlan()
+
+direction: tuple[float, float, float] = godrays.sun("2024-06-21T20:30+02:00", 43.77, 11.26)
+godrays.sun(datetime.datetime.now(datetime.timezone.utc), 43.77, 11.26, up=(0, 1, 0), north=[0, 0, -1])
+sky: vtkGodRaysSkyPass = godrays.sky(renderer, sun=direction, light=lamp, atmosphere="earth-hazy")
+sky.SetExposure(2.0)
+godrays.sky(window, sun=[250, 8], world_unit_in_meters=1000.0)
+
+godrays.tag(actor, "occluder")
+godrays.tag(actor, vtkGodRaysPass.LIGHT)
+godrays.disable(plotter)
