@@ -254,11 +254,10 @@ def write_nrrd(path, detached):
 
 
 def write_hdr(path):
+    n = 128  # VTK 9.6 loses its place in a file that is shorter than its buffer
     pixels = b"".join(
-        bytes((int(v), 128, 200 - int(v) // 2, 128)) for v in heights(7).ravel())
-    # VTK 9.6 loses its place in a file that is shorter than its buffer.
-    unread = bytes(1 << 16)
-    path.write_bytes(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 7 +X 7\n" + pixels + unread)
+        bytes((int(v), 128, 200 - int(v) // 2, 128)) for v in heights(n).ravel())
+    path.write_bytes(f"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {n} +X {n}\n".encode() + pixels)
 
 
 def write_colored_obj(path):

@@ -10,6 +10,7 @@ import os
 import runpy
 import sys
 
+import godrays
 import numpy
 import vtkmodules.all as vtk
 from vtkmodules.util.numpy_support import vtk_to_numpy

@@ -26,7 +26,7 @@ view.ViewSize = [480, 360]
 view.OrientationAxesVisibility = 0
 view.UseColorPaletteForBackground = 0
 view.Background = [0.25, 0.27, 0.34]
-view.UseLight = 0
+view.KeyLightIntensity = 0.6
 shown = Show(Contour(Input=Wavelet(), ContourBy=["POINTS", "RTData"], Isosurfaces=[150.0]), view)
 ColorBy(shown, None)
 shown.AmbientColor = shown.DiffuseColor = [0.35, 0.4, 0.85]

@@ -298,7 +298,9 @@ TEST(GodRaysSceneEdges, StayAntiAliasedUnderRays)
       board->RotateZ(17.0);
       board->GetProperty()->LightingOff();
       scene.Renderer->AddActor(board);
-      scene.Window->SetMultiSamples(8 * multisampled);
+      // 4: all that older software OpenGL has. With more, VTK's sum of samples, as light, is another than
+      // that of a copy, as levels.
+      scene.Window->SetMultiSamples(4 * multisampled);
       scene.Rays->AddLight(MakeSun({ 0.25, 0.2, -1.0 }));
       scene.Rays->SetIntensity(0.5);
       if (withRays)
