@@ -575,19 +575,20 @@ void vtkGodRaysRenderView::AboutToRenderOnLocalProcess(bool interactive)
   // With an image pass, ParaView would smooth edges twice: as the renderer draws, and by a pass.
   // Where pictures are joined, the former is done to the joined one; elsewhere the latter is, so
   // that the edges of shafts are smoothed alike.
+  const bool drawsSky = this->UseSky && !this->Internals->IsRayTraced;
+  const bool draws = drawsSky || (this->UseGodRays && !this->Internals->IsRayTraced);
   const bool joined = this->SynchronizedRenderers->GetEnabled();
   (joined ? this->SynchronizedRenderers->SetUseFXAA(false)
-          : this->GetRenderer()->SetUseFXAA(
-              this->GetRenderer()->GetUseFXAA() && !this->UseGodRays && !this->UseSky));
+          : this->GetRenderer()->SetUseFXAA(this->GetRenderer()->GetUseFXAA() && !draws));
 
   // Translucent geometry and volumes are joined in order, and then without depth.
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   const bool distributed = joined && controller && controller->GetNumberOfProcesses() > 1;
   const bool hasDepth = !this->GetUseOrderedCompositing();
-  this->SynchronizedRenderers->SetUseDepthBuffer((this->UseGodRays || this->UseSky) && hasDepth);
+  this->SynchronizedRenderers->SetUseDepthBuffer(draws && hasDepth);
   this->Internals->Compositor->Update(this->GetRenderer(), distributed, hasDepth);
   // So that what is translucent is before the sky; pictures that are joined have alpha for that.
-  this->Internals->Chain->UsesDelegate = !this->UseSky || distributed;
+  this->Internals->Chain->UsesDelegate = !drawsSky || distributed;
 
   this->UpdateRoles();
   this->UpdateLights();
