@@ -59,6 +59,7 @@ std::vector<vtkRenderPass*> GetDelegates(vtkRenderPass* pass)
   return delegates;
 }
 
+/// Make a path longer, by passes that draw each other, until one is of some kind. False if none is.
 bool Extend(std::vector<vtkRenderPass*>& path, vtkRenderPass* next,
   const std::function<bool(vtkRenderPass*)>& is)
 {
@@ -119,7 +120,7 @@ vtkInformationKeyRestrictedMacro(
   vtkGodRaysAttachment, PASSES, ObjectBase, "vtkRenderPassCollection");
 
 //------------------------------------------------------------------------------
-/// Called when the renderer starts to render. The renderer holds it and, as information, the pass.
+/// Called when the renderer starts to render. The renderer holds it, and it the pass.
 class vtkGodRaysAttachment::Watch : public vtkCommand
 {
 public:
@@ -134,7 +135,7 @@ public:
   }
 
   vtkGodRaysAttachment* Attachment = nullptr; // of the pass
-  vtkImageProcessingPass* Pass = nullptr;
+  vtkSmartPointer<vtkImageProcessingPass> Pass;
 };
 
 //------------------------------------------------------------------------------
@@ -147,6 +148,14 @@ std::vector<vtkRenderPass*> vtkGodRaysAttachment::FindPath(
 }
 
 //------------------------------------------------------------------------------
+// Null if there is none: a program may have given the renderer other information.
+vtkRenderPassCollection* vtkGodRaysAttachment::GetPasses(vtkRenderer* renderer)
+{
+  vtkInformation* information = renderer->GetInformation();
+  return information ? vtkRenderPassCollection::SafeDownCast(information->Get(PASSES())) : nullptr;
+}
+
+//------------------------------------------------------------------------------
 vtkRenderPass* vtkGodRaysAttachment::FindPass(
   vtkRenderer* renderer, const std::function<bool(vtkRenderPass*)>& is)
 {
@@ -155,7 +164,7 @@ vtkRenderPass* vtkGodRaysAttachment::FindPass(
   {
     return path.back();
   }
-  auto passes = vtkRenderPassCollection::SafeDownCast(renderer->GetInformation()->Get(PASSES()));
+  vtkRenderPassCollection* passes = GetPasses(renderer);
   for (int i = 0; passes && i < passes->GetNumberOfItems(); ++i)
   {
     auto pass = vtkRenderPass::SafeDownCast(passes->GetItemAsObject(i));
@@ -192,11 +201,14 @@ void vtkGodRaysAttachment::Attach(vtkImageProcessingPass* pass, vtkRenderer* ren
   // after others that arrange passes in this event
   this->WatchTag = renderer->AddObserver(vtkCommand::StartEvent, watch, -1.0f);
   vtkInformation* information = renderer->GetInformation();
-  if (!information->Has(PASSES()))
+  if (information && !information->Has(PASSES()))
   {
     information->Set(PASSES(), vtkNew<vtkRenderPassCollection>());
   }
-  vtkRenderPassCollection::SafeDownCast(information->Get(PASSES()))->AddItem(pass);
+  if (vtkRenderPassCollection* passes = GetPasses(renderer))
+  {
+    passes->AddItem(pass);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -254,8 +266,10 @@ void vtkGodRaysAttachment::Detach(vtkImageProcessingPass* pass, vtkRenderer* ren
   }
   renderer->RemoveObserver(this->WatchTag);
   this->WatchTag = 0;
-  vtkRenderPassCollection::SafeDownCast(renderer->GetInformation()->Get(PASSES()))
-    ->RemoveItem(pass);
+  if (vtkRenderPassCollection* passes = GetPasses(renderer))
+  {
+    passes->RemoveItem(pass);
+  }
   pass->SetDelegatePass(this->FormerDelegate);
   this->Over = nullptr;
   this->Former = nullptr;

@@ -27,6 +27,7 @@
 
 class vtkImageProcessingPass;
 class vtkInformationObjectBaseKey;
+class vtkRenderPassCollection;
 
 class vtkGodRaysAttachment
 {
@@ -75,8 +76,9 @@ private:
 
   static vtkRenderPass* FindPass(
     vtkRenderer* renderer, const std::function<bool(vtkRenderPass*)>& is);
-  static vtkInformationObjectBaseKey*
-  PASSES(); // a collection of those that are attached to the renderer
+  /// A renderer's collection of the passes that are attached to it.
+  static vtkInformationObjectBaseKey* PASSES();
+  static vtkRenderPassCollection* GetPasses(vtkRenderer* renderer);
   void Insert(vtkImageProcessingPass* pass, vtkRenderer* renderer);
   void Put(vtkRenderPass* pass, vtkRenderer* renderer);
 

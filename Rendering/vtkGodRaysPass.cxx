@@ -539,11 +539,12 @@ const char* vtkGodRaysPass::FindReasonForNoRays(
 // A large screenshot is drawn in tiles: what is on the others must cast into each as on one picture.
 double vtkGodRaysPass::FindMargin(vtkOpenGLRenderWindow* window, const int size[2]) const
 {
-  if (this->Output == OCCLUSION) // which shows the layer with its margin
+  const double wanted = GetTiles(window) - 1.0;
+  if (wanted <= this->LayerMargin ||
+    this->Output == OCCLUSION) // which shows the layer with its margin
   {
     return this->LayerMargin;
   }
-  const double wanted = GetTiles(window) - 1.0;
   const double largest = vtkTextureObject::GetMaximumTextureSize(window);
   const double possible = 0.5 * (largest / std::max(size[0], size[1]) - 1.0);
   return std::max(this->LayerMargin, std::min(wanted, possible));

@@ -29,7 +29,7 @@ public:
   double BackgroundGlowFalloff; ///< [degrees]
   vtkGodRaysTransfer Transfer;  ///< of the colours of lights
   bool CapsMarch;               ///< see vtkGodRaysModel
-  double Tiles = 1.0;           // that the whole picture is wide or high, of which the view is one
+  double Tiles = 1.0;           ///< of which the view is one, across or up the whole picture
   bool LightsMedium;            ///< all that shines counts, wherever it is
   vtkGodRaysCompositor* Compositor = nullptr; ///< of a scene on several processes
 
