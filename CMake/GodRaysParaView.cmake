@@ -8,7 +8,8 @@
 # its own VTK is no choice: two VTKs must not meet in a program.
 #
 # Where files of ParaView's package are missing, it stops CMake. Somebody who wants the module alone must
-# not be stopped: another process tries the package first, once.
+# not be stopped: another process tries the package first, until
+# it succeeds.
 macro(godrays_find_paraview)
   if(NOT ParaView_DIR)
     unset(ParaView_DIR CACHE) # NOTFOUND of the last time

@@ -87,9 +87,9 @@ cp --dereference --remove-destination /etc/resolv.conf /etc/hosts "$root/etc/"
 
 cache=$(ccache --get-config cache_dir 2>/dev/null) || cache=${XDG_CACHE_HOME:-$HOME/.cache}/ccache
 trees=(build build-paraview build-release) # those of CMakePresets.json
-mkdir -p "$cache" "$root/godrays" "$root/root/.cache/ccache" "${trees[@]}" "${trees[@]/#/$folder/}"
+mkdir -p "$cache" "$root/godrays" "$root/ccache" "${trees[@]}" "${trees[@]/#/$folder/}"
 
-environment=(HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8)
+environment=(HOME=/root CCACHE_DIR=/ccache PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8)
 for name in CI TERM CCACHE_DISABLE http_proxy https_proxy no_proxy; do
   [ -z "${!name:-}" ] || environment+=("$name=${!name}")
 done
@@ -102,7 +102,7 @@ mount --bind "$PWD" "$root/godrays"
 for tree in $trees; do
   mount --bind "$folder/$tree" "$root/godrays/$tree"
 done
-mount --bind "$cache" "$root/root/.cache/ccache"
+mount --bind "$cache" "$root/ccache"
 mount -t proc proc "$root/proc"
 mount --rbind /sys "$root/sys"
 mount --rbind /dev "$root/dev"

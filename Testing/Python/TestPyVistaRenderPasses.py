@@ -78,8 +78,7 @@ class Provider(unittest.TestCase):
     def setUp(self):
         plotter = make_plotter()
         rays = godrays.enable(plotter, **SHAFTS)
-        picture, without = with_and_without(plotter, rays)
-        self.light = levels(picture) - levels(without)
+        self.light = light_of(*with_and_without(plotter, rays))
         plotter.close()
 
         self.plotter = make_plotter()

@@ -45,6 +45,29 @@ def reduced(picture, factor):
     return blocks.reshape(rows, factor, columns, factor, 3).mean((1, 3))
 
 
+def with_and_without(show, plotter, rays):
+    """The picture that show() returns, and the same with rays of no intensity."""
+    rays.SetIntensity(0)
+    show(plotter)  # depth of field finds its focus in a frame before
+    without = show(plotter)
+    rays.SetIntensity(1)
+    picture = show(plotter)
+    return picture, without
+
+
+def light_of(picture, without):
+    """What rays add to a picture."""
+    return levels(picture) - levels(without)
+
+
+def check_effects(case, effects):
+    """check_effect() for each of several, by name."""
+    case.assertGreater(case.light.mean(), 3)
+    for name, effect in effects.items():
+        with case.subTest(name):
+            check_effect(case, name, effect)
+
+
 def check_effect(case, name, effect):
     """Rays are the same before and after an effect, much as without it, and leave the effect as it is.
 
@@ -59,7 +82,7 @@ def check_effect(case, name, effect):
         with case.subTest(rays_first=rays_first):
             picture, without, plan = case.pictures(effect, rays_first)
             pictures.append(picture)
-            light = levels(picture) - levels(without)
+            light = light_of(picture, without)
             alike = correlation(light, case.light)
             share = light.mean() / case.light.mean()
             kept = difference(without, alone)

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the tests with PyVista share: a scene in its plotters."""
 
+import functools
+
 from light_testing import *
 
 try:
@@ -40,11 +42,4 @@ def show(plotter):
     return plotter.screenshot()
 
 
-def with_and_without(plotter, rays):
-    """The picture, and the same with rays of no intensity."""
-    rays.SetIntensity(0)
-    show(plotter)  # depth of field finds its focus in a frame before
-    without = show(plotter)
-    rays.SetIntensity(1)
-    picture = show(plotter)
-    return picture, without
+with_and_without = functools.partial(with_and_without, show)
