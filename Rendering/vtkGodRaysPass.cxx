@@ -14,6 +14,7 @@
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysRadialModel.h"
 #include "vtkGodRaysScene.h"
+#include "vtkGodRaysSceneCopy.h"
 #include "vtkGodRaysSetGet.h"
 #include "vtkGodRaysSource.h"
 #include "vtkGodRaysSourceFinder.h"
@@ -78,7 +79,7 @@ struct vtkGodRaysPass::Internals
   vtkNew<vtkGodRaysScene> RendererSteps;
   vtkNew<vtkGodRaysOcclusionPass> Occlusion;
   vtkNew<vtkGodRaysBlendPass> Blending;
-  vtkGodRaysTarget Scene;      // colour and depth of the viewport
+  vtkGodRaysSceneCopy Scene;   // colour and depth of the viewport
   vtkGodRaysTarget Backdrop;   // background, where the scene is drawn over black
   vtkGodRaysSum Scattering;    // light of all layers
   vtkGodRaysSum Layers;        // their sum; of several lights only when it is asked for
@@ -689,17 +690,12 @@ bool vtkGodRaysPass::FindOccluders(const vtkRenderState* s, const vtkGodRaysView
   occlusion.Glow = this->BackgroundGlow;
   occlusion.Compositor = self.Compositor;
 
-  self.Scene.Prepare(self.Window, viewport[2], viewport[3], bound.Formats);
-  if (!self.Scene.Bind())
-  {
-    return false;
-  }
   const bool depthServes = vtkGodRaysOcclusionPass::SceneDepthServes(occlusion);
   const unsigned int buffers = (this->Output == COMPOSITE ? GL_COLOR_BUFFER_BIT : 0) |
     (depthServes || self.MediumModel ? GL_DEPTH_BUFFER_BIT : 0);
-  if (buffers)
+  if (!self.Scene.Copy(self.Window, bound, viewport, buffers))
   {
-    bound.CopyTo(self.Window->GetState(), viewport, buffers);
+    return false;
   }
   occlusion.SceneDepth = self.Scene.GetDepth();
   self.HasBackdrop = false;

@@ -13,6 +13,7 @@
 #include "vtkGodRaysPass.h"
 #include "vtkGodRaysQuad.h"
 #include "vtkGodRaysScene.h"
+#include "vtkGodRaysSceneCopy.h"
 #include "vtkGodRaysSetGet.h"
 #include "vtkGodRaysSkyFS.h"
 #include "vtkGodRaysSkyObserver.h"
@@ -93,7 +94,7 @@ struct vtkGodRaysSkyPass::Internals
   vtkNew<vtkGodRaysScene> RendererSteps;
   vtkGodRaysSkyTable Table{ vtkGodRaysSkyTable::WHOLE };
   vtkGodRaysSkyTable Air{ vtkGodRaysSkyTable::PARTS };
-  vtkGodRaysTarget Scene; // colour and depth of the viewport
+  vtkGodRaysSceneCopy Scene; // colour and depth of the viewport
   vtkGodRaysQuad Quad{ "vtkGodRaysSkyFS", vtkGodRaysSkyFS };
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the resources
@@ -539,12 +540,10 @@ bool vtkGodRaysSkyPass::DrawAir(const vtkRenderState* s)
   {
     return false;
   }
-  self.Scene.Prepare(self.Window, viewport[2], viewport[3], bound.Formats);
-  if (!self.Scene.Bind())
+  if (!self.Scene.Copy(self.Window, bound, viewport, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT))
   {
     return false;
   }
-  bound.CopyTo(state, viewport, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, bound.Binding);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
   const int whole[4] = { 0, viewport[2], 0, viewport[3] };

@@ -186,7 +186,7 @@ std::vector<unsigned char> GetPixels(vtkRenderWindow* window, bool render)
   }
   const int* size = window->GetSize();
   vtkNew<vtkUnsignedCharArray> data;
-  window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, data);
+  window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 1, data); // as it is shown
   const unsigned char* first = data->GetPointer(0);
   return { first, first + data->GetNumberOfValues() };
 }

@@ -283,12 +283,35 @@ int CountSmoothedEdges(const std::vector<unsigned char>& pixels)
   }
   return count;
 }
+
+/// How far a picture is, at most, from the sum of that without rays and of the rays [levels].
+double FindWorstSum(const std::vector<unsigned char>& without,
+  const std::vector<unsigned char>& with, vtkImageData* rays, double intensity)
+{
+  double worst = 0.0;
+  for (int y = 0; y < Height; ++y)
+  {
+    for (int x = 0; x < Width; ++x)
+    {
+      const std::size_t i = 4 * (static_cast<std::size_t>(y) * Width + x);
+      for (int c = 0; c < 3; ++c)
+      {
+        const double light = Decode(without[i + c] / 255.0) + intensity * GetValue(rays, x, y, c);
+        const double expected = 255.0 * std::min(1.0, Encode(light));
+        worst = std::max(worst, std::abs(expected - with[i + c]));
+      }
+    }
+  }
+  return worst;
+}
 }
 
 TEST(GodRaysSceneEdges, StayAntiAliasedUnderRays)
 {
   Messages messages;
   int smoothed[2][2]; // [multisampled][with rays]
+  double worst = 0.0; // levels off the sum in linear light
+  std::vector<unsigned char> pixels[2];
   for (const int multisampled : { 0, 1 })
   {
     for (const int withRays : { 0, 1 })
@@ -298,18 +321,24 @@ TEST(GodRaysSceneEdges, StayAntiAliasedUnderRays)
       board->RotateZ(17.0);
       board->GetProperty()->LightingOff();
       scene.Renderer->AddActor(board);
-      // 4: all that older software OpenGL has. With more, VTK's sum of samples, as light, is another than
-      // that of a copy, as levels.
-      scene.Window->SetMultiSamples(4 * multisampled);
+      scene.Window->SetMultiSamples(8 * multisampled);
       scene.Rays->AddLight(MakeSun({ 0.25, 0.2, -1.0 }));
       scene.Rays->SetIntensity(0.5);
       if (withRays)
       {
         scene.Rays->Attach(scene.Renderer);
       }
-      smoothed[multisampled][withRays] = CountSmoothedEdges(GetPixels(scene.Window));
+      pixels[withRays] = GetPixels(scene.Window);
+      smoothed[multisampled][withRays] = CountSmoothedEdges(pixels[withRays]);
+      if (withRays)
+      {
+        vtkNew<vtkImageData> rays;
+        ASSERT_TRUE(scene.Rays->GetScatteringImage(rays));
+        worst = std::max(worst, FindWorstSum(pixels[0], pixels[1], rays, 0.5));
+      }
     }
   }
+  EXPECT_LE(worst, 1.0);
   EXPECT_EQ(smoothed[0][0], 0);
   EXPECT_LE(smoothed[0][1], 2);
   EXPECT_GT(smoothed[1][0], 50);
