@@ -37,6 +37,9 @@ done
 
 . CMake/packages.sh
 
+# A clone in another folder gets what ccache has from this one.
+export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=true
+
 if [ -n "$on" ] && [ "$on" != "$suite" ]; then
   exec bash CMake/debian-root.sh "$on" bash Testing/run.sh "${options[@]}" "${selection[@]}"
 fi
