@@ -18,10 +18,7 @@ function(godrays_add_test_program name)
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} glm::glm)
   target_compile_options(${name} PRIVATE ${godrays_warnings})
-  target_include_directories(${name} PRIVATE
-    "${CMAKE_CURRENT_SOURCE_DIR}"
-    "${PROJECT_SOURCE_DIR}/Rendering"
-    "${PROJECT_SOURCE_DIR}/Rendering/Math")
+  target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
   # PRE_TEST: the cases are asked for when the tests run, not while the program is built.
   gtest_discover_tests(${name}
     DISCOVERY_MODE PRE_TEST

@@ -5,8 +5,8 @@
 
 in vec2 texCoord;
 
-//VTK::GodRays::Types
-//VTK::GodRays::Functions
+//VTK::GodRays::Colour
+//VTK::GodRays::Medium
 
 uniform sampler2D scene;
 uniform sampler2D rays;

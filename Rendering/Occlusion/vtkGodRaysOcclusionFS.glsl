@@ -5,8 +5,9 @@
 
 in vec2 texCoord; // of the layer
 
-//VTK::GodRays::Types
-//VTK::GodRays::Functions
+//VTK::GodRays::Common
+//VTK::GodRays::Colour
+//VTK::GodRays::Light
 
 uniform sampler2D occluderDepth;
 

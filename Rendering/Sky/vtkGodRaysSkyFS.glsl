@@ -5,8 +5,9 @@
 
 in vec2 texCoord;
 
-//VTK::GodRays::Types
-//VTK::GodRays::Functions
+//VTK::GodRays::Colour
+//VTK::GodRays::Light
+//VTK::GodRays::Sky
 
 uniform sampler2D table;    // see vtkGodRaysSkyTableFS
 uniform sampler2D extinction;

@@ -8,8 +8,7 @@
 
 in vec2 texCoord;
 
-//VTK::GodRays::Types
-//VTK::GodRays::Functions
+//VTK::GodRays::Sky
 
 uniform SkyAtmosphere sky;       // in which the aerosol's forward peak is left in the light, if repeated
 uniform vec3 diffuseAerosol;     // what the aerosol scatters without its forward peak

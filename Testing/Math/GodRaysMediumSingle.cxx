@@ -23,33 +23,7 @@ using Vec2 = glm::vec2;
 using Vec3 = glm::vec3;
 using Vec4 = glm::vec4;
 
-using glm::abs;
-using glm::atan;
-using glm::ceil;
-using glm::clamp;
-using glm::cos;
-using glm::cross;
-using glm::dot;
-using glm::exp;
-using glm::floor;
-using glm::fract;
-using glm::length;
-using glm::log;
-using glm::max;
-using glm::min;
-using glm::pow;
-using glm::sin;
-using glm::sqrt;
-using std::exp2; // GLM has them through e, inexactly
-using std::log2;
-
-#define LAYER_TEMPLATE template <typename Layer>
-#define FUNCTION inline
-#define IN(T) const T&
-#include "vtkGodRaysFunctions.glsl"
-#undef IN
-#undef FUNCTION
-#undef LAYER_TEMPLATE
+#include "vtkGodRaysFormulas.inl"
 }
 
 float GodRaysMediumSingle::DirectionalAirlight(float extinction, float end)

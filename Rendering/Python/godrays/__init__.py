@@ -26,6 +26,7 @@ try:
     from vtkmodules.vtkRenderingOpenGL2 import vtkImageProcessingPass
 
     from .vtkGodRaysFilters import *
+    from .vtkGodRaysSources import *
     from .vtkGodRaysRendering import *
 except ImportError as error:
     raise ImportError(

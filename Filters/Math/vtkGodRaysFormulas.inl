@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// All formulas, for C++: included within a namespace in which Real, Vec2, Vec3 and Vec4 are types of GLM.
+//
+// Each formula is written once, in vtkGodRays<Topic>Math.glsl, and compiled by GLSL 1.50 after
+// vtkGodRaysTypes.glsl and by C++17 here. So: no suffixes on numbers, no swizzles beyond .x .y .z, no
+// gl_*, no uniforms; a texture is a Layer and is read by SampleLayer. A line //VTK::GodRays::<Topic> names
+// what a topic needs: for C++ a comment, for shaders where that text goes, see vtkGodRaysQuad.
+// Source keys are those of Documentation/References.md.
+
+using glm::abs;
+using glm::atan;
+using glm::ceil;
+using glm::clamp;
+using glm::cos;
+using glm::cross;
+using glm::dot;
+using glm::exp;
+using glm::floor;
+using glm::fract;
+using glm::length;
+using glm::log;
+using glm::max;
+using glm::min;
+using glm::pow;
+using glm::sin;
+using glm::sqrt;
+using std::exp2; // GLM has them through e, inexactly
+using std::log2;
+
+#define LAYER_TEMPLATE template <typename Layer>
+#define FUNCTION inline
+#define IN(T) const T&
+#include "vtkGodRaysCommonMath.glsl"
+
+#include "vtkGodRaysColourMath.glsl"
+#include "vtkGodRaysLightMath.glsl"
+#include "vtkGodRaysPhaseMath.glsl"
+#include "vtkGodRaysPlanetMath.glsl"
+#include "vtkGodRaysRadialMath.glsl"
+#include "vtkGodRaysSkyMapMath.glsl"
+
+#include "vtkGodRaysMediumMath.glsl"
+#include "vtkGodRaysSkyMath.glsl"
+#undef IN
+#undef FUNCTION
+#undef LAYER_TEMPLATE

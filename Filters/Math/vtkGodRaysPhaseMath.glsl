@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Phase functions.
+
+//VTK::GodRays::Types
+
+// How a medium scatters light into directions [1/sr]; the integral over all is 1.
+// cosAngle is the cosine of the scattering angle, between the directions in which the light travels
+// before and after: 1 is straight on, as for an eye that looks at the light, for which it is the
+// cosine of the angle between the view ray and the direction to the light.
+struct PhaseFunction
+{
+  int Kind;       // 0 isotropic, 1 Rayleigh, 2 Henyey-Greenstein, 3 Cornette-Shanks, 4 Schlick
+  Real Asymmetry; // g, of kinds 2 to 4: the mean cosine (of 3 nearly); in (-1, 1) [no unit]
+};
+
+// Formula: 1/(4 pi). [1/sr]
+FUNCTION Real PhaseIsotropic()
+{
+  return 0.07957747154594767;
+}
+
+// Formula: 3/(16 pi) (1 + c^2). [1/sr] [Chandrasekhar1960]
+FUNCTION Real PhaseRayleigh(IN(Real) cosAngle)
+{
+  return 0.05968310365946075 * (1.0 + cosAngle * cosAngle);
+}
+
+// The square of 1 - 2 g c + g^2, without cancellation near the peak.
+// Formula: (1 - |g|)^2 + 2 |g| (1 - sign(g) c). [no unit]
+FUNCTION Real PhaseDistance(IN(Real) cosAngle, IN(Real) g)
+{
+  Real sharpness = 1.0 - abs(g);
+  Real away = max(1.0 - (g < 0.0 ? -cosAngle : cosAngle), 0.0);
+  return sharpness * sharpness + 2.0 * abs(g) * away;
+}
+
+// Formula: 1/(4 pi) (1 - g^2)/(1 - 2 g c + g^2)^(3/2). [1/sr] [HenyeyGreenstein1941]
+FUNCTION Real PhaseHenyeyGreenstein(IN(Real) cosAngle, IN(Real) g)
+{
+  Real distance = PhaseDistance(cosAngle, g);
+  return 0.07957747154594767 * (1.0 - g * g) / (distance * sqrt(distance));
+}
+
+// Rayleigh's for g = 0. Its mean cosine is 3 g (4 + g^2)/(5 (2 + g^2)).
+// Formula: 3/(8 pi) (1 - g^2)/(2 + g^2) (1 + c^2)/(1 - 2 g c + g^2)^(3/2). [1/sr]
+// [CornetteShanks1992]
+FUNCTION Real PhaseCornetteShanks(IN(Real) cosAngle, IN(Real) g)
+{
+  return 1.5 * (1.0 + cosAngle * cosAngle) / (2.0 + g * g) * PhaseHenyeyGreenstein(cosAngle, g);
+}
+
+// The parameter of Schlick's phase function for a given g. The fit exceeds 1 from g = 0.94 on, which
+// no phase function may.
+// Formula: 1.55 g - 0.55 g^3, within [-0.995, 0.995]. [no unit] [PharrHumphreys2004]
+FUNCTION Real SchlickParameter(IN(Real) g)
+{
+  return clamp(g * (1.55 - 0.55 * g * g), -0.995, 0.995);
+}
+
+// Near Henyey-Greenstein's of the same g, without a root.
+// Formula: 1/(4 pi) (1 - k^2)/(1 - k c)^2, k = SchlickParameter(g). [1/sr] [Blasi1993]
+FUNCTION Real PhaseSchlick(IN(Real) cosAngle, IN(Real) g)
+{
+  Real k = SchlickParameter(g);
+  Real away = max(1.0 - (k < 0.0 ? -cosAngle : cosAngle), 0.0);
+  Real distance = (1.0 - abs(k)) + abs(k) * away;
+  return 0.07957747154594767 * (1.0 - k * k) / (distance * distance);
+}
+
+// Formula: that of its kind. [1/sr]
+FUNCTION Real Phase(IN(PhaseFunction) phase, IN(Real) cosAngle)
+{
+  if (phase.Kind == 1)
+  {
+    return PhaseRayleigh(cosAngle);
+  }
+  if (phase.Kind == 2)
+  {
+    return PhaseHenyeyGreenstein(cosAngle, phase.Asymmetry);
+  }
+  if (phase.Kind == 3)
+  {
+    return PhaseCornetteShanks(cosAngle, phase.Asymmetry);
+  }
+  if (phase.Kind == 4)
+  {
+    return PhaseSchlick(cosAngle, phase.Asymmetry);
+  }
+  return PhaseIsotropic();
+}
+
+// A mix of two, e.g. of a peak ahead and one to the back; weight is the second's part, in [0, 1].
+// Formula: (1 - weight) first + weight second. [1/sr]
+FUNCTION Real PhaseMix(IN(PhaseFunction) first, IN(PhaseFunction) second, IN(Real) weight,
+  IN(Real) cosAngle)
+{
+  return (1.0 - weight) * Phase(first, cosAngle) + weight * Phase(second, cosAngle);
+}

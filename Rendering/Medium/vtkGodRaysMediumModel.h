@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysMediumModel
+ * @brief   light that a physical medium scatters once: the base of its models
+ *
+ * The medium fills the space between the eye and FarLimit. Every point of a view ray that a light
+ * reaches scatters some of it towards the eye,
+ *
+ *     L = integral of sigma_s p(cos a) E V e^(-sigma_t s) ds             directional light
+ *     L = integral of sigma_s p(cos a) I V e^(-sigma_t (s + r))/r^2 ds   positional light
+ *
+ * from the eye to the first surface; s is the distance from the eye, r from the light, V 1 where the
+ * light is seen and 0 in the shadow of what blocks it. There is no scale to fit, and no occlusion
+ * layer: shafts are what shadows leave. They are as long as things are thick and far apart, so the
+ * medium should be chosen for the size of the scene: as a start, an optical depth of about 1 across it,
+ * sigma_t = 1/its diagonal.
+ *
+ * How much light there is follows from VTK's lights: one that makes a white surface white, of
+ * intensity 1 and vertically above it, has an irradiance E of pi. A positional light has the intensity
+ * I = pi c/q, where q is the last of its AttenuationValues, or, where that is 0, as in a vtkLight that
+ * nobody touched, I = pi c d^2 with d = half the diagonal of the visible props' bounds. A prop tagged
+ * LIGHT is a sphere about its centre that is as bright all over as its colour, I = pi c r^2, r being
+ * half the diagonal of its bounds over the square root of 3; it does not block light. c is colour times
+ * intensity, in linear light. A positional light with a ConeAngle below 90 degrees is a spotlight, as VTK
+ * shades with it: I cos(a)^Exponent within the cone, a being the angle from its axis, and nothing outside.
+ *
+ * Translucent props and volumes block nothing. A picture that is tilted against the axis of view, or has
+ * oblong pixels, as only a projection matrix made by hand has, is an error.
+ *
+ * @sa vtkGodRaysHomogeneousModel vtkGodRaysEpipolarCoverageIntegrator
+ */
+
+#ifndef vtkGodRaysMediumModel_h
+#define vtkGodRaysMediumModel_h
+
+#include "vtkGodRaysModel.h"
+#include "vtkGodRaysRenderingModule.h" // For export macro
+#include "vtkWrappingHints.h"          // For VTK_WRAPEXCLUDE
+
+struct vtkGodRaysMedium;
+
+class VTKGODRAYSRENDERING_EXPORT vtkGodRaysMediumModel : public vtkGodRaysModel
+{
+public:
+  vtkTypeMacro(vtkGodRaysMediumModel, vtkGodRaysModel);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Into which directions light is scattered; see vtkGodRaysPhaseMath.glsl.
+  enum PhaseFunctionType
+  {
+    ISOTROPIC = 0,
+    RAYLEIGH = 1,
+    HENYEY_GREENSTEIN = 2,
+    CORNETTE_SHANKS = 3,
+    SCHLICK = 4
+  };
+
+  ///@{
+  /**
+   * Set/Get how long the scene's unit is [m]. Coefficients are in 1/m. Valid range: [1e-12, 1e12].
+   * Default is 1.
+   */
+  void SetWorldUnitInMeters(double meters);
+  vtkGetMacro(WorldUnitInMeters, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the view depth at which the medium ends where nothing is seen [scene units]. 0 takes the
+   * camera's far clipping plane, which VTK sets to just beyond the scene. Valid range: [0, 1e9].
+   * Default is 0.
+   */
+  void SetFarLimit(double depth);
+  vtkGetMacro(FarLimit, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether the medium dims what is seen through it: e^-tau, the law of Beer and Lambert. Off,
+   * light is added to a scene as bright as without a medium, which no medium does. Default is on.
+   */
+  vtkSetMacro(AttenuateScene, bool);
+  vtkGetMacro(AttenuateScene, bool);
+  vtkBooleanMacro(AttenuateScene, bool);
+  ///@}
+
+  /**
+   * The medium in scene units, as an eye sees it: worldToView and eye are those of vtkGodRaysView,
+   * farDepth the view depth of the far clipping plane.
+   */
+  VTK_WRAPEXCLUDE vtkGodRaysMedium GetMedium(
+    const double worldToView[16], const double eye[3], double farDepth) const;
+
+  bool CanScatter() const override;
+  double GetFlatGain() const override;
+  VTK_NEWINSTANCE vtkGodRaysIntegrator* MakeIntegrator() const override;
+
+protected:
+  vtkGodRaysMediumModel() = default;
+  ~vtkGodRaysMediumModel() override = default;
+
+  /**
+   * Fill in components [1/m, m], and what their heights are counted from.
+   */
+  virtual void FillMedium(
+    vtkGodRaysMedium& medium, const double worldToView[16], const double eye[3]) const = 0;
+
+  double WorldUnitInMeters = 1.0;
+  double FarLimit = 0.0;
+  bool AttenuateScene = true;
+
+private:
+  vtkGodRaysMediumModel(const vtkGodRaysMediumModel&) = delete;
+  void operator=(const vtkGodRaysMediumModel&) = delete;
+};
+
+#endif

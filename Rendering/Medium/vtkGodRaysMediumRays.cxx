@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysMediumRays.h"
+
+#include "vtkGodRaysMath.h"
+#include "vtkGodRaysMediumRaysFS.h"
+#include "vtkGodRaysOpenGL.h"
+#include "vtkGodRaysQuad.h"
+#include "vtkGodRaysSum.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <string>
+
+namespace
+{
+/// Into which a ray is divided whose airlight has no closed form.
+constexpr int TotalParts = 32;
+
+void SetNumber(vtkShaderProgram* program, const std::string& name, double value)
+{
+  program->SetUniformf(name.c_str(), static_cast<float>(value));
+}
+
+void SetPair(vtkShaderProgram* program, const char* name, double x, double y)
+{
+  const float values[2] = { static_cast<float>(x), static_cast<float>(y) };
+  program->SetUniform2f(name, values);
+}
+
+void SetPhase(vtkShaderProgram* program, const std::string& name, int kind, double asymmetry)
+{
+  program->SetUniformi((name + ".Kind").c_str(), kind);
+  SetNumber(program, name + ".Asymmetry", asymmetry);
+}
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysMediumRays::Complete(const char* shader)
+{
+  std::string text = shader;
+  vtkShaderProgram::Substitute(text, "//VTK::GodRays::MediumRays", vtkGodRaysMediumRaysFS);
+  return text;
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysMediumRays::vtkGodRaysMediumRays(
+  const vtkGodRaysIntegrator::Request& request, const int layerSize[2])
+  : Request(request)
+  , LayerSize{ layerSize[0], layerSize[1] }
+{
+  request.View->GetPinhole(layerSize, this->Pinhole);
+  const vtkGodRaysSource& source = *request.Source;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double place = source.Position[i] - (source.Infinite ? 0.0 : request.View->Eye[i]);
+    this->Light[i] = i == 2 ? -place : place;
+  }
+  this->Light[3] = source.Infinite ? 0.0 : 1.0;
+  this->Spot.CosCone = source.CosCone;
+  this->Spot.Exponent = source.SpotExponent;
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Spot.Axis[i] = i == 2 ? -source.SpotAxis[i] : source.SpotAxis[i];
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysMediumRays::IsParallel() const
+{
+  return this->Request.View->Parallel;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysMediumRays::IsGrey() const
+{
+  return this->Request.Medium->IsGrey();
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysMediumRays::IsUniform() const
+{
+  return this->IsInfinite() && !this->Request.Medium->ThinsOut();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysMediumRays::Set(vtkShaderProgram* program) const
+{
+  const vtkGodRaysMedium& medium = *this->Request.Medium;
+  const vtkGodRaysSum& result = *this->Request.Result;
+  SetPair(program, "pictureSize", result.GetWidth(), result.GetHeight());
+  SetPair(program, "layerSize", this->LayerSize[0], this->LayerSize[1]);
+  SetNumber(program, "viewScale", this->Request.ViewScale);
+  SetPair(program, "viewCenter", this->Pinhole.Center[0], this->Pinhole.Center[1]);
+  SetNumber(program, "pixelSize", this->Pinhole.PixelSize);
+  SetNumber(program, "farLimit", medium.FarLimit);
+  const float light[4] = { static_cast<float>(this->Light[0]), static_cast<float>(this->Light[1]),
+    static_cast<float>(this->Light[2]), static_cast<float>(this->Light[3]) };
+  program->SetUniform4f("light", light);
+  const vtkGodRaysSource& source = *this->Request.Source;
+  const double color[3] = { source.Power * source.Color[0], source.Power * source.Color[1],
+    source.Power * source.Color[2] };
+  vtkGodRaysQuad::SetVector(program, "lightColor", color);
+  const glm::dvec3 up(medium.Up[0], medium.Up[1], medium.Up[2]);
+  const glm::dvec3 place(this->Light[0], this->Light[1], this->Light[2]);
+  SetNumber(program, "lightHeight",
+    vtkGodRays::MediumStart(medium.PlanetRadius, medium.EyeHeight, up, place, up).x);
+  SetNumber(program, "planetRadius", medium.PlanetRadius);
+  vtkGodRaysQuad::SetVector(program, "spotAxis", this->Spot.Axis);
+  SetNumber(program, "cosCone", this->Spot.CosCone);
+  SetNumber(program, "spotExponent", this->Spot.Exponent);
+  vtkGodRaysQuad::SetVector(program, "mediumUp", medium.Up);
+  SetNumber(program, "eyeHeight", medium.EyeHeight);
+  const bool closed = this->IsInfinite() &&
+    (!medium.ThinsOut() || (medium.NumberOfComponents == 1 && medium.PlanetRadius == 0.0));
+  program->SetUniformi("totalParts", closed ? 1 : TotalParts);
+  program->SetUniformf("maximum", result.GetFormat() == GL_RGBA16F ? 65504.0f : 1e30f);
+  this->SetComponents(program);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysMediumRays::SetComponents(vtkShaderProgram* program) const
+{
+  const vtkGodRaysMedium& medium = *this->Request.Medium;
+  const vtkGodRaysMedium::Component empty;
+  for (int channel = 0; channel < (this->IsGrey() ? 1 : 3); ++channel)
+  {
+    for (int k = 0; k < vtkGodRaysMedium::MaximumComponents; ++k)
+    {
+      const auto& component = k < medium.NumberOfComponents ? medium.Components[k] : empty;
+      const std::string name =
+        "components[" + std::to_string(vtkGodRaysMedium::MaximumComponents * channel + k) + "].";
+      const double scattering = component.Scattering[channel];
+      SetNumber(program, name + "Scattering", scattering);
+      SetNumber(program, name + "Extinction", scattering + component.Absorption[channel]);
+      SetNumber(program, name + "ScaleHeight", component.ScaleHeight);
+      SetPhase(program, name + "First", component.PhaseFunction, component.Asymmetry);
+      SetPhase(program, name + "Second", component.SecondPhaseFunction, component.SecondAsymmetry);
+      SetNumber(program, name + "SecondWeight", component.SecondWeight);
+    }
+  }
+}

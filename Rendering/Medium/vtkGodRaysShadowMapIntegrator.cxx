@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysShadowMapIntegrator.h"
+
+#include "vtkGodRaysMediumModel.h"
+#include "vtkGodRaysMediumRays.h"
+#include "vtkGodRaysOpenGL.h"
+#include "vtkGodRaysQuad.h"
+#include "vtkGodRaysShadowMap.h"
+#include "vtkGodRaysShadowMapFS.h"
+#include "vtkGodRaysShadowMapFilterFS.h"
+#include "vtkGodRaysSum.h"
+#include "vtkGodRaysTarget.h"
+#include "vtkGodRaysViewDepths.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+
+#include <sstream>
+
+vtkStandardNewMacro(vtkGodRaysShadowMapIntegrator);
+
+//------------------------------------------------------------------------------
+struct vtkGodRaysShadowMapIntegrator::Internals
+{
+  vtkGodRaysQuad March{ "vtkGodRaysShadowMapFS",
+    vtkGodRaysMediumRays::Complete(vtkGodRaysShadowMapFS) };
+  vtkGodRaysQuad Filter{ "vtkGodRaysShadowMapFilterFS",
+    vtkGodRaysMediumRays::Complete(vtkGodRaysShadowMapFilterFS) };
+  vtkGodRaysShadowMap Map;
+  vtkGodRaysTarget Lit[2];      // the part that is lit, of one channel, and of three, and the depth
+  vtkGodRaysTarget RowMeans[2]; // its means of rows, alike
+
+  bool Bind(vtkGodRaysTarget& target, const Request& request, bool grey);
+  vtkShaderProgram* Begin(
+    vtkGodRaysQuad& quad, const Request& request, const vtkGodRaysMediumRays& rays, bool rows);
+  bool DrawMean(
+    const Request& request, const vtkGodRaysMediumRays& rays, bool rows, vtkGodRaysTarget& lit);
+};
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysShadowMapIntegrator::Internals::Bind(
+  vtkGodRaysTarget& target, const Request& request, bool grey)
+{
+  const unsigned int format = request.Result->GetFormat();
+  const unsigned int two = format == GL_RGBA32F ? GL_RG32F : GL_RG16F;
+  target.Prepare(request.Window, request.Result->GetWidth(), request.Result->GetHeight(),
+    { grey ? two : format, 0 });
+  request.Window->GetState()->vtkglDisable(GL_BLEND);
+  return target.Bind();
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* vtkGodRaysShadowMapIntegrator::Internals::Begin(
+  vtkGodRaysQuad& quad, const Request& request, const vtkGodRaysMediumRays& rays, bool rows)
+{
+  vtkShaderProgram* program = quad.Begin(request.Window,
+    { { "parallel", rays.IsParallel() }, { "infinite", rays.IsInfinite() },
+      { "uniformly", rays.IsUniform() }, { "grey", rays.IsGrey() },
+      { "cube", this->Map.GetNumberOfFaces() == 6 }, { "rows", rows } });
+  if (program)
+  {
+    rays.Set(program);
+    quad.SetTexture("ends", request.Depths->GetEnds()->GetColor());
+  }
+  return program;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysShadowMapIntegrator::Internals::DrawMean(
+  const Request& request, const vtkGodRaysMediumRays& rays, bool rows, vtkGodRaysTarget& lit)
+{
+  if (!this->Begin(this->Filter, request, rays, rows))
+  {
+    return false;
+  }
+  this->Filter.SetTexture("lit", lit.GetColor());
+  this->Filter.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysShadowMapIntegrator::vtkGodRaysShadowMapIntegrator()
+  : Internal(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysShadowMapIntegrator::~vtkGodRaysShadowMapIntegrator() = default;
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysShadowMapIntegrator::Supports(vtkGodRaysModel* model)
+{
+  return vtkGodRaysMediumModel::SafeDownCast(model) != nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysShadowMapIntegrator::Integrate(const Request& request)
+{
+  Internals& self = *this->Internal;
+  vtkGodRaysTarget* const ends = request.Depths->GetEnds();
+  if (!ends || !self.Map.Draw(request, this->MapSize))
+  {
+    return false;
+  }
+  const int size[2] = { ends->GetWidth(), ends->GetHeight() };
+  const vtkGodRaysMediumRays rays(request, size);
+  vtkGodRaysTarget& lit = self.Lit[rays.IsGrey() ? 0 : 1];
+  vtkGodRaysTarget& rows = self.RowMeans[rays.IsGrey() ? 0 : 1];
+  if (!self.Bind(lit, request, rays.IsGrey()))
+  {
+    return false;
+  }
+  if (self.Map.GetNumberOfFaces() == 0)
+  {
+    vtkOpenGLState* state = request.Window->GetState();
+    state->vtkglClearColor(1.0f, 1.0f, 1.0f, 1.0f);
+    state->vtkglClear(GL_COLOR_BUFFER_BIT);
+  }
+  else
+  {
+    vtkShaderProgram* march = self.Begin(self.March, request, rays, false);
+    if (!march)
+    {
+      return false;
+    }
+    self.Map.Set(march);
+    march->SetUniformi("numberOfSteps", this->NumberOfSteps);
+    self.March.SetTexture("map", self.Map.GetDepth());
+    self.March.End();
+  }
+  return self.Bind(rows, request, rays.IsGrey()) && self.DrawMean(request, rays, true, lit) &&
+    request.Result->BindToAdd() && self.DrawMean(request, rays, false, rows);
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysShadowMapIntegrator::Contribute(const Request& request)
+{
+  return this->Internal->Map.Draw(request, this->MapSize);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysShadowMapIntegrator::Describe(vtkGodRaysModel*, double)
+{
+  std::ostringstream text;
+  const vtkGodRaysShadowMap& map = this->Internal->Map;
+  text << "shadow map: " << map.GetNumberOfFaces() << " of " << map.GetSize() << " x "
+       << map.GetSize() << " pixels for the last light"
+       << (map.WasKept() ? ", kept, " : ", drawn, ") << this->NumberOfSteps << " steps a pixel";
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysShadowMapIntegrator::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals& self = *this->Internal;
+  self.March.Release();
+  self.Filter.Release();
+  self.Map.Release(window);
+  for (int i = 0; i < 2; ++i)
+  {
+    self.Lit[i].Release(window);
+    self.RowMeans[i].Release(window);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysShadowMapIntegrator::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MapSize: " << this->MapSize << "\n";
+  os << indent << "NumberOfSteps: " << this->NumberOfSteps << "\n";
+}

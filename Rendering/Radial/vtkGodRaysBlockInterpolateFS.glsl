@@ -1,0 +1,105 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+
+// The integral at each pixel of the picture, from that at the nodes of the lines about it.
+
+in vec2 texCoord; // of the picture, as well as it is interpolated
+
+//VTK::GodRays::Terms
+//VTK::GodRays::Radial
+
+uniform vec2 size;      // of the picture [pixels]
+uniform vec2 layerSize; // [pixels]
+uniform vec2 origin;    // of the picture's first pixel in the layer [pixels, centres are whole]
+uniform vec2 pixel;     // distance of the picture's pixels [pixels of the layer]
+uniform sampler2D layer;
+uniform sampler2D means;
+uniform sampler2D sums;     // at the nodes
+uniform sampler2D rows;     // for each row or column of the picture and each wedge, three values
+uniform vec2 sumsSize;      // of the textures [texels]
+uniform vec2 meansSize;     //
+uniform vec4 wedgeLines[4]; // as for the means
+uniform vec4 wedgeRows[4];
+uniform vec4 wedgeColumns;
+uniform vec2 marchConstant; // from the point p, marchConstant - marchSlope p [pixels]
+uniform float marchSlope;
+uniform float k;             // the kernel is e^(-k t)
+uniform float shortest;      // shorter marches are summed by taps [pixels]
+uniform float tapsPerPixel;  // of these
+uniform float bumpTapLength; // [pixels]
+uniform bool hasTail;
+uniform vec3 gain;
+
+vec3 SumTapsNearLight(vec2 point, vec2 march)
+{
+  vec2 uv = (point + 0.5) / layerSize;
+  vec2 part = ClipMarch(uv, march / layerSize, 0.5 / layerSize);
+  if (part.x >= part.y)
+  {
+    return vec3(0.0);
+  }
+  int taps = int(clamp(ceil((part.y - part.x) * length(march) * tapsPerPixel), 16.0, 1024.0));
+  return MeanAlongMarch(layer, uv, march / layerSize, k, part, taps);
+}
+
+// What is to be added where an end of the march, at a point, is length steps beyond an end of a
+// block: the layer in between instead of the block's mean. bump: that length, its factor, the block.
+vec3 Bump(vec3 bump, vec2 point, vec2 step, int wedge, float line)
+{
+  float column = OneChannel ? floor(0.25 * bump.z) : bump.z;
+  vec2 position = (vec2(wedgeColumns[wedge] + column, line) + 0.5) / meansSize;
+  vec4 texel = textureLod(means, position, 0.0);
+  vec3 mean = texel.rgb;
+  if (OneChannel)
+  {
+    float channel = bump.z - 4.0 * column;
+    mean = vec3(channel < 1.5 ? (channel < 0.5 ? texel.x : texel.y)
+                              : (channel < 2.5 ? texel.z : texel.w));
+  }
+  int taps = int(clamp(ceil(abs(bump.x) / bumpTapLength), 1.0, 64.0));
+  vec2 stride = -bump.x / float(taps) / layerSize * step;
+  vec2 first = (point + 0.5) / layerSize + 0.5 * stride;
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < taps; ++i)
+  {
+    sum += SampleLayer(layer, first + float(i) * stride);
+  }
+  return bump.y * (sum / float(taps) - mean);
+}
+
+void main()
+{
+  vec2 index = floor(texCoord * size);
+  vec2 point = origin + index * pixel;
+  vec2 march = marchConstant - marchSlope * point;
+  bool transposed = abs(march.x) > abs(march.y);
+  float along = transposed ? march.x : march.y;
+  int wedge = (transposed ? 2 : 0) + ((marchSlope < 0.0) == (along < 0.0) ? 1 : 0);
+  vec3 result;
+  if (!(length(march) >= shortest && wedgeRows[wedge].w > 0.0))
+  {
+    result = SumTapsNearLight(point, march);
+  }
+  else
+  {
+    int row = int(transposed ? index.x : index.y);
+    vec4 place = texelFetch(rows, ivec2(row, 3 * wedge), 0);
+    vec4 front = texelFetch(rows, ivec2(row, 3 * wedge + 1), 0);
+    vec4 lines = wedgeLines[wedge];
+    float line = ((transposed ? point.y : point.x) - place.x) * place.y;
+    line = clamp(line, 0.0, wedgeRows[wedge].w - 1.0);
+    vec2 step = vec2(lines.z + line * lines.w, wedgeRows[wedge].y); // to the next row
+    step = transposed ? step.yx : step;
+    result = textureLod(sums, (vec2(place.z, line) + 0.5) / sumsSize, 0.0).rgb;
+    result += Bump(front.xyz, point, step, wedge, line);
+    if (hasTail)
+    {
+      vec4 tail = texelFetch(rows, ivec2(row, 3 * wedge + 2), 0);
+      if (tail.y != 0.0)
+      {
+        result += Bump(tail.xyz, point + tail.w * step, step, wedge, line);
+      }
+    }
+  }
+  gl_FragData[0] = vec4(gain * (OneChannel ? vec3(result.r) : result), 1.0);
+}
