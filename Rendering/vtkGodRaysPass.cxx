@@ -6,13 +6,13 @@
 #include "vtkGodRaysAttachment.h"
 #include "vtkGodRaysBlendPass.h"
 #include "vtkGodRaysCompositor.h"
+#include "vtkGodRaysEffect.h"
 #include "vtkGodRaysFramebuffer.h"
 #include "vtkGodRaysIntegrator.h"
-#include "vtkGodRaysMedium.h"
-#include "vtkGodRaysMediumModel.h"
 #include "vtkGodRaysOcclusionPass.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysRadialModel.h"
+#include "vtkGodRaysRole.h"
 #include "vtkGodRaysScene.h"
 #include "vtkGodRaysSceneCopy.h"
 #include "vtkGodRaysSetGet.h"
@@ -22,10 +22,7 @@
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysTimers.h"
 #include "vtkGodRaysTransfer.h"
-#include "vtkGodRaysViewDepths.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
-#include "vtkInformationIntegerKey.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -45,7 +42,6 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkGodRaysPass);
-vtkInformationKeyMacro(vtkGodRaysPass, ROLE, Integer);
 
 namespace
 {
@@ -69,7 +65,7 @@ struct vtkGodRaysPass::Internals
 {
   std::vector<vtkSmartPointer<vtkLight>> Lights;
   vtkSmartPointer<vtkGodRaysModel> Model;
-  vtkGodRaysMediumModel* MediumModel = nullptr; // the model, if it is one
+  std::unique_ptr<vtkGodRaysEffect> Effect; // the model's
   vtkSmartPointer<vtkGodRaysIntegrator> Integrator;
   bool IntegratorIsModels = false; // nobody set it
   vtkSmartPointer<vtkGodRaysCompositor> Compositor;
@@ -79,20 +75,15 @@ struct vtkGodRaysPass::Internals
   vtkNew<vtkGodRaysScene> RendererSteps;
   vtkNew<vtkGodRaysOcclusionPass> Occlusion;
   vtkNew<vtkGodRaysBlendPass> Blending;
-  vtkGodRaysSceneCopy Scene;   // colour and depth of the viewport
-  vtkGodRaysTarget Backdrop;   // background, where the scene is drawn over black
-  vtkGodRaysSum Scattering;    // light of all layers
-  vtkGodRaysSum Layers;        // their sum; of several lights only when it is asked for
-  vtkGodRaysViewDepths Depths; // for models of a medium
-  vtkGodRaysMedium Medium;
-  vtkTextureObject* SeenDepth = nullptr; // where view rays end
+  vtkGodRaysSceneCopy Scene; // colour and depth of the viewport
+  vtkGodRaysTarget Backdrop; // background, where the scene is drawn over black
+  vtkGodRaysSum Scattering;  // light of all layers
   vtkGodRaysTimers Timers;
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the resources
   vtkMTimeType ContextTime = 0;                 // when its context was made
-  bool HasScattering = false;                   // of the last frame
-  bool HasLayer = false;
-  bool HasAllLayers = false;
+  bool HasRays = false;                         // of the last frame
+  bool HasScattering = false;                   // alike
   bool HasBackdrop = false;
   bool KeepAllLayers = false;
   int NumberOfSources = 0; // of the last frame
@@ -116,12 +107,13 @@ struct vtkGodRaysPass::Internals
     this->Scene.Release(window);
     this->Backdrop.Release(window);
     this->Scattering.Release(window);
-    this->Layers.Release(window);
-    this->Depths.Release(window);
+    if (this->Effect)
+    {
+      this->Effect->Release(window);
+    }
     this->Timers.Release(this->Window);
+    this->HasRays = false;
     this->HasScattering = false;
-    this->HasLayer = false;
-    this->HasAllLayers = false;
     this->Window = nullptr;
   }
 };
@@ -147,32 +139,19 @@ void vtkGodRaysPass::SetRole(vtkProp* prop, int role)
       << (prop ? "role " + std::to_string(role) : "a null prop") << "; nothing is changed.");
     return;
   }
-  if (GetRole(prop) == role)
-  {
-    return;
-  }
-  // A copy, since props may share their keys, as those made by vtkActor::ShallowCopy() do.
-  vtkNew<vtkInformation> keys;
-  if (vtkInformation* former = prop->GetPropertyKeys())
-  {
-    keys->Copy(former);
-  }
-  if (role == AUTOMATIC)
-  {
-    keys->Remove(ROLE());
-  }
-  else
-  {
-    keys->Set(ROLE(), role);
-  }
-  prop->SetPropertyKeys(keys);
+  vtkGodRaysSetRole(prop, static_cast<vtkGodRaysRole>(role));
 }
 
 //------------------------------------------------------------------------------
 int vtkGodRaysPass::GetRole(vtkProp* prop)
 {
-  vtkInformation* keys = prop ? prop->GetPropertyKeys() : nullptr;
-  return keys && keys->Has(ROLE()) ? keys->Get(ROLE()) : AUTOMATIC;
+  return static_cast<int>(vtkGodRaysGetRole(prop));
+}
+
+//------------------------------------------------------------------------------
+vtkInformationIntegerKey* vtkGodRaysPass::ROLE()
+{
+  return vtkGodRaysGetRoleKey();
 }
 
 //------------------------------------------------------------------------------
@@ -229,12 +208,17 @@ void vtkGodRaysPass::SetModel(vtkGodRaysModel* model)
     return;
   }
   Internals& self = *this->Internal;
+  if (self.Effect && self.Window)
+  {
+    self.Effect->Release(self.Window);
+    self.HasRays = false;
+  }
   self.Model = model;
   if (!model)
   {
     self.Model = vtkSmartPointer<vtkGodRaysRadialModel>::New();
   }
-  self.MediumModel = vtkGodRaysMediumModel::SafeDownCast(self.Model);
+  self.Effect = self.Model->MakeEffect();
   if (self.IntegratorIsModels && !self.Integrator->Supports(self.Model))
   {
     this->SetIntegrator(nullptr);
@@ -260,6 +244,7 @@ void vtkGodRaysPass::SetIntegrator(vtkGodRaysIntegrator* integrator)
   if (self.Integrator && self.Window)
   {
     self.Integrator->ReleaseGraphicsResources(self.Window);
+    self.HasScattering = false; // which it may have lent
   }
   self.IntegratorIsModels = !integrator;
   self.Integrator = integrator;
@@ -302,7 +287,6 @@ bool vtkGodRaysPass::ApplyPreset(const char* name)
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, Intensity, 0.0, 1e4);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, ErrorTolerance, 1e-6, 0.1);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, InteractiveErrorTolerance, 1e-6, 0.1);
-vtkGodRaysSetFiniteMacro(vtkGodRaysPass, ResolutionScale, 0.125, 1.0);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, SourceRadius, 0.0, 1e30);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, SunAngularRadius, 0.01, 90.0);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, BackgroundGlow, 0.0, 1.0);
@@ -360,14 +344,16 @@ bool vtkGodRaysPass::GetOcclusionImage(vtkImageData* image)
 {
   Internals& self = *this->Internal;
   const bool distributed = self.Compositor && self.Compositor->IsDistributed();
-  if (self.HasLayer && !self.HasAllLayers && self.Window && !distributed)
+  if (self.Window && self.HasRays && self.Effect->HasLayers() && !self.Effect->GetLayers() &&
+    !distributed)
   {
     // one layer texture served all lights in turn
     self.KeepAllLayers = true;
     self.Window->Render();
     self.KeepAllLayers = false;
   }
-  if (!image || !self.HasAllLayers || !self.Window)
+  vtkGodRaysSum* layers = self.Window && self.HasRays ? self.Effect->GetLayers() : nullptr;
+  if (!image || !layers)
   {
     if (image)
     {
@@ -376,7 +362,7 @@ bool vtkGodRaysPass::GetOcclusionImage(vtkImageData* image)
     return false;
   }
   self.Window->MakeCurrent();
-  return self.Layers.Download(image);
+  return layers->Download(image);
 }
 
 //------------------------------------------------------------------------------
@@ -426,8 +412,7 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   }
   self.LightPlan.clear();
   self.HasScattering = false;
-  self.HasLayer = false;
-  self.HasAllLayers = false;
+  self.HasRays = false;
   self.Timers.BeginFrame(this->MeasureTimes);
   this->NumberOfGeometryPasses = 1;
 
@@ -442,18 +427,16 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
     vtkGodRaysScene::UpdateStereo(renderer);
     self.Margin = this->FindMargin(window, viewport + 2);
     view.Set(renderer, viewport + 2, self.Margin);
-    self.Transfer = self.Model->GetLinearLight()
-      ? vtkGodRaysFindTransfer(this->DisplayTransfer, renderer, this)
-      : vtkGodRaysTransfer::NONE;
+    self.Transfer = self.Effect->SumsShownValues()
+      ? vtkGodRaysTransfer::NONE
+      : vtkGodRaysFindTransfer(this->DisplayTransfer, renderer, this);
     sources = this->FindSources(renderer, view);
     reason = sources.empty() && !this->DimsScene() ? "no light reaches the picture" : nullptr;
-    vtkGodRaysView::Pinhole pinhole;
-    if (self.MediumModel && !view.GetPinhole(viewport + 2, pinhole))
+    const std::string obstacle = self.Effect->FindObstacle(view, viewport + 2);
+    if (!obstacle.empty())
     {
-      this->Complain("the picture is tilted against the axis of view, or its pixels are oblong, in "
-                     "which light in a medium cannot be evaluated. Use a projection matrix without "
-                     "that, or a vtkGodRaysRadialModel");
-      reason = "the projection is not one that a medium takes";
+      this->Complain(obstacle);
+      reason = "the model cannot be evaluated in this projection";
     }
   }
   self.NumberOfSources = static_cast<int>(sources.size());
@@ -555,8 +538,7 @@ double vtkGodRaysPass::FindMargin(vtkOpenGLRenderWindow* window, const int size[
 // Whether the picture changes where no light is scattered.
 bool vtkGodRaysPass::DimsScene() const
 {
-  const Internals& self = *this->Internal;
-  return self.MediumModel && self.MediumModel->GetAttenuateScene() && this->Output == COMPOSITE;
+  return this->Internal->Effect->DimsScene() && this->Output == COMPOSITE;
 }
 
 //------------------------------------------------------------------------------
@@ -594,10 +576,9 @@ std::vector<vtkGodRaysSource> vtkGodRaysPass::FindSources(
   finder.BackgroundGlowRadius = this->BackgroundGlowRadius;
   finder.BackgroundGlowFalloff = this->BackgroundGlowFalloff;
   finder.Transfer = self.Transfer;
-  finder.CapsMarch = self.Model->CapsMarch();
   finder.Tiles = GetTiles(renderer->GetRenderWindow());
-  finder.LightsMedium = self.MediumModel != nullptr;
   finder.Compositor = self.Compositor;
+  self.Effect->SetUp(finder);
   auto sources = finder.Find(view, self.Lights);
   self.LightPlan = finder.GetPlan();
   return sources;
@@ -608,91 +589,42 @@ bool vtkGodRaysPass::RenderRays(
   const vtkRenderState* s, const vtkGodRaysView& view, const std::vector<vtkGodRaysSource>& sources)
 {
   Internals& self = *this->Internal;
-  vtkOpenGLState* state = self.Window->GetState();
-  vtkGodRaysStateKeeper keeper(state);
-
+  const vtkGodRaysStateKeeper keeper(self.Window->GetState());
   int viewport[4];
   vtkGodRaysScene::GetViewport(s, viewport);
   const vtkGodRaysFramebuffer bound;
-  if (!bound.Formats.Color || !bound.Formats.Depth)
-  {
-    return false;
-  }
-  const unsigned int precision = this->Precision == SINGLE ? GL_RGBA32F : GL_RGBA16F;
-  self.Timers.Start(vtkGodRaysTimers::OCCLUSION);
-  if (!this->FindOccluders(s, view, bound, viewport, precision))
-  {
-    return false;
-  }
-  self.Timers.Stop();
-  this->NumberOfGeometryPasses = self.Occlusion->GetRenderedOccluders() ? 2 : 1;
-
-  self.Scattering.Begin(self.Window, viewport[2], viewport[3], precision);
-  const bool isRoot = !self.Compositor || self.Compositor->IsRoot();
-  for (const vtkGodRaysSource& source : sources)
-  {
-    if (!self.MediumModel && !this->ComposeLayer(source, sources, precision))
-    {
-      return false;
-    }
-    if (this->Output != OCCLUSION)
-    {
-      self.Timers.Start(vtkGodRaysTimers::SCATTERING);
-      if (!this->Scatter(s->GetRenderer(), view, source))
-      {
-        return false;
-      }
-      self.Timers.Stop();
-    }
-  }
-  if (!isRoot)
-  {
-    self.StagePlan = "rays: joined by another process\n";
-    return true;
-  }
-  self.HasScattering = !self.Scattering.IsEmpty();
-
-  self.Timers.Start(vtkGodRaysTimers::BLEND);
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, bound.Binding);
-  bool blended = true;
-  if (self.MediumModel && this->Output == OCCLUSION)
-  {
-    this->ShowNoLight(s, state); // a medium has no layer
-  }
-  else
-  {
-    blended = this->DrawOutput(viewport, view);
-  }
-  self.Timers.Stop();
-  this->DescribeStages(self.Margin);
-  return blended;
+  const bool done = bound.Formats.Color && bound.Formats.Depth &&
+    this->FindOccluders(s, view, bound, viewport) && this->DrawLights(s, view, sources) &&
+    this->DrawOutput(s, bound, viewport);
+  self.Effect->End();
+  self.Occlusion->End();
+  return done;
 }
 
 //------------------------------------------------------------------------------
 // Keep what the framebuffer holds, and find what blocks light.
 bool vtkGodRaysPass::FindOccluders(const vtkRenderState* s, const vtkGodRaysView& view,
-  const vtkGodRaysFramebuffer& bound, const int viewport[4], unsigned int precision)
+  const vtkGodRaysFramebuffer& bound, const int viewport[4])
 {
   Internals& self = *this->Internal;
+  self.Timers.Start(vtkGodRaysTimers::OCCLUSION);
   vtkGodRaysOcclusionPass::Request occlusion;
   occlusion.Window = self.Window;
   occlusion.Renderer = s->GetRenderer();
   occlusion.View = &view;
   occlusion.DepthFormat = bound.Formats.Depth;
   occlusion.Multisampled = bound.Multisampled;
-  occlusion.ColorFormat = precision;
-  occlusion.OneColorFormat = self.Integrator->GetOneColorFormat(self.Window, self.Model, precision);
+  occlusion.ColorFormat = this->GetLayerFormat();
   occlusion.Margin = self.Margin;
   occlusion.UntaggedPropsOcclude = this->UntaggedPropsOcclude;
-  occlusion.LampsOcclude = !self.MediumModel;
-  occlusion.Dims = !self.MediumModel;
   occlusion.Transfer = self.Transfer;
   occlusion.Glow = this->BackgroundGlow;
   occlusion.Compositor = self.Compositor;
+  self.Effect->SetUp(occlusion, self.Integrator);
 
   const bool depthServes = vtkGodRaysOcclusionPass::SceneDepthServes(occlusion);
   const unsigned int buffers = (this->Output == COMPOSITE ? GL_COLOR_BUFFER_BIT : 0) |
-    (depthServes || self.MediumModel ? GL_DEPTH_BUFFER_BIT : 0);
+    (depthServes || self.Effect->ReadsSceneDepth() ? GL_DEPTH_BUFFER_BIT : 0);
   if (!self.Scene.Copy(self.Window, bound, viewport, buffers))
   {
     return false;
@@ -708,120 +640,89 @@ bool vtkGodRaysPass::FindOccluders(const vtkRenderState* s, const vtkGodRaysView
     }
     self.HasBackdrop = self.Compositor->DrawBackground(s->GetRenderer());
   }
-  if (!self.Occlusion->Begin(occlusion))
-  {
-    return false;
-  }
-  if (self.MediumModel)
-  {
-    // On several processes the depth of the joined picture may be nowhere.
-    const bool hasSeen =
-      !self.Compositor || !self.Compositor->IsDistributed() || self.Compositor->HasDepth();
-    self.SeenDepth = hasSeen ? self.Scene.GetDepth() : self.Occlusion->GetDepth();
-    self.Depths.Begin(self.Window, view, self.Occlusion->GetDepth(),
-      self.SeenDepth == self.Occlusion->GetDepth() ? nullptr : self.SeenDepth);
-    self.Medium = self.MediumModel->GetMedium(
-      view.WorldToView, view.Eye, s->GetRenderer()->GetActiveCamera()->GetClippingRange()[1]);
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-// The layer of one light, kept if it is asked for.
-bool vtkGodRaysPass::ComposeLayer(const vtkGodRaysSource& source,
-  const std::vector<vtkGodRaysSource>& sources, unsigned int precision)
-{
-  Internals& self = *this->Internal;
-  self.Timers.Start(vtkGodRaysTimers::OCCLUSION);
-  if (!self.Occlusion->Compose(source))
-  {
-    return false;
-  }
-  self.HasLayer = true;
-  self.HasAllLayers = sources.size() == 1 || this->Output == OCCLUSION || self.KeepAllLayers;
-  if (self.HasAllLayers)
-  {
-    vtkGodRaysTarget& layer = *self.Occlusion->GetLayer();
-    if (&source == &sources.front())
-    {
-      self.Layers.Begin(self.Window, layer.GetWidth(), layer.GetHeight(), precision);
-    }
-    if (!(sources.size() == 1 ? self.Layers.Lend(layer, source.Color, 1.0)
-                              : self.Layers.Add(layer, source.Color, 1.0)))
-    {
-      return false;
-    }
-  }
+  const bool done = self.Occlusion->Begin(occlusion);
   self.Timers.Stop();
-  return true;
+  this->NumberOfGeometryPasses = self.Occlusion->GetRenderedOccluders() ? 2 : 1;
+  return done;
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysPass::Scatter(
-  vtkRenderer* renderer, const vtkGodRaysView& view, const vtkGodRaysSource& source)
+bool vtkGodRaysPass::DrawLights(
+  const vtkRenderState* s, const vtkGodRaysView& view, const std::vector<vtkGodRaysSource>& sources)
 {
   Internals& self = *this->Internal;
-  vtkGodRaysIntegrator::Request request;
-  request.Window = self.Window;
-  request.Model = self.Model;
-  if (self.MediumModel)
+  vtkGodRaysEffect::Frame frame;
+  frame.Window = self.Window;
+  frame.Renderer = s->GetRenderer();
+  frame.View = &view;
+  frame.Integrator = self.Integrator;
+  frame.Occlusion = self.Occlusion;
+  frame.SceneDepth = self.Scene.GetDepth();
+  frame.Compositor = self.Compositor;
+  frame.Timers = &self.Timers;
+  frame.Light = &self.Scattering;
+  frame.Format = this->GetLayerFormat();
+  frame.NumberOfLights = static_cast<int>(sources.size());
+  const bool interactive = self.Window->GetDesiredUpdateRate() >= 1.0;
+  frame.ErrorTolerance = interactive
+    ? std::max(this->ErrorTolerance, this->InteractiveErrorTolerance)
+    : this->ErrorTolerance;
+  frame.KeepsLayers = this->Output == OCCLUSION || self.KeepAllLayers;
+  frame.Scatters = this->Output != OCCLUSION;
+  const int width = static_cast<int>(frame.SceneDepth->GetWidth());
+  const int height = static_cast<int>(frame.SceneDepth->GetHeight());
+  self.Scattering.Begin(self.Window, width, height, frame.Format);
+  self.Effect->Begin(frame);
+  self.HasRays = true;
+  return std::all_of(sources.begin(), sources.end(),
+    [&](const vtkGodRaysSource& source) { return self.Effect->DrawLight(frame, source); });
+}
+
+//------------------------------------------------------------------------------
+unsigned int vtkGodRaysPass::GetLayerFormat() const
+{
+  return this->Precision == SINGLE ? GL_RGBA32F : GL_RGBA16F;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysPass::DrawOutput(
+  const vtkRenderState* s, const vtkGodRaysFramebuffer& bound, const int viewport[4])
+{
+  Internals& self = *this->Internal;
+  if (self.Compositor && !self.Compositor->IsRoot())
   {
-    request.Medium = &self.Medium;
-    request.View = &view;
-    request.Source = &source;
-    request.Depths = &self.Depths;
-    request.Renderer = renderer;
-    request.Blocking = &self.Occlusion->GetBlocking();
-    request.Compositor = self.Compositor;
+    self.StagePlan = "rays: joined by another process\n";
+    return true;
+  }
+  self.HasScattering = !self.Scattering.IsEmpty();
+  self.Timers.Start(vtkGodRaysTimers::BLEND);
+  vtkOpenGLState* state = self.Window->GetState();
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, bound.Binding);
+  vtkGodRaysSum* light = this->Output == OCCLUSION ? self.Effect->GetLayers() : &self.Scattering;
+  vtkGodRaysBlendPass::Request request;
+  self.Effect->Join(request);
+  request.Screen = this->Blend == MODEL_BLEND ? request.Screen : this->Blend == SCREEN;
+  bool drawn = true;
+  if (light)
+  {
+    request.Window = self.Window;
+    std::copy_n(viewport, 4, request.Viewport);
+    request.Scene = self.Scene.GetColor();
+    request.Backdrop = self.HasBackdrop ? self.Backdrop.GetColor() : nullptr;
+    request.Rays = light->GetTexture();
+    request.Tint = light->GetTint();
+    request.Intensity = this->Output == OCCLUSION ? 1.0 : this->Intensity;
+    request.Transfer = self.Transfer;
+    request.ShowRays = this->Output != COMPOSITE;
+    drawn = self.Blending->Draw(request);
   }
   else
   {
-    request.Layer = self.Occlusion->GetLayer();
-    std::copy_n(source.Color, 3, request.Color);
-    std::copy_n(source.Clip, 3, request.LightClip);
-    request.MarchScale = source.MarchScale;
+    this->ShowNoLight(s, state);
   }
-  request.ViewScale = view.ViewScale;
-  request.Peak = source.Prop ? 1.0 : *std::max_element(source.Color, source.Color + 3);
-  request.ResolutionScale = this->ResolutionScale;
-  const bool interactive = self.Window->GetDesiredUpdateRate() >= 1.0;
-  request.ErrorTolerance = interactive
-    ? std::max(this->ErrorTolerance, this->InteractiveErrorTolerance)
-    : this->ErrorTolerance;
-  if (self.Compositor && !self.Compositor->IsRoot())
-  {
-    request.Depths = nullptr;
-    return self.Integrator->Contribute(request);
-  }
-  request.Result = &self.Scattering;
-  return self.Integrator->Integrate(request);
-}
-
-//------------------------------------------------------------------------------
-bool vtkGodRaysPass::DrawOutput(const int viewport[4], const vtkGodRaysView& view)
-{
-  Internals& self = *this->Internal;
-  const vtkGodRaysSum& light = this->Output == OCCLUSION ? self.Layers : self.Scattering;
-  vtkGodRaysBlendPass::Request request;
-  request.Window = self.Window;
-  std::copy_n(viewport, 4, request.Viewport);
-  request.Scene = self.Scene.GetColor();
-  request.Backdrop = self.HasBackdrop ? self.Backdrop.GetColor() : nullptr;
-  request.Rays = light.GetTexture();
-  request.Tint = light.GetTint();
-  request.Intensity = this->Output == OCCLUSION ? 1.0 : this->Intensity;
-  request.SceneGain = self.Model->GetSceneGain();
-  request.Transfer = self.Transfer;
-  const int blend = this->Blend == MODEL_BLEND ? self.Model->GetBlend() : this->Blend;
-  request.Screen = blend == SCREEN;
-  request.ShowRays = this->Output != COMPOSITE;
-  if (this->DimsScene())
-  {
-    request.Medium = &self.Medium;
-    request.View = &view;
-    request.Depth = self.SeenDepth;
-  }
-  return self.Blending->Draw(request);
+  self.Timers.Stop();
+  this->DescribeStages(request.Screen);
+  return drawn;
 }
 
 //------------------------------------------------------------------------------
@@ -837,30 +738,23 @@ void vtkGodRaysPass::ShowNoLight(const vtkRenderState* s, vtkOpenGLState* state)
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysPass::DescribeStages(double margin)
+void vtkGodRaysPass::DescribeStages(bool screen)
 {
   Internals& self = *this->Internal;
   std::ostringstream plan;
   plan << "scene: drawn in place, geometry rendered "
        << (this->NumberOfGeometryPasses == 1 ? "once" : "twice") << "\n";
   plan << "occlusion: " << self.Occlusion->Describe();
-  if (margin > 0.0)
+  if (self.Margin > 0.0)
   {
-    plan << ", margin " << margin;
+    plan << ", margin " << self.Margin;
   }
-  plan << "\nmodel: " << self.Model->Describe() << "\n";
-  if (this->Output == OCCLUSION)
-  {
-    plan << "scattering: skipped, the occlusion layer is shown\n";
-  }
-  else
-  {
-    plan << "scattering: " << self.Integrator->Describe(self.Model, this->ResolutionScale) << "\n";
-  }
-  const int blend = this->Blend == MODEL_BLEND ? self.Model->GetBlend() : this->Blend;
-  plan << "blend: "
+  plan << "\nmodel: " << self.Model->Describe() << "\nscattering: "
+       << (this->Output == OCCLUSION ? "skipped, the occlusion layer is shown"
+                                     : self.Integrator->Describe(self.Model))
+       << "\nblend: "
        << (this->Output != COMPOSITE ? "skipped, one layer is shown"
-              : blend == SCREEN      ? "screen"
+              : screen               ? "screen"
                                      : "additive")
        << (self.Transfer == vtkGodRaysTransfer::NONE      ? ", shown values"
               : self.Transfer == vtkGodRaysTransfer::SRGB ? ", linear light"
@@ -915,7 +809,6 @@ void vtkGodRaysPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Intensity: " << this->Intensity << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "InteractiveErrorTolerance: " << this->InteractiveErrorTolerance << "\n";
-  os << indent << "ResolutionScale: " << this->ResolutionScale << "\n";
   os << indent << "UntaggedPropsOcclude: " << (this->UntaggedPropsOcclude ? "on" : "off") << "\n";
   os << indent << "SourceRadius: " << this->SourceRadius << "\n";
   os << indent << "SunAngularRadius: " << this->SunAngularRadius << "\n";

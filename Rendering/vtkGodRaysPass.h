@@ -55,8 +55,8 @@ class vtkLight;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLState;
 class vtkProp;
-class vtkGodRaysFramebuffer;
 class vtkRenderer;
+struct vtkGodRaysFramebuffer;
 struct vtkGodRaysSource;
 struct vtkGodRaysView;
 
@@ -169,18 +169,6 @@ public:
    */
   void SetInteractiveErrorTolerance(double tolerance);
   vtkGetMacro(InteractiveErrorTolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the size of the picture on which taps are summed, as a fraction of the viewport's [no unit];
-   * vtkGodRaysEpipolarIntegrator reads it for parity formulations alone. Below 1 the result is interpolated
-   * where it is smooth and evaluated anew, at full size, where neighbours differ by more than
-   * ErrorTolerance. Parity formulations of more than one pass are always evaluated at full size. Valid
-   * range: [0.125, 1]. Default is 1.
-   */
-  void SetResolutionScale(double scale);
-  vtkGetMacro(ResolutionScale, double);
   ///@}
 
   ///@{
@@ -396,15 +384,16 @@ private:
   bool RenderRays(const vtkRenderState* s, const vtkGodRaysView& view,
     const std::vector<vtkGodRaysSource>& sources);
   bool FindOccluders(const vtkRenderState* s, const vtkGodRaysView& view,
-    const vtkGodRaysFramebuffer& bound, const int viewport[4], unsigned int precision);
-  bool ComposeLayer(const vtkGodRaysSource& source, const std::vector<vtkGodRaysSource>& sources,
-    unsigned int precision);
-  bool Scatter(vtkRenderer* renderer, const vtkGodRaysView& view, const vtkGodRaysSource& source);
+    const vtkGodRaysFramebuffer& bound, const int viewport[4]);
+  bool DrawLights(const vtkRenderState* s, const vtkGodRaysView& view,
+    const std::vector<vtkGodRaysSource>& sources);
+  unsigned int GetLayerFormat() const;
   double FindMargin(vtkOpenGLRenderWindow* window, const int size[2]) const;
   bool DimsScene() const;
-  bool DrawOutput(const int viewport[4], const vtkGodRaysView& view);
+  bool DrawOutput(
+    const vtkRenderState* s, const vtkGodRaysFramebuffer& bound, const int viewport[4]);
   void ShowNoLight(const vtkRenderState* s, vtkOpenGLState* state);
-  void DescribeStages(double margin);
+  void DescribeStages(bool screen);
   void Complain(const std::string& complaint);
 
   struct Internals;
@@ -413,7 +402,6 @@ private:
   double Intensity = 1.0;
   double ErrorTolerance = 1.0 / 255.0;
   double InteractiveErrorTolerance = 0.01;
-  double ResolutionScale = 1.0;
   bool UntaggedPropsOcclude = true;
   double SourceRadius = 0.0;
   double SunAngularRadius = 0.2678;

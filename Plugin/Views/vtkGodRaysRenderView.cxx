@@ -483,7 +483,6 @@ void vtkGodRaysRenderView::RemoveChosenLight(vtkLight* light)
 vtkGodRaysForwardMacro(Intensity, double);
 vtkGodRaysForwardMacro(ErrorTolerance, double);
 vtkGodRaysForwardMacro(InteractiveErrorTolerance, double);
-vtkGodRaysForwardMacro(ResolutionScale, double);
 vtkGodRaysForwardMacro(UntaggedPropsOcclude, bool);
 vtkGodRaysForwardMacro(SourceRadius, double);
 vtkGodRaysForwardMacro(SunAngularRadius, double);

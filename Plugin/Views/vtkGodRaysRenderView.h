@@ -206,7 +206,6 @@ public:
   void SetIntensity(double intensity);
   void SetErrorTolerance(double tolerance);
   void SetInteractiveErrorTolerance(double tolerance);
-  void SetResolutionScale(double scale);
   void SetUntaggedPropsOcclude(bool occlude);
   void SetSourceRadius(double radius);
   void SetSunAngularRadius(double degrees);

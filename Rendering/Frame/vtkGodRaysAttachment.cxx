@@ -5,8 +5,6 @@
 #include "vtkCameraPass.h"
 #include "vtkCommand.h"
 #include "vtkEDLShading.h"
-#include "vtkGodRaysPass.h"
-#include "vtkGodRaysSkyPass.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkNew.h"
@@ -18,6 +16,17 @@
 
 namespace
 {
+// By name: both stand above this.
+bool IsRays(vtkRenderPass* pass)
+{
+  return pass && pass->IsA("vtkGodRaysPass");
+}
+
+bool IsSky(vtkRenderPass* pass)
+{
+  return pass && pass->IsA("vtkGodRaysSkyPass");
+}
+
 // Passes that lead back to themselves have no end.
 const int DeepestNesting = 32;
 
@@ -87,12 +96,12 @@ bool Extend(std::vector<vtkRenderPass*>& path, vtkRenderPass* next,
 /// surfaces, and leave depth behind.
 bool IsOver(vtkRenderPass* other, vtkImageProcessingPass* pass)
 {
-  if (vtkGodRaysPass::SafeDownCast(other))
+  if (IsRays(other))
   {
-    return vtkGodRaysSkyPass::SafeDownCast(pass) != nullptr;
+    return IsSky(pass);
   }
   return vtkSSAAPass::SafeDownCast(other) ||
-    (vtkImageProcessingPass::SafeDownCast(other) && !vtkGodRaysSkyPass::SafeDownCast(other) &&
+    (vtkImageProcessingPass::SafeDownCast(other) && !IsSky(other) &&
       !vtkSSAOPass::SafeDownCast(other) && !vtkEDLShading::SafeDownCast(other) &&
       !vtkPanoramicProjectionPass::SafeDownCast(other));
 }
@@ -128,7 +137,7 @@ public:
   void Execute(vtkObject*, unsigned long, void*) override
   {
     vtkRenderPass* delegate = this->Pass->GetDelegatePass();
-    if (delegate == this->Attachment->Delegate || vtkGodRaysSkyPass::SafeDownCast(delegate))
+    if (delegate == this->Attachment->Delegate || IsSky(delegate))
     {
       this->Attachment->Insert(this->Pass, this->Attachment->Renderer);
     }
@@ -248,14 +257,14 @@ void vtkGodRaysAttachment::Detach(vtkImageProcessingPass* pass, vtkRenderer* ren
   const bool attached = this->Renderer == renderer;
   vtkSmartPointer<vtkRenderPass> next = attached ? this->Former : nullptr;
   vtkRenderPass* delegate = pass->GetDelegatePass();
-  if (vtkGodRaysSkyPass::SafeDownCast(delegate) || vtkGodRaysSkyPass::SafeDownCast(next))
+  if (IsSky(delegate) || IsSky(next))
   {
     // A sky has come under god rays since, and stays, or has gone.
     next = delegate == this->FormerDelegate ? nullptr : delegate;
   }
   const auto path = FindPath(renderer, [pass](vtkRenderPass* each) { return each == pass; });
   vtkRenderPass* over = path.size() > 1 ? path[path.size() - 2] : nullptr;
-  if (path.size() == 1 || (over && (over == this->Over || vtkGodRaysPass::SafeDownCast(over))))
+  if (path.size() == 1 || (over && (over == this->Over || IsRays(over))))
   {
     this->Over = over;
     this->Put(next, renderer);

@@ -6,7 +6,7 @@
 #include "vtkCamera.h"
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysMath.h"
-#include "vtkGodRaysPass.h"
+#include "vtkGodRaysRole.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -105,7 +105,7 @@ std::vector<vtkGodRaysSource> vtkGodRaysSourceFinder::Find(
   props->InitTraversal(iterator);
   while (vtkProp* prop = props->GetNextProp(iterator))
   {
-    if (vtkGodRaysPass::GetRole(prop) != vtkGodRaysPass::LIGHT)
+    if (vtkGodRaysGetRole(prop) != vtkGodRaysRole::LIGHT)
     {
       continue;
     }

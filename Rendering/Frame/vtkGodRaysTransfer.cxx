@@ -3,7 +3,6 @@
 #include "vtkGodRaysTransfer.h"
 
 #include "vtkGodRaysAttachment.h"
-#include "vtkGodRaysPass.h"
 #include "vtkRenderer.h"
 #include "vtkToneMappingPass.h"
 
@@ -11,10 +10,11 @@
 vtkGodRaysTransfer vtkGodRaysFindTransfer(
   int type, vtkRenderer* renderer, const vtkRenderPass* pass)
 {
-  if (type != vtkGodRaysPass::AUTOMATIC_TRANSFER)
+  constexpr int automatic = 0;
+  constexpr int power = 2;
+  if (type != automatic)
   {
-    return type == vtkGodRaysPass::POWER_TRANSFER ? vtkGodRaysTransfer::POWER
-                                                  : vtkGodRaysTransfer::SRGB;
+    return type == power ? vtkGodRaysTransfer::POWER : vtkGodRaysTransfer::SRGB;
   }
   const auto path = vtkGodRaysAttachment::FindPath(renderer,
     [pass](vtkRenderPass* each) { return each == pass || vtkToneMappingPass::SafeDownCast(each); });

@@ -34,12 +34,6 @@ vtkGodRaysDepthWeightedTapsIntegrator::vtkGodRaysDepthWeightedTapsIntegrator()
 vtkGodRaysDepthWeightedTapsIntegrator::~vtkGodRaysDepthWeightedTapsIntegrator() = default;
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysDepthWeightedTapsIntegrator::Supports(vtkGodRaysModel* model)
-{
-  return vtkGodRaysMediumModel::SafeDownCast(model) != nullptr;
-}
-
-//------------------------------------------------------------------------------
 bool vtkGodRaysDepthWeightedTapsIntegrator::Integrate(const Request& request)
 {
   vtkGodRaysTarget* const blocking = request.Depths->GetBlocking();
@@ -69,7 +63,7 @@ bool vtkGodRaysDepthWeightedTapsIntegrator::Integrate(const Request& request)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkGodRaysDepthWeightedTapsIntegrator::Describe(vtkGodRaysModel*, double)
+std::string vtkGodRaysDepthWeightedTapsIntegrator::Describe(vtkGodRaysModel*)
 {
   return "depth-weighted taps: " + std::to_string(this->NumberOfTaps) + " a pixel";
 }

@@ -26,17 +26,18 @@
 #ifndef vtkGodRaysDepthWeightedTapsIntegrator_h
 #define vtkGodRaysDepthWeightedTapsIntegrator_h
 
-#include "vtkGodRaysIntegrator.h"
+#include "vtkGodRaysMediumIntegrator.h"
 #include "vtkGodRaysRenderingModule.h" // For export macro
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
-class VTKGODRAYSRENDERING_EXPORT vtkGodRaysDepthWeightedTapsIntegrator : public vtkGodRaysIntegrator
+class VTKGODRAYSRENDERING_EXPORT vtkGodRaysDepthWeightedTapsIntegrator
+  : public vtkGodRaysMediumIntegrator
 {
 public:
   static vtkGodRaysDepthWeightedTapsIntegrator* New();
-  vtkTypeMacro(vtkGodRaysDepthWeightedTapsIntegrator, vtkGodRaysIntegrator);
+  vtkTypeMacro(vtkGodRaysDepthWeightedTapsIntegrator, vtkGodRaysMediumIntegrator);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -58,9 +59,8 @@ public:
   vtkGetMacro(Thickness, double);
   ///@}
 
-  bool Supports(vtkGodRaysModel* model) override;
   VTK_WRAPEXCLUDE bool Integrate(const Request& request) override;
-  std::string Describe(vtkGodRaysModel* model, double resolutionScale) override;
+  std::string Describe(vtkGodRaysModel* model) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:

@@ -88,12 +88,6 @@ vtkGodRaysEpipolarCoverageIntegrator::vtkGodRaysEpipolarCoverageIntegrator()
 vtkGodRaysEpipolarCoverageIntegrator::~vtkGodRaysEpipolarCoverageIntegrator() = default;
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysEpipolarCoverageIntegrator::Supports(vtkGodRaysModel* model)
-{
-  return vtkGodRaysMediumModel::SafeDownCast(model) != nullptr;
-}
-
-//------------------------------------------------------------------------------
 bool vtkGodRaysEpipolarCoverageIntegrator::Integrate(const Request& request)
 {
   Internals& self = *this->Internal;
@@ -167,7 +161,7 @@ void vtkGodRaysEpipolarCoverageIntegrator::TellThatNot(const std::string& light)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkGodRaysEpipolarCoverageIntegrator::Describe(vtkGodRaysModel*, double)
+std::string vtkGodRaysEpipolarCoverageIntegrator::Describe(vtkGodRaysModel*)
 {
   return "epipolar coverage, on the processor: " + this->Internal->Plan;
 }

@@ -21,17 +21,18 @@
 #ifndef vtkGodRaysEpipolarCoverageIntegrator_h
 #define vtkGodRaysEpipolarCoverageIntegrator_h
 
-#include "vtkGodRaysIntegrator.h"
+#include "vtkGodRaysMediumIntegrator.h"
 #include "vtkGodRaysRenderingModule.h" // For export macro
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
-class VTKGODRAYSRENDERING_EXPORT vtkGodRaysEpipolarCoverageIntegrator : public vtkGodRaysIntegrator
+class VTKGODRAYSRENDERING_EXPORT vtkGodRaysEpipolarCoverageIntegrator
+  : public vtkGodRaysMediumIntegrator
 {
 public:
   static vtkGodRaysEpipolarCoverageIntegrator* New();
-  vtkTypeMacro(vtkGodRaysEpipolarCoverageIntegrator, vtkGodRaysIntegrator);
+  vtkTypeMacro(vtkGodRaysEpipolarCoverageIntegrator, vtkGodRaysMediumIntegrator);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -56,9 +57,8 @@ public:
   vtkGetMacro(NumberOfLayers, int);
   ///@}
 
-  bool Supports(vtkGodRaysModel* model) override;
   VTK_WRAPEXCLUDE bool Integrate(const Request& request) override;
-  std::string Describe(vtkGodRaysModel* model, double resolutionScale) override;
+  std::string Describe(vtkGodRaysModel* model) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:

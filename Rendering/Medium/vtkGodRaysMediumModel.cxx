@@ -3,8 +3,8 @@
 #include "vtkGodRaysMediumModel.h"
 
 #include "vtkGodRaysEpipolarCoverageIntegrator.h"
-#include "vtkGodRaysMath.h"
 #include "vtkGodRaysMedium.h"
+#include "vtkGodRaysMediumEffect.h"
 #include "vtkGodRaysSetGet.h"
 
 #include <algorithm>
@@ -63,23 +63,9 @@ vtkGodRaysIntegrator* vtkGodRaysMediumModel::MakeIntegrator() const
 }
 
 //------------------------------------------------------------------------------
-// An endless medium that only scatters, looked through in the direction that is brightest.
-double vtkGodRaysMediumModel::GetFlatGain() const
+std::unique_ptr<vtkGodRaysEffect> vtkGodRaysMediumModel::MakeEffect()
 {
-  const vtkGodRaysMedium medium = this->GetMedium(Identity, Origin, 1.0);
-  double most = 0.0;
-  for (int i = 0; i < medium.NumberOfComponents; ++i)
-  {
-    const vtkGodRaysMedium::Component& component = medium.Components[i];
-    for (const double cosine : { 1.0, -1.0 })
-    {
-      most = std::max(most,
-        vtkGodRays::PhaseMix({ component.PhaseFunction, component.Asymmetry },
-          { component.SecondPhaseFunction, component.SecondAsymmetry }, component.SecondWeight,
-          cosine));
-    }
-  }
-  return most;
+  return std::make_unique<vtkGodRaysMediumEffect>(this);
 }
 
 //------------------------------------------------------------------------------

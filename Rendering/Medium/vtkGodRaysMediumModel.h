@@ -93,8 +93,8 @@ public:
     const double worldToView[16], const double eye[3], double farDepth) const;
 
   bool CanScatter() const override;
-  double GetFlatGain() const override;
   VTK_NEWINSTANCE vtkGodRaysIntegrator* MakeIntegrator() const override;
+  VTK_WRAPEXCLUDE std::unique_ptr<vtkGodRaysEffect> MakeEffect() override;
 
 protected:
   vtkGodRaysMediumModel() = default;

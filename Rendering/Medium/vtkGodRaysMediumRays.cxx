@@ -45,7 +45,7 @@ std::string vtkGodRaysMediumRays::Complete(const char* shader)
 
 //------------------------------------------------------------------------------
 vtkGodRaysMediumRays::vtkGodRaysMediumRays(
-  const vtkGodRaysIntegrator::Request& request, const int layerSize[2])
+  const vtkGodRaysMediumIntegrator::Request& request, const int layerSize[2])
   : Request(request)
   , LayerSize{ layerSize[0], layerSize[1] }
 {
@@ -90,7 +90,7 @@ void vtkGodRaysMediumRays::Set(vtkShaderProgram* program) const
   const vtkGodRaysSum& result = *this->Request.Result;
   SetPair(program, "pictureSize", result.GetWidth(), result.GetHeight());
   SetPair(program, "layerSize", this->LayerSize[0], this->LayerSize[1]);
-  SetNumber(program, "viewScale", this->Request.ViewScale);
+  SetNumber(program, "viewScale", this->Request.View->ViewScale);
   SetPair(program, "viewCenter", this->Pinhole.Center[0], this->Pinhole.Center[1]);
   SetNumber(program, "pixelSize", this->Pinhole.PixelSize);
   SetNumber(program, "farLimit", medium.FarLimit);

@@ -11,9 +11,9 @@
 #ifndef vtkGodRaysMediumRays_h
 #define vtkGodRaysMediumRays_h
 
-#include "vtkGodRaysIntegrator.h" // For Request
-#include "vtkGodRaysMedium.h"     // For vtkGodRaysSpot
-#include "vtkGodRaysSource.h"     // For vtkGodRaysView::Pinhole
+#include "vtkGodRaysMedium.h"           // For vtkGodRaysSpot
+#include "vtkGodRaysMediumIntegrator.h" // For Request
+#include "vtkGodRaysSource.h"           // For vtkGodRaysView::Pinhole
 
 #include <string>
 
@@ -31,7 +31,7 @@ public:
    * Take a request of a vtkGodRaysMediumModel, which must outlive this, for a layer of this size
    * [pixels] that a pinhole can see.
    */
-  vtkGodRaysMediumRays(const vtkGodRaysIntegrator::Request& request, const int layerSize[2]);
+  vtkGodRaysMediumRays(const vtkGodRaysMediumIntegrator::Request& request, const int layerSize[2]);
 
   ///@{
   /**
@@ -65,7 +65,7 @@ public:
 private:
   void SetComponents(vtkShaderProgram* program) const;
 
-  const vtkGodRaysIntegrator::Request& Request;
+  const vtkGodRaysMediumIntegrator::Request& Request;
   vtkGodRaysView::Pinhole Pinhole;
   int LayerSize[2];
   double Light[4];

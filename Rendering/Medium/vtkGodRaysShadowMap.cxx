@@ -30,7 +30,7 @@
 namespace
 {
 /// The bounds of what blocks, on all processes.
-bool GetBounds(const vtkGodRaysIntegrator::Request& request, double bounds[6])
+bool GetBounds(const vtkGodRaysMediumIntegrator::Request& request, double bounds[6])
 {
   vtkMath::UninitializeBounds(bounds);
   for (vtkProp* prop : *request.Blocking)
@@ -117,7 +117,7 @@ vtkGodRaysShadowMap::vtkGodRaysShadowMap() = default;
 vtkGodRaysShadowMap::~vtkGodRaysShadowMap() = default;
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysShadowMap::Draw(const vtkGodRaysIntegrator::Request& request, int size)
+bool vtkGodRaysShadowMap::Draw(const vtkGodRaysMediumIntegrator::Request& request, int size)
 {
   this->Kept = false;
   this->Fit(request);
@@ -151,7 +151,7 @@ bool vtkGodRaysShadowMap::Draw(const vtkGodRaysIntegrator::Request& request, int
 
 //------------------------------------------------------------------------------
 vtkGodRaysShadowMap::State vtkGodRaysShadowMap::GetState(
-  const vtkGodRaysIntegrator::Request& request) const
+  const vtkGodRaysMediumIntegrator::Request& request) const
 {
   State state;
   if (request.Compositor && request.Compositor->IsDistributed())
@@ -180,7 +180,7 @@ vtkGodRaysShadowMap::State vtkGodRaysShadowMap::GetState(
 
 //------------------------------------------------------------------------------
 void vtkGodRaysShadowMap::Render(
-  const vtkGodRaysIntegrator::Request& request, vtkGodRaysTarget& map)
+  const vtkGodRaysMediumIntegrator::Request& request, vtkGodRaysTarget& map)
 {
   vtkOpenGLState* state = request.Window->GetState();
   state->vtkglEnable(GL_DEPTH_TEST);
@@ -208,7 +208,7 @@ void vtkGodRaysShadowMap::Render(
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysShadowMap::Fit(const vtkGodRaysIntegrator::Request& request)
+void vtkGodRaysShadowMap::Fit(const vtkGodRaysMediumIntegrator::Request& request)
 {
   this->NumberOfFaces = 0;
   double bounds[6];
@@ -239,7 +239,7 @@ void vtkGodRaysShadowMap::Fit(const vtkGodRaysIntegrator::Request& request)
 //------------------------------------------------------------------------------
 // What of the blocking props' shadow may be seen: the part of both, across the light.
 void vtkGodRaysShadowMap::FitDirectional(
-  const vtkGodRaysIntegrator::Request& request, const double corners[8][3])
+  const vtkGodRaysMediumIntegrator::Request& request, const double corners[8][3])
 {
   double axes[3][3];
   SetAxes(request.Source->Direction, axes);
@@ -298,7 +298,7 @@ void vtkGodRaysShadowMap::FitDirectional(
 
 //------------------------------------------------------------------------------
 void vtkGodRaysShadowMap::FitPoint(
-  const vtkGodRaysIntegrator::Request& request, const double corners[8][3])
+  const vtkGodRaysMediumIntegrator::Request& request, const double corners[8][3])
 {
   const double* light = request.Source->Position;
   double center[3] = { 0.0, 0.0, 0.0 };

@@ -13,7 +13,7 @@
 #ifndef vtkGodRaysShadowMap_h
 #define vtkGodRaysShadowMap_h
 
-#include "vtkGodRaysIntegrator.h" // For Request
+#include "vtkGodRaysMediumIntegrator.h" // For Request
 #include "vtkGodRaysTarget.h"
 
 #include <vector> // For std::vector
@@ -31,7 +31,7 @@ public:
    * Render the props that block into faces of so many pixels on each side, or as many as the driver
    * takes. All processes of a compositor call it. Returns false when the driver refuses.
    */
-  bool Draw(const vtkGodRaysIntegrator::Request& request, int size);
+  bool Draw(const vtkGodRaysMediumIntegrator::Request& request, int size);
 
   /**
    * How many faces there are; 0 if nothing blocks.
@@ -60,12 +60,13 @@ private:
     std::vector<const void*> Objects;
     std::vector<double> Numbers;
   };
-  State GetState(const vtkGodRaysIntegrator::Request& request) const;
+  State GetState(const vtkGodRaysMediumIntegrator::Request& request) const;
 
-  void Render(const vtkGodRaysIntegrator::Request& request, vtkGodRaysTarget& map);
-  void Fit(const vtkGodRaysIntegrator::Request& request);
-  void FitDirectional(const vtkGodRaysIntegrator::Request& request, const double corners[8][3]);
-  void FitPoint(const vtkGodRaysIntegrator::Request& request, const double corners[8][3]);
+  void Render(const vtkGodRaysMediumIntegrator::Request& request, vtkGodRaysTarget& map);
+  void Fit(const vtkGodRaysMediumIntegrator::Request& request);
+  void FitDirectional(
+    const vtkGodRaysMediumIntegrator::Request& request, const double corners[8][3]);
+  void FitPoint(const vtkGodRaysMediumIntegrator::Request& request, const double corners[8][3]);
   void SetFace(int face, const double axes[3][3], const double origin[3], const double low[2],
     const double high[2]);
 

@@ -90,12 +90,6 @@ vtkGodRaysShadowMapIntegrator::vtkGodRaysShadowMapIntegrator()
 vtkGodRaysShadowMapIntegrator::~vtkGodRaysShadowMapIntegrator() = default;
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysShadowMapIntegrator::Supports(vtkGodRaysModel* model)
-{
-  return vtkGodRaysMediumModel::SafeDownCast(model) != nullptr;
-}
-
-//------------------------------------------------------------------------------
 bool vtkGodRaysShadowMapIntegrator::Integrate(const Request& request)
 {
   Internals& self = *this->Internal;
@@ -141,7 +135,7 @@ bool vtkGodRaysShadowMapIntegrator::Contribute(const Request& request)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkGodRaysShadowMapIntegrator::Describe(vtkGodRaysModel*, double)
+std::string vtkGodRaysShadowMapIntegrator::Describe(vtkGodRaysModel*)
 {
   std::ostringstream text;
   const vtkGodRaysShadowMap& map = this->Internal->Map;

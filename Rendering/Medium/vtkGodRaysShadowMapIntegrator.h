@@ -25,17 +25,17 @@
 #ifndef vtkGodRaysShadowMapIntegrator_h
 #define vtkGodRaysShadowMapIntegrator_h
 
-#include "vtkGodRaysIntegrator.h"
+#include "vtkGodRaysMediumIntegrator.h"
 #include "vtkGodRaysRenderingModule.h" // For export macro
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
-class VTKGODRAYSRENDERING_EXPORT vtkGodRaysShadowMapIntegrator : public vtkGodRaysIntegrator
+class VTKGODRAYSRENDERING_EXPORT vtkGodRaysShadowMapIntegrator : public vtkGodRaysMediumIntegrator
 {
 public:
   static vtkGodRaysShadowMapIntegrator* New();
-  vtkTypeMacro(vtkGodRaysShadowMapIntegrator, vtkGodRaysIntegrator);
+  vtkTypeMacro(vtkGodRaysShadowMapIntegrator, vtkGodRaysMediumIntegrator);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -56,10 +56,9 @@ public:
   vtkGetMacro(NumberOfSteps, int);
   ///@}
 
-  bool Supports(vtkGodRaysModel* model) override;
   VTK_WRAPEXCLUDE bool Integrate(const Request& request) override;
   VTK_WRAPEXCLUDE bool Contribute(const Request& request) override;
-  std::string Describe(vtkGodRaysModel* model, double resolutionScale) override;
+  std::string Describe(vtkGodRaysModel* model) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:

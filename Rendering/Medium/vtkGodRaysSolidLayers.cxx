@@ -20,7 +20,7 @@
 vtkStandardNewMacro(vtkGodRaysSolidLayers);
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysSolidLayers::Draw(const vtkGodRaysIntegrator::Request& request, int planes)
+bool vtkGodRaysSolidLayers::Draw(const vtkGodRaysMediumIntegrator::Request& request, int planes)
 {
   vtkTextureObject* const first = request.Depths->GetBlockingWindowDepth();
   vtkOpenGLState* state = request.Window->GetState();
@@ -28,7 +28,7 @@ bool vtkGodRaysSolidLayers::Draw(const vtkGodRaysIntegrator::Request& request, i
   state->vtkglDepthFunc(GL_LEQUAL);
   state->vtkglDepthMask(GL_TRUE);
   state->vtkglClearDepth(1.0);
-  const auto camera = request.ViewScale < 1.0
+  const auto camera = request.View->ViewScale < 1.0
     ? std::make_unique<vtkGodRaysProjection>(
         request.Renderer, request.View->ViewToClip, this->Camera)
     : nullptr;
@@ -113,7 +113,7 @@ bool vtkGodRaysSolidLayers::SetShaderParameters(
 
 //------------------------------------------------------------------------------
 bool vtkGodRaysSolidLayers::Read(
-  const vtkGodRaysIntegrator::Request& request, int plane, float* depths, int rowLength)
+  const vtkGodRaysMediumIntegrator::Request& request, int plane, float* depths, int rowLength)
 {
   vtkGodRaysViewDepths& converter = this->Depths[plane];
   converter.Begin(request.Window, *request.View, this->Planes[plane].GetDepth(), nullptr);

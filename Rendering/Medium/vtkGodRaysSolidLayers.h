@@ -12,7 +12,7 @@
 #ifndef vtkGodRaysSolidLayers_h
 #define vtkGodRaysSolidLayers_h
 
-#include "vtkGodRaysIntegrator.h" // For Request
+#include "vtkGodRaysMediumIntegrator.h" // For Request
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysViewDepths.h"
 #include "vtkOpenGLRenderPass.h"
@@ -30,12 +30,13 @@ public:
    * Render what is beyond the first surface: 1 plane for the back of the first layer, 3 for the
    * second, too. Returns false when the driver refuses.
    */
-  bool Draw(const vtkGodRaysIntegrator::Request& request, int planes);
+  bool Draw(const vtkGodRaysMediumIntegrator::Request& request, int planes);
 
   /**
    * Read a plane's view depths, as those of vtkGodRaysViewDepths; rows are so many pixels apart.
    */
-  bool Read(const vtkGodRaysIntegrator::Request& request, int plane, float* depths, int rowLength);
+  bool Read(
+    const vtkGodRaysMediumIntegrator::Request& request, int plane, float* depths, int rowLength);
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
 

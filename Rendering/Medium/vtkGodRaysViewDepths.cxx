@@ -36,6 +36,15 @@ void vtkGodRaysViewDepths::Begin(vtkOpenGLRenderWindow* window, const vtkGodRays
 }
 
 //------------------------------------------------------------------------------
+void vtkGodRaysViewDepths::End()
+{
+  this->Window = nullptr;
+  this->View = nullptr;
+  this->Sources[0] = nullptr;
+  this->Sources[1] = nullptr;
+}
+
+//------------------------------------------------------------------------------
 vtkGodRaysTarget* vtkGodRaysViewDepths::GetBlocking()
 {
   return this->Get(0);

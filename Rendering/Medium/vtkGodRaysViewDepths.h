@@ -35,6 +35,11 @@ public:
     vtkTextureObject* seen);
 
   /**
+   * Forget the textures and the view of the frame.
+   */
+  void End();
+
+  /**
    * Window depths of what blocks light.
    */
   vtkTextureObject* GetBlockingWindowDepth() const { return this->Sources[0]; }

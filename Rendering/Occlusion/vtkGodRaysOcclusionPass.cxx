@@ -7,9 +7,9 @@
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysOcclusionFS.h"
 #include "vtkGodRaysOpenGL.h"
-#include "vtkGodRaysPass.h"
 #include "vtkGodRaysProjection.h"
 #include "vtkGodRaysQuad.h"
+#include "vtkGodRaysRole.h"
 #include "vtkGodRaysSource.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkNew.h"
@@ -62,17 +62,17 @@ Sorted Sort(const vtkGodRaysOcclusionPass::Request& request)
     {
       continue;
     }
-    const int role = vtkGodRaysPass::GetRole(prop);
-    if (role == vtkGodRaysPass::IGNORED ||
-      (role == vtkGodRaysPass::LIGHT && !request.LampsOcclude) ||
-      (role == vtkGodRaysPass::AUTOMATIC && !request.UntaggedPropsOcclude))
+    const vtkGodRaysRole role = vtkGodRaysGetRole(prop);
+    if (role == vtkGodRaysRole::IGNORED ||
+      (role == vtkGodRaysRole::LIGHT && !request.LampsOcclude) ||
+      (role == vtkGodRaysRole::AUTOMATIC && !request.UntaggedPropsOcclude))
     {
       ++sorted.NotBlocking;
       continue;
     }
     sorted.Blocking.push_back(prop);
-    sorted.Shining += role == vtkGodRaysPass::LIGHT ? 1 : 0;
-    if (request.Dims && role != vtkGodRaysPass::LIGHT &&
+    sorted.Shining += role == vtkGodRaysRole::LIGHT ? 1 : 0;
+    if (request.Dims && role != vtkGodRaysRole::LIGHT &&
       (prop->HasTranslucentPolygonalGeometry() || HasVolume(prop)))
     {
       sorted.Dimming.push_back(prop);
@@ -127,7 +127,7 @@ struct vtkGodRaysOcclusionPass::Internals
   vtkGodRaysTarget OneColorLayer; // one value a pixel
   vtkGodRaysTarget* Composed = nullptr;
   vtkSmartPointer<vtkCamera> WideCamera;
-  Request Frame;
+  Request Frame{};
   std::vector<vtkProp*> Blocking;
   vtkTextureObject* Depth = nullptr; // of what blocks
   bool Dimmed = false;
@@ -229,6 +229,14 @@ bool vtkGodRaysOcclusionPass::Begin(const Request& request)
   }
 
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysOcclusionPass::End()
+{
+  this->Internal->Frame = Request();
+  this->Internal->Blocking.clear();
+  this->Internal->Depth = nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -49,13 +49,13 @@ public:
   /// What a frame is made of.
   struct Request
   {
-    vtkOpenGLRenderWindow* Window;
-    vtkRenderer* Renderer;
-    const vtkGodRaysView* View;
-    vtkTextureObject* SceneDepth; ///< of the viewport
-    unsigned int DepthFormat;     ///< its internal format
+    vtkOpenGLRenderWindow* Window = nullptr;
+    vtkRenderer* Renderer = nullptr;
+    const vtkGodRaysView* View = nullptr;
+    vtkTextureObject* SceneDepth = nullptr; ///< of the viewport
+    unsigned int DepthFormat = 0;           ///< its internal format
     bool Multisampled = false;    ///< whether it is of a sample, not the centre, of each pixel
-    unsigned int ColorFormat;     ///< internal format of the layer
+    unsigned int ColorFormat = 0; ///< internal format of the layer
     /// Internal format of the layer of a light of one colour, which is one value a pixel, without
     /// the colour; 0 if it shall be as any other.
     unsigned int OneColorFormat = 0;
@@ -77,6 +77,11 @@ public:
    * Find and, where need be, render what blocks light. Returns false if the driver refuses.
    */
   VTK_WRAPEXCLUDE bool Begin(const Request& request);
+
+  /**
+   * Forget the props of the frame.
+   */
+  void End();
 
   /**
    * Draw the layer of one light. Returns false, after an error, if that failed.

@@ -81,7 +81,7 @@ double CountLines(const vtkGodRaysMarch& march, const Effort& effort)
 // The least effort that keeps the tolerance, or else, kept being false, the greatest whose lines fit
 // into a texture.
 const Effort* ChooseEffort(
-  const vtkGodRaysMarch& march, const vtkGodRaysIntegrator::Request& request, bool& kept)
+  const vtkGodRaysMarch& march, const vtkGodRaysRadialIntegrator::Request& request, bool& kept)
 {
   const int largest = vtkTextureObject::GetMaximumTextureSize(request.Window);
   const Effort* chosen = Efforts;
@@ -582,16 +582,16 @@ struct vtkGodRaysBlockMeans::Internals
   vtkGodRaysTarget Sums[2];
   std::vector<std::unique_ptr<Plan>> Plans; // the one that was used last comes last
 
-  Plan* Prepare(const vtkGodRaysIntegrator::Request& request);
+  Plan* Prepare(const vtkGodRaysRadialIntegrator::Request& request);
   bool Bind(vtkOpenGLRenderWindow* window, vtkGodRaysTarget& target, int width, int height,
     unsigned int format);
-  bool DrawMeans(const vtkGodRaysIntegrator::Request& request, const Plan& plan);
-  bool DrawSums(const vtkGodRaysIntegrator::Request& request, const Plan& plan);
-  bool DrawPicture(const vtkGodRaysIntegrator::Request& request, const Plan& plan);
+  bool DrawMeans(const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan);
+  bool DrawSums(const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan);
+  bool DrawPicture(const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan);
 };
 
 //------------------------------------------------------------------------------
-Plan* vtkGodRaysBlockMeans::Internals::Prepare(const vtkGodRaysIntegrator::Request& request)
+Plan* vtkGodRaysBlockMeans::Internals::Prepare(const vtkGodRaysRadialIntegrator::Request& request)
 {
   const vtkGodRaysMarch march(request);
   bool kept = false;
@@ -639,7 +639,7 @@ bool vtkGodRaysBlockMeans::Internals::Bind(vtkOpenGLRenderWindow* window, vtkGod
 
 //------------------------------------------------------------------------------
 bool vtkGodRaysBlockMeans::Internals::DrawMeans(
-  const vtkGodRaysIntegrator::Request& request, const Plan& plan)
+  const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan)
 {
   vtkShaderProgram* program = this->Bind(request.Window, this->Means[plan.OneChannel ? 0 : 1],
                                 plan.BlockColumns, plan.Lines, GL_RGBA32F)
@@ -661,7 +661,7 @@ bool vtkGodRaysBlockMeans::Internals::DrawMeans(
 
 //------------------------------------------------------------------------------
 bool vtkGodRaysBlockMeans::Internals::DrawSums(
-  const vtkGodRaysIntegrator::Request& request, const Plan& plan)
+  const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan)
 {
   const int index = plan.OneChannel ? 0 : 1;
   const unsigned int format = plan.OneChannel ? GL_R32F : GL_RGBA32F;
@@ -684,7 +684,7 @@ bool vtkGodRaysBlockMeans::Internals::DrawSums(
 
 //------------------------------------------------------------------------------
 bool vtkGodRaysBlockMeans::Internals::DrawPicture(
-  const vtkGodRaysIntegrator::Request& request, const Plan& plan)
+  const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan)
 {
   const int index = plan.OneChannel ? 0 : 1;
   vtkShaderProgram* program = request.Result->BindToAdd()
@@ -737,7 +737,7 @@ vtkGodRaysBlockMeans::vtkGodRaysBlockMeans()
 vtkGodRaysBlockMeans::~vtkGodRaysBlockMeans() = default;
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysBlockMeans::Keeps(const vtkGodRaysIntegrator::Request& request)
+bool vtkGodRaysBlockMeans::Keeps(const vtkGodRaysRadialIntegrator::Request& request)
 {
   const vtkGodRaysMarch march(request);
   const int size = std::min(march.LayerSize[0], march.LayerSize[1]);
@@ -759,7 +759,7 @@ bool vtkGodRaysBlockMeans::Keeps(const vtkGodRaysIntegrator::Request& request)
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysBlockMeans::Integrate(const vtkGodRaysIntegrator::Request& request)
+bool vtkGodRaysBlockMeans::Integrate(const vtkGodRaysRadialIntegrator::Request& request)
 {
   Internals& self = *this->Internal;
   vtkTextureObject* layer = request.Layer->GetColor();

@@ -30,7 +30,7 @@
 #ifndef vtkGodRaysBlockMeans_h
 #define vtkGodRaysBlockMeans_h
 
-#include "vtkGodRaysIntegrator.h" // For Request
+#include "vtkGodRaysRadialIntegrator.h" // For Request
 
 #include <memory>
 #include <string>
@@ -54,12 +54,12 @@ public:
    * have to be closer together than textures are large. The model must be a vtkGodRaysRadialModel,
    * the context current.
    */
-  static bool Keeps(const vtkGodRaysIntegrator::Request& request);
+  static bool Keeps(const vtkGodRaysRadialIntegrator::Request& request);
 
   /**
    * Add the light of one layer to the result. Returns false, after an error, if that failed.
    */
-  bool Integrate(const vtkGodRaysIntegrator::Request& request);
+  bool Integrate(const vtkGodRaysRadialIntegrator::Request& request);
 
   /// What the last Integrate() did, in one line.
   std::string Describe() const;

@@ -42,7 +42,7 @@ vtkGodRaysClippedTaps::vtkGodRaysClippedTaps()
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysClippedTaps::Integrate(const vtkGodRaysIntegrator::Request& request)
+bool vtkGodRaysClippedTaps::Integrate(const vtkGodRaysRadialIntegrator::Request& request)
 {
   const vtkGodRaysMarch march(request);
   this->TapsPerPixel = ChooseTapsPerPixel(march, request.ErrorTolerance);
@@ -86,7 +86,7 @@ bool vtkGodRaysClippedTaps::Integrate(const vtkGodRaysIntegrator::Request& reque
 }
 
 //------------------------------------------------------------------------------
-double vtkGodRaysClippedTaps::CountTaps(const vtkGodRaysIntegrator::Request& request)
+double vtkGodRaysClippedTaps::CountTaps(const vtkGodRaysRadialIntegrator::Request& request)
 {
   const vtkGodRaysMarch march(request);
   const double size = std::min(march.LayerSize[0], march.LayerSize[1]);

@@ -12,8 +12,8 @@
 #ifndef vtkGodRaysClippedTaps_h
 #define vtkGodRaysClippedTaps_h
 
-#include "vtkGodRaysIntegrator.h" // For Request
 #include "vtkGodRaysQuad.h"
+#include "vtkGodRaysRadialIntegrator.h" // For Request
 
 #include <string>
 
@@ -26,10 +26,10 @@ public:
    * Add the light of one layer to the result, to request.ErrorTolerance (root mean square, of the
    * peak). The model must be a vtkGodRaysRadialModel. Returns false, after an error, if that failed.
    */
-  bool Integrate(const vtkGodRaysIntegrator::Request& request);
+  bool Integrate(const vtkGodRaysRadialIntegrator::Request& request);
 
   /// How many taps the picture takes, about.
-  static double CountTaps(const vtkGodRaysIntegrator::Request& request);
+  static double CountTaps(const vtkGodRaysRadialIntegrator::Request& request);
 
   /// What the last Integrate() did, in one line.
   std::string Describe() const;

@@ -89,11 +89,11 @@ struct Verification
   double RootMeanSquare = 0.0; // [fraction of the brightest]
   double Largest = 0.0;
 
-  void Measure(const vtkGodRaysIntegrator::Request& request, vtkGodRaysRadialModel* model,
+  void Measure(const vtkGodRaysRadialIntegrator::Request& request, vtkGodRaysRadialModel* model,
     vtkImageData* before, int wanted);
 };
 
-void Verification::Measure(const vtkGodRaysIntegrator::Request& request,
+void Verification::Measure(const vtkGodRaysRadialIntegrator::Request& request,
   vtkGodRaysRadialModel* model, vtkImageData* before, int wanted)
 {
   const int taps = 2048;
@@ -251,12 +251,6 @@ vtkGodRaysEpipolarIntegrator::vtkGodRaysEpipolarIntegrator()
 vtkGodRaysEpipolarIntegrator::~vtkGodRaysEpipolarIntegrator() = default;
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysEpipolarIntegrator::Supports(vtkGodRaysModel* model)
-{
-  return vtkGodRaysRadialModel::SafeDownCast(model) != nullptr;
-}
-
-//------------------------------------------------------------------------------
 unsigned int vtkGodRaysEpipolarIntegrator::GetOneColorFormat(
   vtkOpenGLRenderWindow* window, vtkGodRaysModel* model, unsigned int precision)
 {
@@ -305,11 +299,11 @@ bool vtkGodRaysEpipolarIntegrator::Integrate(const Request& request)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkGodRaysEpipolarIntegrator::Describe(vtkGodRaysModel* model, double resolutionScale)
+std::string vtkGodRaysEpipolarIntegrator::Describe(vtkGodRaysModel* model)
 {
   if (!GetInvariant(model))
   {
-    return this->Internal->Taps->Describe(model, resolutionScale) + ", as published";
+    return this->Internal->Taps->Describe(model) + ", as published";
   }
   return "epipolar, " + this->Internal->Plan;
 }

@@ -16,7 +16,7 @@
  *   passes of fragment shaders, OpenGL 3.2.
  *
  * The parity formulations have no limit that their authors meant: they are evaluated tap by tap, as
- * published, by a vtkGodRaysTapsIntegrator. ResolutionScale of the pass has a meaning only for these.
+ * published, by a vtkGodRaysTapsIntegrator.
  *
  * @sa vtkGodRaysPass vtkGodRaysTapsIntegrator vtkGodRaysScatteringFilter
  */
@@ -24,16 +24,16 @@
 #ifndef vtkGodRaysEpipolarIntegrator_h
 #define vtkGodRaysEpipolarIntegrator_h
 
-#include "vtkGodRaysIntegrator.h"
+#include "vtkGodRaysRadialIntegrator.h"
 #include "vtkGodRaysRenderingModule.h" // For export macro
 
 #include <memory> // For std::unique_ptr
 
-class VTKGODRAYSRENDERING_EXPORT vtkGodRaysEpipolarIntegrator : public vtkGodRaysIntegrator
+class VTKGODRAYSRENDERING_EXPORT vtkGodRaysEpipolarIntegrator : public vtkGodRaysRadialIntegrator
 {
 public:
   static vtkGodRaysEpipolarIntegrator* New();
-  vtkTypeMacro(vtkGodRaysEpipolarIntegrator, vtkGodRaysIntegrator);
+  vtkTypeMacro(vtkGodRaysEpipolarIntegrator, vtkGodRaysRadialIntegrator);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Where the integral is evaluated.
@@ -74,11 +74,10 @@ public:
   vtkGetMacro(LargestVerifiedError, double);
   ///@}
 
-  bool Supports(vtkGodRaysModel* model) override;
   VTK_WRAPEXCLUDE unsigned int GetOneColorFormat(
     vtkOpenGLRenderWindow* window, vtkGodRaysModel* model, unsigned int precision) override;
   VTK_WRAPEXCLUDE bool Integrate(const Request& request) override;
-  std::string Describe(vtkGodRaysModel* model, double resolutionScale) override;
+  std::string Describe(vtkGodRaysModel* model) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:

@@ -11,9 +11,9 @@
 #include <cmath>
 
 //------------------------------------------------------------------------------
-vtkGodRaysMarch::vtkGodRaysMarch(const vtkGodRaysIntegrator::Request& request)
+vtkGodRaysMarch::vtkGodRaysMarch(const vtkGodRaysRadialIntegrator::Request& request)
 {
-  auto model = vtkGodRaysRadialModel::SafeDownCast(request.Model);
+  vtkGodRaysRadialModel* model = request.Model;
   const int n = model->GetNumberOfSamples();
   this->Gain =
     model->GetExposure() * model->GetWeight() * vtkGodRays::GeometricSum(model->GetDecay(), n);

@@ -15,7 +15,7 @@
 #ifndef vtkGodRaysMarch_h
 #define vtkGodRaysMarch_h
 
-#include "vtkGodRaysIntegrator.h" // For Request
+#include "vtkGodRaysRadialIntegrator.h" // For Request
 
 struct vtkGodRaysMarch
 {
@@ -29,8 +29,7 @@ struct vtkGodRaysMarch
   double Origin[2] = { 0.0, 0.0 };
   double Step[2] = { 1.0, 1.0 };
 
-  /// The model of the request must be a vtkGodRaysRadialModel.
-  explicit vtkGodRaysMarch(const vtkGodRaysIntegrator::Request& request);
+  explicit vtkGodRaysMarch(const vtkGodRaysRadialIntegrator::Request& request);
 
   bool operator==(const vtkGodRaysMarch& other) const;
 

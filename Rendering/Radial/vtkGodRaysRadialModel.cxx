@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysRadialModel.h"
 
+#include "vtkGodRaysEpipolarIntegrator.h"
 #include "vtkGodRaysMath.h"
+#include "vtkGodRaysRadialEffect.h"
 #include "vtkGodRaysSetGet.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
@@ -309,6 +311,10 @@ void vtkGodRaysRadialModel::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
   os << indent << "ClampMaximum: " << this->ClampMaximum << "\n";
   os << indent << "Formulation: " << this->GetFormulationAsString() << "\n";
+  os << indent << "FlatGain: " << this->GetFlatGain() << "\n";
+  os << indent << "LinearLight: " << this->GetLinearLight() << "\n";
+  os << indent << "Blend: " << this->GetBlend() << "\n";
+  os << indent << "SceneGain: " << this->GetSceneGain() << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -463,6 +469,18 @@ double vtkGodRaysRadialModel::GetFlatGain() const
     value = pass.OutputBias + pass.OutputGain * sum * (pass.InputBias + pass.InputGain * value);
   }
   return value;
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysIntegrator* vtkGodRaysRadialModel::MakeIntegrator() const
+{
+  return vtkGodRaysEpipolarIntegrator::New();
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<vtkGodRaysEffect> vtkGodRaysRadialModel::MakeEffect()
+{
+  return std::make_unique<vtkGodRaysRadialEffect>(this);
 }
 
 //------------------------------------------------------------------------------

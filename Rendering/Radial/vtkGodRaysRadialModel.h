@@ -205,13 +205,46 @@ public:
   bool Evaluate(vtkImageData* layer, const double lightClip[3], double marchScale, double viewScale,
     const int size[2], vtkImageData* scattering, int taps = 0);
 
+  /**
+   * The result for a layer that is 1 everywhere, before any clamp: the brightest possible result
+   * of a layer of values from 0 to 1 [no unit]. Errors are fractions of it.
+   */
+  double GetFlatGain() const;
+
+  /**
+   * Whether light is summed and blended as light, or as the values that the display is sent, as many
+   * published shaders do.
+   */
+  bool GetLinearLight() const;
+
+  /**
+   * Whether the march towards a light far outside the picture is capped, so that its shafts keep
+   * their brightness (INVARIANT), or always ends at the light, as published; then a light behind the
+   * camera makes no shafts.
+   */
+  bool CapsMarch() const { return this->Formulation == INVARIANT; }
+
+  /// How rays join the picture; the values are those of vtkGodRaysPass::BlendMode.
+  enum BlendMode
+  {
+    ADD = 1,   ///< scene + rays
+    SCREEN = 2 ///< scene + rays - min(scene * rays, 1)
+  };
+
+  /**
+   * How rays join the picture, one of BlendMode.
+   */
+  int GetBlend() const;
+
+  /**
+   * The factor on the scene's own colours when rays are added [no unit].
+   */
+  double GetSceneGain() const;
+
   bool CanScatter() const override;
-  double GetFlatGain() const override;
+  VTK_NEWINSTANCE vtkGodRaysIntegrator* MakeIntegrator() const override;
   std::string Describe() const override;
-  bool GetLinearLight() const override;
-  bool CapsMarch() const override { return this->Formulation == INVARIANT; }
-  int GetBlend() const override;
-  double GetSceneGain() const override;
+  VTK_WRAPEXCLUDE std::unique_ptr<vtkGodRaysEffect> MakeEffect() override;
 
 protected:
   vtkGodRaysRadialModel() = default;

@@ -58,13 +58,11 @@ void SetBorder(vtkTextureObject* texture, int border)
 struct vtkGodRaysTapsIntegrator::Internals
 {
   vtkGodRaysQuad Quad{ "vtkGodRaysTapsFS", vtkGodRaysTapsFS };
-  vtkGodRaysTarget Coarse;
   vtkGodRaysTarget Between[2]; // results of all but the last of several passes
 
   /// Draw one sum of taps of a layer into the framebuffer that is bound.
   bool Draw(const Request& request, const vtkGodRays::TapSum& taps, vtkTextureObject* layer,
-    int width, int height, double viewScale, bool jitter, vtkTextureObject* coarse,
-    double threshold)
+    int width, int height, double viewScale, bool jitter)
   {
     vtkShaderProgram* program = this->Quad.Begin(request.Window, { { "jitter", jitter } });
     if (!program)
@@ -79,10 +77,7 @@ struct vtkGodRaysTapsIntegrator::Internals
     program->SetUniform3f("lightClip", clip);
     program->SetUniformf("marchScale", static_cast<float>(request.MarchScale));
     program->SetUniformf("viewScale", static_cast<float>(viewScale));
-    program->SetUniformi("refine", coarse != nullptr);
-    program->SetUniformf("threshold", static_cast<float>(threshold));
     this->Quad.SetTexture("layer", layer);
-    this->Quad.SetTexture("coarse", coarse ? coarse : layer);
     this->Quad.End();
     return true;
   }
@@ -93,8 +88,7 @@ struct vtkGodRaysTapsIntegrator::Internals
   {
     request.Window->GetState()->vtkglDisable(GL_BLEND);
     return target.Bind() &&
-      this->Draw(request, taps, layer, target.GetWidth(), target.GetHeight(), viewScale, jitter,
-        nullptr, 0.0);
+      this->Draw(request, taps, layer, target.GetWidth(), target.GetHeight(), viewScale, jitter);
   }
 };
 
@@ -106,12 +100,6 @@ vtkGodRaysTapsIntegrator::vtkGodRaysTapsIntegrator()
 
 //------------------------------------------------------------------------------
 vtkGodRaysTapsIntegrator::~vtkGodRaysTapsIntegrator() = default;
-
-//------------------------------------------------------------------------------
-bool vtkGodRaysTapsIntegrator::Supports(vtkGodRaysModel* model)
-{
-  return vtkGodRaysRadialModel::SafeDownCast(model) != nullptr;
-}
 
 //------------------------------------------------------------------------------
 bool vtkGodRaysTapsIntegrator::IsJittered(vtkGodRaysRadialModel* model) const
@@ -150,7 +138,7 @@ void vtkGodRaysTapsIntegrator::GetPasses(
 //------------------------------------------------------------------------------
 bool vtkGodRaysTapsIntegrator::Integrate(const Request& request)
 {
-  auto model = vtkGodRaysRadialModel::SafeDownCast(request.Model);
+  vtkGodRaysRadialModel* model = request.Model;
   std::vector<vtkGodRays::TapSum> passes;
   this->GetPasses(model, passes);
   const bool jitter = this->IsJittered(model); // the first pass alone: its taps are the closest
@@ -171,30 +159,13 @@ bool vtkGodRaysTapsIntegrator::Integrate(const Request& request)
     SetBorder(layer, model->GetBorder());
   }
 
-  vtkTextureObject* coarse = nullptr;
-  if (request.ResolutionScale < 1.0 && passes.size() == 1)
-  {
-    const auto scaled = [&request](int size)
-    { return std::max(1, static_cast<int>(std::lround(size * request.ResolutionScale))); };
-    vtkGodRaysTarget& target = this->Internal->Coarse;
-    target.Prepare(request.Window, scaled(request.Result->GetWidth()),
-      scaled(request.Result->GetHeight()), { request.Result->GetFormat(), 0 });
-    if (!this->Internal->Draw(request, passes.back(), layer, target, request.ViewScale, jitter))
-    {
-      return false;
-    }
-    coarse = target.GetColor();
-  }
-
-  const double threshold = request.ErrorTolerance * model->GetFlatGain() * request.Peak;
   return request.Result->BindToAdd() &&
     this->Internal->Draw(request, passes.back(), layer, request.Result->GetWidth(),
-      request.Result->GetHeight(), request.ViewScale, jitter && passes.size() == 1, coarse,
-      threshold);
+      request.Result->GetHeight(), request.ViewScale, jitter && passes.size() == 1);
 }
 
 //------------------------------------------------------------------------------
-std::string vtkGodRaysTapsIntegrator::Describe(vtkGodRaysModel* model, double resolutionScale)
+std::string vtkGodRaysTapsIntegrator::Describe(vtkGodRaysModel* model)
 {
   auto radial = vtkGodRaysRadialModel::SafeDownCast(model);
   if (!radial)
@@ -211,11 +182,6 @@ std::string vtkGodRaysTapsIntegrator::Describe(vtkGodRaysModel* model, double re
     text << (i ? " + " : "") << passes[i].LastTap - passes[i].FirstTap + 1 + origin;
   }
   text << " a pixel" << (this->IsJittered(radial) ? ", jittered" : "");
-  if (resolutionScale < 1.0)
-  {
-    text << (passes.size() == 1 ? ", on a coarser grid and, where neighbours differ, at full size"
-                                : ", at full size: several passes have no coarser grid");
-  }
   return text.str();
 }
 
@@ -223,7 +189,6 @@ std::string vtkGodRaysTapsIntegrator::Describe(vtkGodRaysModel* model, double re
 void vtkGodRaysTapsIntegrator::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Quad.Release();
-  this->Internal->Coarse.Release(window);
   this->Internal->Between[0].Release(window);
   this->Internal->Between[1].Release(window);
 }

@@ -5,11 +5,8 @@
  * @brief   the radial sum as published: n texture taps from each pixel towards the light
  *
  * Evaluates the formulations of vtkGodRaysRadialModel exactly as their authors' shaders do,
- * [Mitchell2007] and its kin, at a cost of n texture reads a pixel. At a ResolutionScale below 1
- * the sum is evaluated on a coarser grid, interpolated where the four neighbours of a pixel agree
- * to the pass's ErrorTolerance, and evaluated anew, at full size, where they do not: at the edges
- * of the shafts. Jitter and several passes, two customary approximations, are there to be compared
- * with.
+ * [Mitchell2007] and its kin, at a cost of n texture reads a pixel. Jitter and several passes, two customary
+ * approximations, are there to be compared with.
  *
  * @sa vtkGodRaysPass vtkGodRaysRadialModel
  */
@@ -17,7 +14,7 @@
 #ifndef vtkGodRaysTapsIntegrator_h
 #define vtkGodRaysTapsIntegrator_h
 
-#include "vtkGodRaysIntegrator.h"
+#include "vtkGodRaysRadialIntegrator.h"
 #include "vtkGodRaysRenderingModule.h" // For export macro
 
 #include <memory> // For std::unique_ptr
@@ -30,11 +27,11 @@ namespace vtkGodRays
 struct TapSum;
 }
 
-class VTKGODRAYSRENDERING_EXPORT vtkGodRaysTapsIntegrator : public vtkGodRaysIntegrator
+class VTKGODRAYSRENDERING_EXPORT vtkGodRaysTapsIntegrator : public vtkGodRaysRadialIntegrator
 {
 public:
   static vtkGodRaysTapsIntegrator* New();
-  vtkTypeMacro(vtkGodRaysTapsIntegrator, vtkGodRaysIntegrator);
+  vtkTypeMacro(vtkGodRaysTapsIntegrator, vtkGodRaysRadialIntegrator);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -65,16 +62,15 @@ public:
    * for m^p of them: each pass strides m times as far as the one before. This is the customary
    * shortcut, there for comparison: exact where all shafts are parallel, but for repeated
    * interpolation; elsewhere each pass starts from where the one before has led, so that marches come
-   * short of the light. There is no coarser grid then. Parity formulations always take the passes of
+   * short of the light. Parity formulations always take the passes of
    * their authors. Valid range: [1, 4]. Default is 1.
    */
   vtkSetClampMacro(NumberOfPasses, int, 1, 4);
   vtkGetMacro(NumberOfPasses, int);
   ///@}
 
-  bool Supports(vtkGodRaysModel* model) override;
   VTK_WRAPEXCLUDE bool Integrate(const Request& request) override;
-  std::string Describe(vtkGodRaysModel* model, double resolutionScale) override;
+  std::string Describe(vtkGodRaysModel* model) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:

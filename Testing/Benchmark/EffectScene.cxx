@@ -16,12 +16,11 @@
 const std::vector<EffectScene::Variant>& EffectScene::GetVariants()
 {
   static const std::vector<Variant> variants = {
-    { "plain", false, false, 0, 1.0 },
-    { "default", true, false, 0, 1.0 },
-    { "taps 100", true, false, 100, 1.0 },
-    { "taps 100, half size", true, false, 100, 0.5 },
-    { "plain, with a lamp", false, true, 0, 1.0 },
-    { "default, lamp", true, true, 0, 1.0 },
+    { "plain", false, false, 0 },
+    { "default", true, false, 0 },
+    { "taps 100", true, false, 100 },
+    { "plain, with a lamp", false, true, 0 },
+    { "default, lamp", true, true, 0 },
   };
   return variants;
 }
@@ -87,7 +86,6 @@ EffectScene::EffectScene(Device& device, int width, int height)
       taps->SetNumberOfTaps(variant.Taps);
       pass->SetIntegrator(taps);
     }
-    pass->SetResolutionScale(variant.Scale);
     pass->Attach(this->Renderer);
     this->Renderer->SetPass(nullptr);
     this->Passes[variant.Name] = pass;

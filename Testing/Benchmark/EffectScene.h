@@ -31,7 +31,6 @@ public:
     bool HasPass;
     bool LampShines; // a sphere in the scene is the light, else a vtkLight
     int Taps;        // 0: the pass's default integrator
-    double Scale;
   };
   static const std::vector<Variant>& GetVariants();
 

@@ -153,7 +153,7 @@ Benchmark::Benchmark(const Options& options)
       continue;
     }
     this->Stage.Run(method, Scattering::ONE_COLOR);
-    const std::string plan = method.Integrator->Describe(this->Stage.GetModel(), method.Scale);
+    const std::string plan = method.Integrator->Describe(this->Stage.GetModel());
     if (method.Series == "epipolar, graphics" && plan.find("on the processor") != std::string::npos)
     {
       continue; // there is no such back end here

@@ -6,7 +6,7 @@
 #ifndef Methods_h
 #define Methods_h
 
-#include "vtkGodRaysIntegrator.h"
+#include "vtkGodRaysRadialIntegrator.h"
 
 #include "vtkSmartPointer.h"
 
@@ -18,9 +18,8 @@ struct Method
   std::string Name;   // unique
   std::string Series; // methods of one series are a line in the charts
   std::string Label;  // in the charts, within its series
-  vtkSmartPointer<vtkGodRaysIntegrator> Integrator;
+  vtkSmartPointer<vtkGodRaysRadialIntegrator> Integrator;
   double Tolerance = 1.0 / 255.0;
-  double Scale = 1.0; // ResolutionScale
   int Pace = STEADY;
 
   /// How often it runs.
@@ -33,7 +32,7 @@ struct Method
 };
 
 /// Names that figures refer to.
-extern const char* const CustomaryMethod; // 100 taps at full size
+extern const char* const CustomaryMethod; // 100 taps
 extern const char* const ControlMethod;   // 16 taps: must not keep the bounds
 extern const char* const ProcessorMethod; // at 1/255
 extern const char* const GraphicsMethod;  // at 1/255

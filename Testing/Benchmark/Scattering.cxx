@@ -112,14 +112,13 @@ double Scattering::Run(const Method& method, Content content)
   vtkOpenGLRenderWindow* window = this->OpenGL.GetWindow();
   window->MakeCurrent();
   const int* size = this->Layer->GetDimensions();
-  vtkGodRaysIntegrator::Request request;
+  vtkGodRaysRadialIntegrator::Request request;
   request.Window = window;
   request.Model = this->Model;
   request.Layer = &this->GetTarget(method, content);
   std::copy_n(Tints, 3, request.Color);
   std::copy_n(this->LightClip, 3, request.LightClip);
   request.MarchScale = this->MarchScale;
-  request.ResolutionScale = method.Scale;
   request.ErrorTolerance = method.Tolerance;
   request.Result = &this->Result;
   vtkOpenGLState* state = window->GetState();

@@ -185,7 +185,7 @@ class State(Case):
         view = make_view()
         for name in ("Intensity", "SunAzimuth", "SunElevation", "SunColor", "SunAngularRadius",
             "SourceRadius", "BackgroundGlow", "BackgroundGlowRadius", "BackgroundGlowFalloff",
-            "ErrorTolerance", "ResolutionScale", "LayerMargin", "SunUp", "SunNorth",
+            "ErrorTolerance", "LayerMargin", "SunUp", "SunNorth",
             "SunTimeOfDay", "SunTimeZone", "SunLatitude", "SunLongitude"):  # fmt: skip
             self.assertTrue(view.SMProxy.GetProperty(name).GetAnimateable(), name)
         for name in ("Density", "Decay", "Weight", "Exposure"):

@@ -8,6 +8,8 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkGodRaysOpenGL.h"
+#include "vtkGodRaysRadialModel.h"
+#include "vtkGodRaysTapsIntegrator.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -18,6 +20,7 @@
 #include "vtkToneMappingPass.h"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 
 using namespace GodRaysTesting;
@@ -312,6 +315,28 @@ TEST(GodRaysReadbacks, OfSeveralLightsAreNotOneOfThemWhereTheWindowCannotRenderO
     scene.Renderer->SetPass(nullptr); // the pass is not told that the window goes
   }
   EXPECT_FALSE(rays->GetOcclusionImage(image));
+}
+
+TEST(GodRaysReadbacks, AreNothingAfterTheirMakerIsReplaced)
+{
+  Messages messages;
+  Stage scene;
+  scene.AddPillarsAndSun();
+  scene.Rays->Attach(scene.Renderer);
+  vtkNew<vtkImageData> image;
+  vtkNew<vtkGodRaysRadialModel> model;
+  vtkNew<vtkGodRaysTapsIntegrator> integrator;
+  const std::function<void()> replacements[] = { [&] { scene.Rays->SetModel(model); },
+    [&] { scene.Rays->SetIntegrator(integrator); } };
+  for (const auto& replace : replacements)
+  {
+    scene.Window->Render();
+    EXPECT_TRUE(scene.Rays->GetOcclusionImage(image));
+    EXPECT_TRUE(scene.Rays->GetScatteringImage(image));
+    replace();
+    EXPECT_FALSE(scene.Rays->GetOcclusionImage(image) && scene.Rays->GetScatteringImage(image));
+    EXPECT_EQ(image->GetNumberOfPoints(), 0);
+  }
 }
 
 TEST(GodRaysStageTimes, AreThereWhenAskedFor)

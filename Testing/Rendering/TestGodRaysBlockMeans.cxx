@@ -127,9 +127,9 @@ protected:
     return vtkGodRays::MarchScale({ clip[0], clip[1], clip[2] }, aspect, cap);
   }
 
-  vtkGodRaysIntegrator::Request MakeRequest(const Light& clip)
+  vtkGodRaysRadialIntegrator::Request MakeRequest(const Light& clip)
   {
-    vtkGodRaysIntegrator::Request request;
+    vtkGodRaysRadialIntegrator::Request request;
     request.Window = this->Window;
     request.Model = this->Model;
     request.Layer = &this->Target;

@@ -5,7 +5,7 @@
 
 #include "GodRaysTesting.h"
 
-#include "vtkGodRaysModel.h"
+#include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysRadialModel.h"
 #include "vtkGodRaysTapsIntegrator.h"
 
@@ -124,7 +124,6 @@ TEST(GodRaysPassParameters, AreClampedAndRefuseNaN)
   CHECK(Intensity, 0.0, 1e4, 1.0);
   CHECK(ErrorTolerance, 1e-6, 0.1, 1.0 / 255.0);
   CHECK(InteractiveErrorTolerance, 1e-6, 0.1, 0.01);
-  CHECK(ResolutionScale, 0.125, 1.0, 1.0);
   CHECK(SourceRadius, 0.0, 1e30, 0.0);
   CHECK(SunAngularRadius, 0.01, 90.0, 0.2678);
   CHECK(BackgroundGlow, 0.0, 1.0, 0.4);
@@ -149,7 +148,7 @@ TEST(GodRaysPassParameters, AreAllPrinted)
   std::ostringstream text;
   rays->Print(text);
   for (const char* name : { "Intensity", "ErrorTolerance", "InteractiveErrorTolerance",
-         "ResolutionScale", "UntaggedPropsOcclude", "SourceRadius", "SunAngularRadius",
+         "UntaggedPropsOcclude", "SourceRadius", "SunAngularRadius",
          "BackgroundGlow:", "BackgroundGlowRadius", "BackgroundGlowFalloff", "LayerMargin", "Blend",
          "Output", "Precision", "MeasureTimes", "Density", "VerifyPixels" })
   {
@@ -292,34 +291,22 @@ TEST_F(GodRaysPassStraightThrough, WhereNoRayReachesThePixelsKeepTheirBytes)
 
 TEST(GodRaysPassErrors, AnUnsupportedModelIsToldOnceAndDrawnWithoutRays)
 {
-  class OtherModel : public vtkGodRaysModel
-  {
-  public:
-    static OtherModel* New()
-    {
-      auto model = new OtherModel;
-      model->InitializeObjectBase();
-      return model;
-    }
-    bool CanScatter() const override { return true; }
-    double GetFlatGain() const override { return 1.0; }
-    std::string Describe() const override { return "other"; }
-  };
   Messages messages;
   Stage scene;
   scene.AddPillarsAndSun();
-  vtkNew<OtherModel> model;
+  vtkNew<vtkGodRaysHomogeneousModel> model;
+  vtkNew<vtkGodRaysTapsIntegrator> integrator;
   scene.Rays->SetModel(model);
+  scene.Rays->SetIntegrator(integrator);
   const auto with = GetPixels(scene.Window);
   GetPixels(scene.Window);
   const auto said = messages.Take();
   ASSERT_EQ(said.size(), 1u);
   EXPECT_TRUE(Says(said[0], "cannot evaluate") && Says(said[0], "Set an integrator")) << said[0];
-  vtkGodRaysIntegrator* integrator = scene.Rays->GetIntegrator();
   for (vtkGodRaysModel* unsupported : std::vector<vtkGodRaysModel*>{ model, nullptr })
   {
     EXPECT_FALSE(integrator->Supports(unsupported));
-    EXPECT_TRUE(Says(integrator->Describe(unsupported, 1.0), "taps: none"));
+    EXPECT_TRUE(Says(integrator->Describe(unsupported), "taps: none"));
   }
   EXPECT_FALSE(scene.Rays->ApplyPreset("mitchell"));
   EXPECT_EQ(messages.Take().size(), 1u);

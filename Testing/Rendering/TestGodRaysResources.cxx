@@ -182,7 +182,6 @@ void AddAll(Stage& scene)
   AddLights(scene);
   scene.Window->SetMultiSamples(8);
   scene.Rays->SetLayerMargin(0.25);
-  scene.Rays->SetResolutionScale(0.5);
 }
 
 const Kind Kinds[] = {
@@ -207,12 +206,6 @@ const Kind Kinds[] = {
       scene.Renderer->UseDepthPeelingOn();
     },
     1 }, // a mapper's vertex array, as the prop is drawn now with, now without the peeling's shader
-  { "Coarse",
-    [](Stage& scene)
-    {
-      SumTaps(scene.Rays);
-      scene.Rays->SetResolutionScale(0.5);
-    } },
   { "Margin", [](Stage& scene) { scene.Rays->SetLayerMargin(0.25); } },
   { "MultiSamples", [](Stage& scene) { scene.Window->SetMultiSamples(8); } },
   { "ThreePasses", [](Stage& scene) { scene.Rays->ApplyPreset("three.js"); } },
@@ -311,8 +304,6 @@ TEST_P(GodRaysSteadyFrame, NeedsNoShaderForANumber)
   const std::pair<const char*, std::function<void()>> objects[] = {
     { "Blend", [=] { rays->SetBlend(vtkGodRaysPass::SCREEN); } },
     { "Formulation", [=] { model->SetFormulation(vtkGodRaysRadialModel::BABYLON); } },
-    { "ResolutionScale", [=] { rays->SetResolutionScale(0.25); } },
-    { "LayerMargin", [=] { rays->SetLayerMargin(0.1); } },
     { "Output", [=] { rays->SetOutput(vtkGodRaysPass::SCATTERING); } },
     { "Precision", [=] { rays->SetPrecision(vtkGodRaysPass::SINGLE); } },
   };
@@ -321,7 +312,6 @@ TEST_P(GodRaysSteadyFrame, NeedsNoShaderForANumber)
   {
     rays->SetBlend(vtkGodRaysPass::ADD);
     model->SetFormulation(vtkGodRaysRadialModel::INVARIANT);
-    rays->SetResolutionScale(1.0);
     rays->SetLayerMargin(0.0);
     rays->SetOutput(vtkGodRaysPass::COMPOSITE);
     rays->SetPrecision(vtkGodRaysPass::HALF);
@@ -464,7 +454,6 @@ TEST(GodRaysResources, AreAsBeforeAfterFiftyToggles)
   AddShiningProp(scene);
   AddLights(scene);
   scene.Rays->MeasureTimesOn();
-  scene.Rays->SetResolutionScale(0.5);
   scene.Rays->Detach(scene.Renderer);
   Count(scene.Window);
   const auto bare = GetPixels(scene.Window);

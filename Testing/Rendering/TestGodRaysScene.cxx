@@ -452,7 +452,7 @@ TEST(GodRaysSceneBlend, IsTheFormula)
     scene, without, 1.0, [](double shown, double rays) { return shown + rays; }, "MITCHELL");
   ASSERT_TRUE(scene.Rays->ApplyPreset("postprocessing"));
   ExpectBlend(scene, without, 1.0, screen, "POSTPROCESSING");
-  EXPECT_EQ(model->GetBlend(), vtkGodRaysModel::SCREEN);
+  EXPECT_EQ(model->GetBlend(), vtkGodRaysRadialModel::SCREEN);
 }
 
 TEST(GodRaysSceneOutput, ShowsTheLayersAndLeavesAlphaAndDepth)

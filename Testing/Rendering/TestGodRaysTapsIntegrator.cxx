@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // vtkGodRaysTapsIntegrator: the sum on the graphics card against the same sum in double precision,
-// for every formulation, on noise and in whole scenes; coarser grids and numbers of taps.
+// for every formulation, on noise and in whole scenes; numbers of taps.
 // Every figure is printed and recorded as a property of its test.
 
 #include "GodRaysTesting.h"
@@ -99,31 +99,6 @@ double GetRMSDifference(vtkImageData* a, vtkImageData* b, double& largest)
   return std::sqrt(sum / (3.0 * size[0] * size[1]));
 }
 
-/// By how much an image is shifted against another, along x and y [pixels]: the shift that explains
-/// most of their difference by the slope of the other.
-void GetShift(vtkImageData* image, vtkImageData* other, double shift[2])
-{
-  const int* size = image->GetDimensions();
-  double products[2] = { 0.0, 0.0 };
-  double squares[2] = { 0.0, 0.0 };
-  for (int y = 1; y + 1 < size[1]; ++y)
-  {
-    for (int x = 1; x + 1 < size[0]; ++x)
-    {
-      const double difference = GetValue(image, x, y) - GetValue(other, x, y);
-      const double slopes[2] = { 0.5 * (GetValue(other, x + 1, y) - GetValue(other, x - 1, y)),
-        0.5 * (GetValue(other, x, y + 1) - GetValue(other, x, y - 1)) };
-      for (int i = 0; i < 2; ++i)
-      {
-        products[i] += difference * slopes[i];
-        squares[i] += slopes[i] * slopes[i];
-      }
-    }
-  }
-  shift[0] = products[0] / squares[0];
-  shift[1] = products[1] / squares[1];
-}
-
 /// A layer of noise and the integrator on it, without a scene.
 class GodRaysTapsOnNoise : public ::testing::Test
 {
@@ -186,15 +161,13 @@ protected:
     vtkOpenGLState* state = this->Window->GetState();
     state->PushFramebufferBindings();
     this->Result.Begin(this->Window, 64, 48, format);
-    vtkGodRaysIntegrator::Request request;
+    vtkGodRaysRadialIntegrator::Request request;
     request.Window = this->Window;
     request.Model = this->Model;
     request.Layer = &this->Target;
     std::copy(clip.begin(), clip.end(), request.LightClip);
     request.MarchScale = this->GetMarchScale(clip);
     request.ViewScale = this->ViewScale;
-    request.Peak = 1.0;
-    request.ResolutionScale = 1.0;
     request.ErrorTolerance = 1.0 / 255.0;
     request.Result = &this->Result;
     EXPECT_TRUE(this->Integrator->Integrate(request));
@@ -321,15 +294,13 @@ TEST_F(GodRaysTapsOnNoise, AddToWhatOtherLightsScattered)
   this->Integrate(light, GL_RGBA32F, once);
   vtkOpenGLState* state = this->Window->GetState();
   state->PushFramebufferBindings();
-  vtkGodRaysIntegrator::Request request;
+  vtkGodRaysRadialIntegrator::Request request;
   request.Window = this->Window;
   request.Model = this->Model;
   request.Layer = &this->Target;
   std::copy(light.begin(), light.end(), request.LightClip);
   request.MarchScale = 1.0;
   request.ViewScale = 1.0;
-  request.Peak = 1.0;
-  request.ResolutionScale = 1.0;
   request.ErrorTolerance = 1.0 / 255.0;
   request.Result = &this->Result;
   EXPECT_TRUE(this->Integrator->Integrate(request));
@@ -376,7 +347,7 @@ TEST_F(GodRaysTapsOnNoise, SeveralPassesEqualOneForParallelShafts)
     const double error = GetError(several, one, peak);
     Record("Parallel_" + std::to_string(passes) + "_passes", error);
     EXPECT_LE(error, 1e-5) << passes;
-    EXPECT_EQ(this->Integrator->Describe(this->Model, 1.0),
+    EXPECT_EQ(this->Integrator->Describe(this->Model),
       passes == 2 ? "taps: 8 + 8 a pixel" : "taps: 4 + 4 + 4 a pixel");
   }
 
@@ -390,10 +361,10 @@ TEST_F(GodRaysTapsOnNoise, SeveralPassesEqualOneForParallelShafts)
 
   // the passes of the authors stay
   this->SetFormulation(vtkGodRaysRadialModel::MITCHELL);
-  const std::string published = this->Integrator->Describe(this->Model, 1.0);
+  const std::string published = this->Integrator->Describe(this->Model);
   this->Integrator->SetNumberOfPasses(3);
   this->Integrator->JitterOn();
-  EXPECT_EQ(this->Integrator->Describe(this->Model, 1.0), published);
+  EXPECT_EQ(this->Integrator->Describe(this->Model), published);
 }
 
 TEST_F(GodRaysTapsOnNoise, JitterIsGrainAboutTheSameMean)
@@ -418,7 +389,7 @@ TEST_F(GodRaysTapsOnNoise, JitterIsGrainAboutTheSameMean)
   this->Integrator->JitterOn();
   vtkNew<vtkImageData> jittered;
   this->Integrate(light, GL_RGBA32F, jittered);
-  EXPECT_EQ(this->Integrator->Describe(this->Model, 1.0), "taps: 4 a pixel, jittered");
+  EXPECT_EQ(this->Integrator->Describe(this->Model), "taps: 4 a pixel, jittered");
 
   const double peak = GetPeak(plain);
   double grain = 0.0;
@@ -503,45 +474,6 @@ TEST_F(GodRaysTapsInScenes, PublishedFormulationsAreExactInScenesToo)
   }
 }
 
-TEST_F(GodRaysTapsInScenes, ACoarserGridKeepsTheTolerance)
-{
-  this->Scene.AddPillarsAndSun();
-  this->Rays->SetSunAngularRadius(1.0);
-  this->Rays->SetPrecision(vtkGodRaysPass::SINGLE);
-  const double peak = this->Rays->GetModel()->GetFlatGain(); // the light's peak is 1
-  auto full = this->GetScattering();
-  for (double scale : { 0.5, 0.25 })
-  {
-    this->Rays->SetResolutionScale(scale);
-    double former = 1e30;
-    for (double tolerance : { 0.03, 1.0 / 255.0, 1e-3 })
-    {
-      SCOPED_TRACE(testing::Message() << "scale " << scale << ", tolerance " << tolerance);
-      this->Rays->SetErrorTolerance(tolerance);
-      double largest = 0.0;
-      const double error = GetRMSDifference(this->GetScattering(), full, largest) / peak;
-      std::ostringstream name;
-      name << "Scale_" << scale << "_tolerance_" << tolerance;
-      Record(name.str() + "_rms", error);
-      Record(name.str() + "_max", largest / peak);
-      EXPECT_LE(error, tolerance);
-      EXPECT_LT(error, former);
-      former = error;
-    }
-    EXPECT_GT(former, 0.0) << "something is interpolated, or this tests nothing";
-
-    this->Rays->SetErrorTolerance(0.1); // nearly all of it is
-    double shift[2];
-    GetShift(this->GetScattering(), full, shift);
-    std::ostringstream name;
-    name << "Scale_" << scale << "_shift_";
-    Record(name.str() + "x", shift[0]);
-    Record(name.str() + "y", shift[1]);
-    EXPECT_NEAR(shift[0], 0.0, 0.02) << "pixels";
-    EXPECT_NEAR(shift[1], 0.0, 0.02) << "pixels";
-  }
-}
-
 TEST_F(GodRaysTapsInScenes, BrightnessDoesNotDependOnTheNumberOfTapsAndTheyConverge)
 {
   this->Scene.AddPillarsAndSun();
@@ -550,7 +482,8 @@ TEST_F(GodRaysTapsInScenes, BrightnessDoesNotDependOnTheNumberOfTapsAndTheyConve
   auto integrator = vtkGodRaysTapsIntegrator::SafeDownCast(this->Rays->GetIntegrator());
   integrator->SetNumberOfTaps(2048);
   auto limit = this->GetScattering();
-  const double peak = this->Rays->GetModel()->GetFlatGain(); // the light's peak is 1
+  const double peak = vtkGodRaysRadialModel::SafeDownCast(this->Rays->GetModel())
+                        ->GetFlatGain(); // the light's peak is 1
   double former = 1e30;
   for (int taps : { 16, 32, 64, 128, 256, 512 })
   {

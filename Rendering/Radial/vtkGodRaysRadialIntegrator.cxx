@@ -1,22 +1,24 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkGodRaysIntegrator.h"
+#include "vtkGodRaysRadialIntegrator.h"
+
+#include "vtkGodRaysRadialModel.h"
 
 //------------------------------------------------------------------------------
-void vtkGodRaysIntegrator::PrintSelf(ostream& os, vtkIndent indent)
+void vtkGodRaysRadialIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
 }
 
 //------------------------------------------------------------------------------
-unsigned int vtkGodRaysIntegrator::GetOneColorFormat(
+unsigned int vtkGodRaysRadialIntegrator::GetOneColorFormat(
   vtkOpenGLRenderWindow*, vtkGodRaysModel*, unsigned int)
 {
   return 0;
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysIntegrator::Contribute(const Request&)
+bool vtkGodRaysRadialIntegrator::Supports(vtkGodRaysModel* model)
 {
-  return true;
+  return vtkGodRaysRadialModel::SafeDownCast(model) != nullptr;
 }

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysRole.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkNew.h"
+#include "vtkProp.h"
+
+//------------------------------------------------------------------------------
+vtkInformationIntegerKey* vtkGodRaysGetRoleKey()
+{
+  static vtkInformationIntegerKey* const key =
+    vtkInformationIntegerKey::MakeKey("ROLE", "vtkGodRaysPass");
+  return key;
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysRole vtkGodRaysGetRole(vtkProp* prop)
+{
+  vtkInformation* keys = prop ? prop->GetPropertyKeys() : nullptr;
+  vtkInformationIntegerKey* key = vtkGodRaysGetRoleKey();
+  return keys && keys->Has(key) ? static_cast<vtkGodRaysRole>(keys->Get(key))
+                                : vtkGodRaysRole::AUTOMATIC;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSetRole(vtkProp* prop, vtkGodRaysRole role)
+{
+  if (vtkGodRaysGetRole(prop) == role)
+  {
+    return;
+  }
+  // A copy, since props may share their keys, as those made by vtkActor::ShallowCopy() do.
+  vtkNew<vtkInformation> keys;
+  if (vtkInformation* former = prop->GetPropertyKeys())
+  {
+    keys->Copy(former);
+  }
+  if (role == vtkGodRaysRole::AUTOMATIC)
+  {
+    keys->Remove(vtkGodRaysGetRoleKey());
+  }
+  else
+  {
+    keys->Set(vtkGodRaysGetRoleKey(), static_cast<int>(role));
+  }
+  prop->SetPropertyKeys(keys);
+}

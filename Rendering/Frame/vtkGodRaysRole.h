@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file    vtkGodRaysRole.h
+ * @brief   what a prop does to the light, see vtkGodRaysPass::SetRole(); private to this module
+ */
+
+#ifndef vtkGodRaysRole_h
+#define vtkGodRaysRole_h
+
+class vtkInformationIntegerKey;
+class vtkProp;
+
+/// The values are those of vtkGodRaysPass::Role.
+enum class vtkGodRaysRole
+{
+  AUTOMATIC = 0,
+  OCCLUDER = 1,
+  LIGHT = 2,
+  IGNORED = 3
+};
+
+vtkInformationIntegerKey* vtkGodRaysGetRoleKey();
+vtkGodRaysRole vtkGodRaysGetRole(vtkProp* prop);
+void vtkGodRaysSetRole(vtkProp* prop, vtkGodRaysRole role);
+
+#endif

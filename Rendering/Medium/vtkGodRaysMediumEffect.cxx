@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysMediumEffect.h"
+
+#include "vtkCamera.h"
+#include "vtkGodRaysCompositor.h"
+#include "vtkGodRaysMediumIntegrator.h"
+#include "vtkGodRaysMediumModel.h"
+#include "vtkGodRaysSource.h"
+#include "vtkGodRaysSourceFinder.h"
+#include "vtkGodRaysTimers.h"
+#include "vtkRenderer.h"
+
+//------------------------------------------------------------------------------
+vtkGodRaysMediumEffect::vtkGodRaysMediumEffect(vtkGodRaysMediumModel* model)
+  : Model(model)
+{
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysMediumEffect::FindObstacle(
+  const vtkGodRaysView& view, const int size[2]) const
+{
+  vtkGodRaysView::Pinhole pinhole;
+  return view.GetPinhole(size, pinhole) ? ""
+                                        : "the picture is tilted against the axis of view, or its "
+                                          "pixels are oblong, in which light in a "
+                                          "medium cannot be evaluated. Use a projection matrix "
+                                          "without that, or a vtkGodRaysRadialModel";
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysMediumEffect::DimsScene() const
+{
+  return this->Model->GetAttenuateScene();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysMediumEffect::SetUp(vtkGodRaysSourceFinder& finder) const
+{
+  finder.LightsMedium = true;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysMediumEffect::SetUp(
+  vtkGodRaysOcclusionPass::Request& request, vtkGodRaysIntegrator*) const
+{
+  request.LampsOcclude = false;
+  request.Dims = false;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysMediumEffect::Begin(const Frame& frame)
+{
+  // On several processes the depth of the joined picture may be nowhere.
+  vtkTextureObject* occluders = frame.Occlusion->GetDepth();
+  const bool hasSeen =
+    !frame.Compositor || !frame.Compositor->IsDistributed() || frame.Compositor->HasDepth();
+  this->View = frame.View;
+  this->SeenDepth = hasSeen ? frame.SceneDepth : occluders;
+  this->Depths.Begin(
+    frame.Window, *frame.View, occluders, this->SeenDepth == occluders ? nullptr : this->SeenDepth);
+  const double* range = frame.Renderer->GetActiveCamera()->GetClippingRange();
+  this->Medium = this->Model->GetMedium(frame.View->WorldToView, frame.View->Eye, range[1]);
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysMediumEffect::DrawLight(const Frame& frame, const vtkGodRaysSource& source)
+{
+  if (!frame.Scatters)
+  {
+    return true;
+  }
+  vtkGodRaysMediumIntegrator::Request request;
+  request.Window = frame.Window;
+  request.Renderer = frame.Renderer;
+  request.Medium = &this->Medium;
+  request.View = frame.View;
+  request.Source = &source;
+  request.Blocking = &frame.Occlusion->GetBlocking();
+  request.Compositor = frame.Compositor;
+  auto integrator = vtkGodRaysMediumIntegrator::SafeDownCast(frame.Integrator);
+  frame.Timers->Start(vtkGodRaysTimers::SCATTERING);
+  bool done = false;
+  if (frame.Compositor && !frame.Compositor->IsRoot())
+  {
+    done = integrator->Contribute(request);
+  }
+  else
+  {
+    request.Depths = &this->Depths;
+    request.Result = frame.Light;
+    done = integrator->Integrate(request);
+  }
+  frame.Timers->Stop();
+  return done;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysMediumEffect::Join(vtkGodRaysBlendPass::Request& request) const
+{
+  if (this->DimsScene())
+  {
+    request.Medium = &this->Medium;
+    request.View = this->View;
+    request.Depth = this->SeenDepth;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysMediumEffect::End()
+{
+  this->Depths.End();
+  this->SeenDepth = nullptr;
+  this->View = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysMediumEffect::Release(vtkWindow* window)
+{
+  this->Depths.Release(window);
+}

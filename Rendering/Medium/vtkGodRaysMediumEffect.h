@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysMediumEffect
+ * @brief   light that a medium scatters along view rays, and the scene dimmed by it; private to this
+ * module
+ */
+
+#ifndef vtkGodRaysMediumEffect_h
+#define vtkGodRaysMediumEffect_h
+
+#include "vtkGodRaysEffect.h"
+#include "vtkGodRaysMedium.h"
+#include "vtkGodRaysViewDepths.h"
+
+class vtkGodRaysMediumModel;
+
+class vtkGodRaysMediumEffect : public vtkGodRaysEffect
+{
+public:
+  /// The model must outlive this.
+  explicit vtkGodRaysMediumEffect(vtkGodRaysMediumModel* model);
+
+  std::string FindObstacle(const vtkGodRaysView& view, const int size[2]) const override;
+  bool SumsShownValues() const override { return false; }
+  bool DimsScene() const override;
+  bool ReadsSceneDepth() const override { return true; }
+  void SetUp(vtkGodRaysSourceFinder& finder) const override;
+  void SetUp(
+    vtkGodRaysOcclusionPass::Request& request, vtkGodRaysIntegrator* integrator) const override;
+  void Begin(const Frame& frame) override;
+  bool DrawLight(const Frame& frame, const vtkGodRaysSource& source) override;
+  void Join(vtkGodRaysBlendPass::Request& request) const override;
+  void End() override;
+  bool HasLayers() const override { return false; }
+  vtkGodRaysSum* GetLayers() override { return nullptr; }
+  void Release(vtkWindow* window) override;
+
+private:
+  vtkGodRaysMediumModel* Model;
+  vtkGodRaysMedium Medium; // of this frame, in scene units
+  vtkGodRaysViewDepths Depths;
+  vtkTextureObject* SeenDepth = nullptr; // where view rays end
+  const vtkGodRaysView* View = nullptr;
+};
+
+#endif

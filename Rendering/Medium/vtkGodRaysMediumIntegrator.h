@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysMediumIntegrator
+ * @brief   how the light that a medium scatters along view rays is evaluated
+ *
+ * vtkGodRaysPass calls Integrate() once for each light of a frame that has a vtkGodRaysMediumModel.
+ *
+ * @sa vtkGodRaysEpipolarCoverageIntegrator vtkGodRaysShadowMapIntegrator vtkGodRaysMediumModel
+ */
+
+#ifndef vtkGodRaysMediumIntegrator_h
+#define vtkGodRaysMediumIntegrator_h
+
+#include "vtkGodRaysIntegrator.h"
+#include "vtkGodRaysRenderingModule.h" // For export macro
+#include "vtkWrappingHints.h"          // For VTK_WRAPEXCLUDE
+
+#include <vector> // For std::vector
+
+class vtkGodRaysCompositor;
+class vtkGodRaysSum;
+class vtkGodRaysViewDepths;
+class vtkOpenGLRenderWindow;
+class vtkProp;
+class vtkRenderer;
+struct vtkGodRaysMedium;
+struct vtkGodRaysSource;
+struct vtkGodRaysView;
+
+class VTKGODRAYSRENDERING_EXPORT vtkGodRaysMediumIntegrator : public vtkGodRaysIntegrator
+{
+public:
+  vtkTypeMacro(vtkGodRaysMediumIntegrator, vtkGodRaysIntegrator);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// What an integrator gets to do its work. It is private to the module: integrators are written there,
+  /// see CONTRIBUTING.md.
+  struct Request
+  {
+    vtkOpenGLRenderWindow* Window = nullptr; ///< its context is current
+    vtkRenderer* Renderer = nullptr;
+    const vtkGodRaysMedium* Medium = nullptr; ///< in scene units
+    const vtkGodRaysView* View = nullptr;
+    const vtkGodRaysSource* Source = nullptr;
+    vtkGodRaysViewDepths* Depths = nullptr;
+    const std::vector<vtkProp*>* Blocking = nullptr; ///< their opaque parts block light
+    vtkGodRaysCompositor* Compositor = nullptr;      ///< of a scene on several processes
+    vtkGodRaysSum* Result = nullptr; ///< the light scattered by all lights: add to it
+  };
+
+  /**
+   * Add the light of one source to the result. Returns false, after an error, if that failed.
+   */
+  VTK_WRAPEXCLUDE virtual bool Integrate(const Request& request) = 0;
+
+  /**
+   * Take part in Integrate() on a process that has no picture: the calls of a compositor that it
+   * makes. Depths and Result are null. Unless overridden, nothing. Returns false, after an error, if
+   * that failed.
+   */
+  VTK_WRAPEXCLUDE virtual bool Contribute(const Request& request);
+
+  bool Supports(vtkGodRaysModel* model) override;
+
+protected:
+  vtkGodRaysMediumIntegrator() = default;
+  ~vtkGodRaysMediumIntegrator() override = default;
+
+private:
+  vtkGodRaysMediumIntegrator(const vtkGodRaysMediumIntegrator&) = delete;
+  void operator=(const vtkGodRaysMediumIntegrator&) = delete;
+};
+
+#endif

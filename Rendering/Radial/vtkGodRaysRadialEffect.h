@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysRadialEffect
+ * @brief   a radial sum of the occlusion layer of each light; private to this module
+ */
+
+#ifndef vtkGodRaysRadialEffect_h
+#define vtkGodRaysRadialEffect_h
+
+#include "vtkGodRaysEffect.h"
+#include "vtkGodRaysSum.h"
+
+class vtkGodRaysRadialModel;
+
+class vtkGodRaysRadialEffect : public vtkGodRaysEffect
+{
+public:
+  /// The model must outlive this.
+  explicit vtkGodRaysRadialEffect(vtkGodRaysRadialModel* model);
+
+  std::string FindObstacle(const vtkGodRaysView& view, const int size[2]) const override;
+  bool SumsShownValues() const override;
+  bool DimsScene() const override { return false; }
+  bool ReadsSceneDepth() const override { return false; }
+  void SetUp(vtkGodRaysSourceFinder& finder) const override;
+  void SetUp(
+    vtkGodRaysOcclusionPass::Request& request, vtkGodRaysIntegrator* integrator) const override;
+  void Begin(const Frame& frame) override;
+  bool DrawLight(const Frame& frame, const vtkGodRaysSource& source) override;
+  void Join(vtkGodRaysBlendPass::Request& request) const override;
+  void End() override {}
+  bool HasLayers() const override { return this->Composed > 0; }
+  vtkGodRaysSum* GetLayers() override;
+  void Release(vtkWindow* window) override;
+
+private:
+  bool ComposeLayer(const Frame& frame, const vtkGodRaysSource& source);
+
+  vtkGodRaysRadialModel* Model;
+  vtkGodRaysSum Layers; // of all lights; of several only if they are asked for
+  int Composed = 0;     // layers of this frame
+  bool KeepsAll = false;
+};
+
+#endif

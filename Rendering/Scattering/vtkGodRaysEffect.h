@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysEffect
+ * @brief   what vtkGodRaysPass asks of an effect; private to this module
+ *
+ * A vtkGodRaysModel makes its effect: vtkGodRaysRadialEffect or vtkGodRaysMediumEffect. The pass knows no
+ * other difference between models. In each frame it calls, in this order, the questions, SetUp(), Begin(),
+ * DrawLight() for each light, Join(), and End().
+ */
+
+#ifndef vtkGodRaysEffect_h
+#define vtkGodRaysEffect_h
+
+#include "vtkGodRaysBlendPass.h"     // For Request
+#include "vtkGodRaysOcclusionPass.h" // For Request
+
+#include <string>
+
+class vtkGodRaysCompositor;
+class vtkGodRaysIntegrator;
+class vtkGodRaysSourceFinder;
+class vtkGodRaysSum;
+class vtkGodRaysTimers;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkTextureObject;
+class vtkWindow;
+struct vtkGodRaysSource;
+struct vtkGodRaysView;
+
+class vtkGodRaysEffect
+{
+public:
+  /// What the pass has made ready.
+  struct Frame
+  {
+    vtkOpenGLRenderWindow* Window = nullptr;
+    vtkRenderer* Renderer = nullptr;
+    const vtkGodRaysView* View = nullptr;
+    vtkGodRaysIntegrator* Integrator = nullptr; ///< one that supports the model
+    vtkGodRaysOcclusionPass* Occlusion = nullptr;
+    vtkTextureObject* SceneDepth = nullptr;     ///< window depths of the picture
+    vtkGodRaysCompositor* Compositor = nullptr; ///< of a scene on several processes
+    vtkGodRaysTimers* Timers = nullptr;
+    vtkGodRaysSum* Light = nullptr; ///< the light scattered by all lights: add to it
+    unsigned int Format = 0;        ///< of layers: GL_RGBA16F or GL_RGBA32F
+    int NumberOfLights = 0;
+    double ErrorTolerance = 1.0 / 255.0;
+    bool KeepsLayers = false; ///< the occlusion layers of all lights are asked for
+    bool Scatters = true;     ///< the scattered light is asked for
+  };
+
+  virtual ~vtkGodRaysEffect() = default;
+
+  ///@{
+  /**
+   * Questions: why a view of this size [pixels] cannot be evaluated, with the remedy, or nothing;
+   * whether shown values are summed instead of light; whether the scene is dimmed where no light is
+   * scattered; whether Begin() reads the scene's depth.
+   */
+  virtual std::string FindObstacle(const vtkGodRaysView& view, const int size[2]) const = 0;
+  virtual bool SumsShownValues() const = 0;
+  virtual bool DimsScene() const = 0;
+  virtual bool ReadsSceneDepth() const = 0;
+  ///@}
+
+  ///@{
+  /**
+   * Say which lights and which occluders the effect needs.
+   */
+  virtual void SetUp(vtkGodRaysSourceFinder& finder) const = 0;
+  virtual void SetUp(
+    vtkGodRaysOcclusionPass::Request& request, vtkGodRaysIntegrator* integrator) const = 0;
+  ///@}
+
+  /**
+   * Start a frame, whose occluders are known.
+   */
+  virtual void Begin(const Frame& frame) = 0;
+
+  /**
+   * Add a light's rays to the sum. All processes of a compositor call it; only its root has a sum. Returns
+   * false, after an error, if that failed.
+   */
+  virtual bool DrawLight(const Frame& frame, const vtkGodRaysSource& source) = 0;
+
+  /**
+   * Say how the sum and the picture are joined.
+   */
+  virtual void Join(vtkGodRaysBlendPass::Request& request) const = 0;
+
+  /**
+   * Forget what is of this frame alone.
+   */
+  virtual void End() = 0;
+
+  ///@{
+  /**
+   * Whether the last frame had occlusion layers; those of all lights, added, or null if they were not
+   * kept.
+   */
+  virtual bool HasLayers() const = 0;
+  virtual vtkGodRaysSum* GetLayers() = 0;
+  ///@}
+
+  /**
+   * Free what is on the graphics card.
+   */
+  virtual void Release(vtkWindow* window) = 0;
+};
+
+#endif
