@@ -8,8 +8,8 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <limits>
-#include <regex>
 
 vtkStandardNewMacro(vtkGodRaysSunPosition);
 
@@ -168,30 +168,118 @@ void vtkGodRaysSunPosition::SetDate(int year, int month, int day)
   }
 }
 
+namespace
+{
+/// A date and time as text: yyyy-mm-dd[T ]hh:mm[:ss[.s]][Z|(+|-)hh[[:]mm]], whatever the locale.
+struct DateTime
+{
+  int Year = 0;
+  int Month = 0;
+  int Day = 0;
+  int Hour = 0;
+  int Minute = 0;
+  double Second = 0.0;
+  char Zone = '\0'; // Z, + or -
+  int ZoneHour = 0;
+  int ZoneMinute = 0;
+
+  double GetHours() const { return this->Hour + this->Minute / 60.0 + this->Second / 3600.0; }
+  double GetZone() const { return this->ZoneHour + this->ZoneMinute / 60.0; }
+
+  bool Parse(const char* text)
+  {
+    const char* rest = text;
+    const bool begins = Read(rest, 4, this->Year) && Skip(rest, "-") &&
+      Read(rest, 2, this->Month) && Skip(rest, "-") && Read(rest, 2, this->Day) &&
+      Skip(rest, "T ") && Read(rest, 2, this->Hour) && Skip(rest, ":") &&
+      Read(rest, 2, this->Minute);
+    return begins && (!Skip(rest, ":") || this->ParseSecond(rest)) && this->ParseZone(rest) &&
+      *rest == '\0';
+  }
+
+private:
+  /// As many digits, and no sign.
+  static bool Read(const char*& rest, int digits, int& number)
+  {
+    number = 0;
+    for (int i = 0; i < digits; ++i, ++rest)
+    {
+      if (*rest < '0' || *rest > '9')
+      {
+        return false;
+      }
+      number = 10 * number + (*rest - '0');
+    }
+    return true;
+  }
+
+  /// One of these characters, if it is next.
+  static bool Skip(const char*& rest, const char* characters)
+  {
+    const bool found = *rest != '\0' && std::strchr(characters, *rest);
+    rest += found ? 1 : 0;
+    return found;
+  }
+
+  bool ParseSecond(const char*& rest)
+  {
+    int digit = 0;
+    if (!Read(rest, 2, digit))
+    {
+      return false;
+    }
+    this->Second = digit;
+    if (!Skip(rest, "."))
+    {
+      return true;
+    }
+    const char* const first = rest;
+    for (double unit = 0.1; *rest >= '0' && *rest <= '9'; ++rest, unit *= 0.1)
+    {
+      this->Second += unit * (*rest - '0');
+    }
+    return rest > first;
+  }
+
+  bool ParseZone(const char*& rest)
+  {
+    const char* const first = rest;
+    if (!Skip(rest, "Z+-"))
+    {
+      return true;
+    }
+    this->Zone = *first;
+    if (this->Zone == 'Z')
+    {
+      return true;
+    }
+    if (!Read(rest, 2, this->ZoneHour))
+    {
+      return false;
+    }
+    return (!Skip(rest, ":") && *rest == '\0') || Read(rest, 2, this->ZoneMinute);
+  }
+};
+}
+
 //------------------------------------------------------------------------------
 bool vtkGodRaysSunPosition::SetDateTime(const std::string& text)
 {
-  static const std::regex format(
-    "(\\d{4})-(\\d\\d)-(\\d\\d)[T ](\\d\\d):(\\d\\d)(?::(\\d\\d(?:\\.\\d+)?))?"
-    "(?:(Z)|([+-])(\\d\\d)(?::?(\\d\\d))?)?");
-  std::smatch part;
-  const bool matches = std::regex_match(text, part, format);
-  const auto number = [&part](int i) { return part[i].matched ? std::stod(part[i]) : 0.0; };
-  const double time = matches ? number(4) + number(5) / 60.0 + number(6) / 3600.0 : 0.0;
-  const double zone = matches ? number(9) + number(10) / 60.0 : 0.0;
-  if (!matches || !IsDay(std::stoi(part[1]), std::stoi(part[2]), std::stoi(part[3])) ||
-    number(5) >= 60.0 || number(6) >= 61.0 || time > 24.0 || number(10) >= 60.0 || zone > 18.0)
+  DateTime parsed;
+  if (!parsed.Parse(text.c_str()) || !IsDay(parsed.Year, parsed.Month, parsed.Day) ||
+    parsed.Minute >= 60 || parsed.Second >= 61.0 || parsed.GetHours() > 24.0 ||
+    parsed.ZoneMinute >= 60 || parsed.GetZone() > 18.0)
   {
     vtkErrorMacro("Not a date and time from 1900 to 2100: \""
       << text << "\". Write it like 2003-10-17T12:30:30-07:00; it stays " << this->GetDateTime()
       << ".");
     return false;
   }
-  this->SetDate(std::stoi(part[1]), std::stoi(part[2]), std::stoi(part[3]));
-  this->SetTimeOfDay(time);
-  if (part[7].matched || part[8].matched)
+  this->SetDate(parsed.Year, parsed.Month, parsed.Day);
+  this->SetTimeOfDay(parsed.GetHours());
+  if (parsed.Zone)
   {
-    this->SetTimeZone(part[8] == "-" ? -zone : zone);
+    this->SetTimeZone(parsed.Zone == '-' ? -parsed.GetZone() : parsed.GetZone());
   }
   return true;
 }

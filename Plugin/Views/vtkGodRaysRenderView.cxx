@@ -38,7 +38,6 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -152,7 +151,7 @@ struct vtkGodRaysRenderView::vtkInternals
 
   std::vector<vtkSmartPointer<vtkLight>> ChosenLights;
 
-  std::set<vtkProp*> KnownProps; // only compared
+  std::vector<vtkWeakPointer<vtkProp>> KnownProps; // an address may be used again
   std::map<vtkDataRepresentation*, std::vector<vtkWeakPointer<vtkProp>>> Props;
 };
 
@@ -535,14 +534,16 @@ void vtkGodRaysRenderView::AddRepresentationInternal(vtkDataRepresentation* repr
 
   // It has just been added to the view: the props that are new are its own.
   vtkInternals& self = *this->Internals;
-  std::set<vtkProp*> present;
+  std::vector<vtkWeakPointer<vtkProp>> present;
   vtkCollectionSimpleIterator iterator;
   vtkPropCollection* props = this->GetRenderer()->GetViewProps();
   props->InitTraversal(iterator);
   while (vtkProp* prop = props->GetNextProp(iterator))
   {
-    present.insert(prop);
-    if (!self.KnownProps.count(prop) && !IsAnnotation(prop))
+    present.emplace_back(prop);
+    const bool known =
+      std::find(self.KnownProps.begin(), self.KnownProps.end(), prop) != self.KnownProps.end();
+    if (!known && !IsAnnotation(prop))
     {
       self.Props[representation].emplace_back(prop);
     }
@@ -559,7 +560,8 @@ void vtkGodRaysRenderView::RemoveRepresentationInternal(vtkDataRepresentation* r
   {
     for (vtkProp* prop : found->second)
     {
-      self.KnownProps.erase(prop);
+      self.KnownProps.erase(
+        std::remove(self.KnownProps.begin(), self.KnownProps.end(), prop), self.KnownProps.end());
     }
     self.Props.erase(found);
   }

@@ -21,14 +21,14 @@ class vtkRenderer;
 /// The camera of a renderer, with a picture that is enlarged by the layer's margin.
 struct vtkGodRaysView
 {
-  double WorldToView[16]; ///< row-major, as vtkMatrix4x4
-  double ViewToClip[16];  ///< of the layer
-  double ClipToView[16];
-  double Eye[3]; ///< centre of projection, view coordinates; unused where Parallel
-  bool Parallel;
-  double Aspect;    ///< width over height
-  double ViewScale; ///< fraction of the layer's width that the picture covers
-  double Pixel[2];  ///< width and height of a pixel, as the layer's are 2
+  double WorldToView[16] = {}; ///< row-major, as vtkMatrix4x4
+  double ViewToClip[16] = {};  ///< of the layer
+  double ClipToView[16] = {};
+  double Eye[3] = {}; ///< centre of projection, view coordinates; unused where Parallel
+  bool Parallel = false;
+  double Aspect = 1.0;    ///< width over height
+  double ViewScale = 1.0; ///< fraction of the layer's width that the picture covers
+  double Pixel[2] = {};   ///< width and height of a pixel, as the layer's are 2
 
   /**
    * Take the renderer's camera, for a picture of this width and height [pixels].
@@ -65,26 +65,28 @@ struct vtkGodRaysView
 /// One light.
 struct vtkGodRaysSource
 {
-  std::string Name;        ///< for the plan
-  vtkProp* Prop = nullptr; ///< the prop that shines, or null for a disc
-  double Color[3];         ///< of the disc and, times BackgroundGlow, of the glow
-  double Power = 1.0;      ///< irradiance, or intensity of a light at a finite distance, over Color
+  std::string Name;                    ///< for the plan
+  vtkProp* Prop = nullptr;             ///< the prop that shines, or null for a disc
+  double Color[3] = { 0.0, 0.0, 0.0 }; ///< of the disc and, times BackgroundGlow, of the glow
+  double Power = 1.0; ///< irradiance, or intensity of a light at a finite distance, over Color
   double SpotAxis[3] = { 0.0, 0.0, -1.0 }; ///< of a spotlight, unit vector, view coordinates
   double CosCone = 0.0;      ///< cosine of half its cone's angle; 0: it shines everywhere alike
   double SpotExponent = 0.0; ///< as of vtkLight
-  double Position[3];       ///< in view coordinates; of an infinitely far light the direction to it
-  bool Infinite;            ///< whether it is infinitely far
-  double Direction[3];      ///< unit vector from the eye to the light, view coordinates
-  double Clip[3];           ///< X, Y and w in the layer's clip coordinates
-  double Radius;            ///< of the disc or prop: an angle [radians], or a length where Planar
+  double Position[3] = { 0.0, 0.0,
+    0.0 };               ///< in view coordinates; of an infinitely far light the direction to it
+  bool Infinite = false; ///< whether it is infinitely far
+  double Direction[3] = { 0.0, 0.0,
+    -1.0 };                           ///< unit vector from the eye to the light, view coordinates
+  double Clip[3] = { 0.0, 0.0, 1.0 }; ///< X, Y and w in the layer's clip coordinates
+  double Radius = 0.0;      ///< of the disc or prop: an angle [radians], or a length where Planar
   double GlowRadius = 0.0;  ///< as Radius
   double GlowFalloff = 0.0; ///< as Radius
   double LeastPixel =
-    0.0;             ///< a pixel's angle where all rays are parallel and so have none [radians]
-  double Depth;      ///< window depth, 1 when it is infinitely far
-  bool Planar;       ///< distances are lengths in the picture's plane, not angles
-  double MarchScale; ///< see MarchVector() in vtkGodRaysRadialMath.glsl
-  double Fade;       ///< 1; less for a light that is passing behind the camera
+    0.0;               ///< a pixel's angle where all rays are parallel and so have none [radians]
+  double Depth = 1.0;  ///< window depth, 1 when it is infinitely far
+  bool Planar = false; ///< distances are lengths in the picture's plane, not angles
+  double MarchScale = 1.0; ///< see MarchVector() in vtkGodRaysRadialMath.glsl
+  double Fade = 1.0;       ///< 1; less for a light that is passing behind the camera
 
   /**
    * Place a light at a world position (w = 1), or in a direction (w = 0), with a radius in world

@@ -21,16 +21,16 @@ class vtkRenderer;
 class vtkGodRaysSourceFinder
 {
 public:
-  vtkRenderer* Renderer;
-  double SourceRadius;          ///< of positional lights [world units]; 0: automatic
-  double SunAngularRadius;      ///< of directional lights [degrees]
-  double BackgroundGlow;        ///< fraction of the light's radiance
-  double BackgroundGlowRadius;  ///< [degrees]
-  double BackgroundGlowFalloff; ///< [degrees]
-  vtkGodRaysTransfer Transfer;  ///< of the colours of lights
-  bool CapsMarch;               ///< see vtkGodRaysModel
-  double Tiles = 1.0;           ///< of which the view is one, across or up the whole picture
-  bool LightsMedium;            ///< all that shines counts, wherever it is
+  vtkRenderer* Renderer = nullptr;
+  double SourceRadius = 0.0;          ///< of positional lights [world units]; 0: automatic
+  double SunAngularRadius = 0.0;      ///< of directional lights [degrees]
+  double BackgroundGlow = 0.0;        ///< fraction of the light's radiance
+  double BackgroundGlowRadius = 0.0;  ///< [degrees]
+  double BackgroundGlowFalloff = 0.0; ///< [degrees]
+  vtkGodRaysTransfer Transfer = vtkGodRaysTransfer::SRGB; ///< of the colours of lights
+  bool CapsMarch = true;                                  ///< see vtkGodRaysModel
+  double Tiles = 1.0;        ///< of which the view is one, across or up the whole picture
+  bool LightsMedium = false; ///< all that shines counts, wherever it is
   vtkGodRaysCompositor* Compositor = nullptr; ///< of a scene on several processes
 
   /**

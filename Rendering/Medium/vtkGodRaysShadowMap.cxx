@@ -14,6 +14,8 @@
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
@@ -68,6 +70,12 @@ bool AddState(vtkProp* prop, std::vector<const void*>& objects, std::vector<doub
     shader->GetGeometryCustomUniforms()->GetMTime(),
     shader->GetFragmentCustomUniforms()->GetMTime() };
   numbers.insert(numbers.end(), std::begin(times), std::end(times));
+  vtkPlaneCollection* planes = actor->GetMapper()->GetClippingPlanes();
+  for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
+  {
+    objects.push_back(planes->GetItem(i)); // whose changes the actor's time does not tell
+    numbers.push_back(static_cast<double>(planes->GetItem(i)->GetMTime()));
+  }
   return true;
 }
 
@@ -256,7 +264,7 @@ void vtkGodRaysShadowMap::FitDirectional(
     }
   }
   double farthest = request.Medium->FarLimit;
-  if (request.Compositor)
+  if (request.Compositor && request.Compositor->IsDistributed())
   {
     request.Compositor->Reduce(&farthest, 1, vtkGodRaysCompositor::GREATEST);
   }

@@ -37,6 +37,7 @@ vtkGodRaysStateKeeper::vtkGodRaysStateKeeper(vtkOpenGLState* state)
   , StencilTest(state, GL_STENCIL_TEST)
 {
   state->PushFramebufferBindings();
+  glGetFloatv(GL_DEPTH_CLEAR_VALUE, &this->ClearDepth);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglDisable(GL_STENCIL_TEST);
   state->vtkglEnable(GL_SCISSOR_TEST);
@@ -46,6 +47,7 @@ vtkGodRaysStateKeeper::vtkGodRaysStateKeeper(vtkOpenGLState* state)
 //------------------------------------------------------------------------------
 vtkGodRaysStateKeeper::~vtkGodRaysStateKeeper()
 {
+  this->State->vtkglClearDepth(this->ClearDepth);
   this->State->PopFramebufferBindings();
 }
 

@@ -22,6 +22,7 @@ public:
 
 private:
   vtkOpenGLState* State;
+  float ClearDepth = 1.0f;
   vtkOpenGLState::ScopedglViewport Viewport;
   vtkOpenGLState::ScopedglScissor Scissor;
   vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunc;

@@ -155,9 +155,11 @@ void vtkGodRaysQuad::End(Place place)
     state->vtkglEnable(GL_DEPTH_TEST);
     state->vtkglDepthMask(GL_FALSE);
     state->vtkglDepthFunc(place == BEHIND ? GL_LEQUAL : GL_GREATER);
+    double range[2];
+    glGetDoublev(GL_DEPTH_RANGE, range);
     glDepthRange(1.0, 1.0); // which vtkOpenGLState does not know
     this->Helper->Render();
-    glDepthRange(0.0, 1.0);
+    glDepthRange(range[0], range[1]);
   }
   for (const auto& texture : this->Textures)
   {

@@ -7,6 +7,7 @@
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
+#include <chrono>
 
 //------------------------------------------------------------------------------
 vtkGodRaysTimers::vtkGodRaysTimers() = default;
@@ -56,15 +57,17 @@ void vtkGodRaysTimers::GetTimes(double seconds[NUMBER_OF_STAGES])
   {
     return;
   }
-  glFinish();
+  glFinish(); // all commands are done: a driver hands the results over at once
+  const auto latest = std::chrono::steady_clock::now() + std::chrono::seconds(1);
   for (std::size_t i = 0; i < this->Used; ++i)
   {
     vtkOpenGLRenderTimer& timer = *this->Timers[i].second;
-    while (!timer.Ready())
+    bool ready = timer.Ready();
+    while (!ready && std::chrono::steady_clock::now() < latest)
     {
-      // all commands are done: the driver hands the result over at once
+      ready = timer.Ready();
     }
-    seconds[this->Timers[i].first] += timer.GetElapsedSeconds();
+    seconds[this->Timers[i].first] += ready ? timer.GetElapsedSeconds() : 0.0;
   }
 }
 

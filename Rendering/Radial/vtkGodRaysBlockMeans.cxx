@@ -42,7 +42,7 @@ constexpr double SlopeMargin = 4e-6;
 
 constexpr double ShortestBlock = 2.0; // [pixels]
 constexpr int NumberOfWedges = 4;
-constexpr std::size_t MaximumPlans = 8; // that are kept: one for each light
+constexpr std::size_t LeastPlans = 8; // that are kept, or one for each light of a frame
 
 //------------------------------------------------------------------------------
 // What accuracy takes.
@@ -581,6 +581,8 @@ struct vtkGodRaysBlockMeans::Internals
   vtkGodRaysTarget Means[2]; // of one channel, of three
   vtkGodRaysTarget Sums[2];
   std::vector<std::unique_ptr<Plan>> Plans; // the one that was used last comes last
+  std::size_t Lights = 0;                   // of this frame, up to now
+  std::size_t FormerLights = 0;             // of the frame before
 
   Plan* Prepare(const vtkGodRaysRadialIntegrator::Request& request);
   bool Bind(vtkOpenGLRenderWindow* window, vtkGodRaysTarget& target, int width, int height,
@@ -593,6 +595,12 @@ struct vtkGodRaysBlockMeans::Internals
 //------------------------------------------------------------------------------
 Plan* vtkGodRaysBlockMeans::Internals::Prepare(const vtkGodRaysRadialIntegrator::Request& request)
 {
+  if (request.Result->IsEmpty()) // the first light of a frame
+  {
+    this->FormerLights = this->Lights;
+    this->Lights = 0;
+  }
+  ++this->Lights;
   const vtkGodRaysMarch march(request);
   bool kept = false;
   const Effort* effort = ChooseEffort(march, request, kept);
@@ -604,7 +612,7 @@ Plan* vtkGodRaysBlockMeans::Internals::Prepare(const vtkGodRaysRadialIntegrator:
     std::rotate(found, found + 1, this->Plans.end());
     return this->Plans.back().get();
   }
-  if (this->Plans.size() < MaximumPlans)
+  if (this->Plans.size() < std::max({ LeastPlans, this->Lights, this->FormerLights }))
   {
     this->Plans.push_back(std::make_unique<Plan>(march, effort, oneChannel));
   }

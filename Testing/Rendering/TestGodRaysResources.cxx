@@ -14,6 +14,7 @@
 #include "vtkGodRaysShadowMapIntegrator.h"
 #include "vtkGodRaysSkyPass.h"
 
+#include "vtkCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProperty.h"
 
@@ -37,6 +38,7 @@ struct Counts
   int Renderbuffers = 0;
   int VertexArrays = 0;
   int Queries = 0; // VTK's mappers make some after a hundred frames
+  int Uploads = 0; // into textures
 
   int GetMade() const
   {
@@ -60,6 +62,7 @@ struct Counts
     c.Renderbuffers -= other.Renderbuffers;
     c.VertexArrays -= other.VertexArrays;
     c.Queries -= other.Queries;
+    c.Uploads -= other.Uploads;
     return c;
   }
 };
@@ -99,6 +102,10 @@ COUNT_CALLS_1_1(TexImage2D,
   (GLenum target, GLint level, GLint internalFormat, GLsizei width, GLsizei height, GLint border,
     GLenum format, GLenum type, const void* pixels),
   (target, level, internalFormat, width, height, border, format, type, pixels), ++Now.Images)
+COUNT_CALLS_1_1(TexSubImage2D,
+  (GLenum target, GLint level, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
+    GLenum type, const void* pixels),
+  (target, level, x, y, width, height, format, type, pixels), ++Now.Uploads)
 COUNT_CALLS_1_1(GenTextures, (GLsizei n, GLuint* t), (n, t), (Now.Textures += n, Now.Objects += n))
 COUNT_CALLS_1_1(DeleteTextures, (GLsizei n, const GLuint* t), (n, t), Now.Textures -= n)
 
@@ -121,6 +128,7 @@ void Count(vtkRenderWindow* window)
   INSTALL_COUNT(DeleteQueries)
   INSTALL_COUNT(TexImage2DMultisample)
   INSTALL_COUNT_1_1(TexImage2D)
+  INSTALL_COUNT_1_1(TexSubImage2D)
   INSTALL_COUNT_1_1(GenTextures)
   INSTALL_COUNT_1_1(DeleteTextures)
 }
@@ -401,6 +409,27 @@ TEST(GodRaysResources, AreNotMadeForASkyAndAreReleased)
   EXPECT_EQ(sky->GetNumberOfTables(), 8);
   EXPECT_TRUE(vtkGodRaysSkyPass::Detach(scene.Renderer));
   EXPECT_TRUE(Now.AliveAs(bare)) << Now - bare;
+}
+
+TEST(GodRaysResources, AreKeptForManyLightsInShaders)
+{
+  Messages messages;
+  Stage scene;
+  scene.AddPillarsAndSun();
+  for (int i = 0; i < 11; ++i)
+  {
+    scene.Rays->AddLight(MakeSun({ 0.02 * i - 0.1, 0.3 - 0.04 * i, -1.0 }));
+  }
+  UseShaders(scene);
+  Count(scene.Window);
+  Draw(scene);
+  EXPECT_TRUE(Says(scene.Rays->GetPlan(), "block means: ")) << scene.Rays->GetPlan();
+  for (int frame = 2; frame < 5; ++frame)
+  {
+    EXPECT_EQ(Draw(scene).Uploads, 0) << "frame " << frame;
+  }
+  scene.Renderer->GetActiveCamera()->Azimuth(1.0);
+  EXPECT_GE(Draw(scene).Uploads, 12);
 }
 
 // A sun and a lamp amid the pillars: seven maps, rendered through projections of their own.

@@ -10,6 +10,8 @@
 #include "vtkGodRaysShadowMapIntegrator.h"
 
 #include "vtkCamera.h"
+#include "vtkGodRaysCompositor.h"
+#include "vtkPlane.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -162,6 +164,16 @@ TEST_F(GodRaysShadowMap, KeepsTheMapWhileNothingInItChanges)
   vtkPolyDataMapper::SafeDownCast(box->GetMapper())->GetInput()->GetPoints()->Modified();
   EXPECT_FALSE(isKept());
   EXPECT_TRUE(isKept());
+  vtkNew<vtkPlane> plane;
+  plane->SetNormal(1.0, 0.0, 0.0);
+  plane->SetOrigin(-10.0, 0.0, 0.0);
+  box->GetMapper()->AddClippingPlane(plane);
+  EXPECT_FALSE(isKept());
+  EXPECT_TRUE(isKept());
+  const auto whole = GetPixels(this->Scene.Window);
+  plane->SetOrigin(0.5, 0.0, 0.0);
+  EXPECT_FALSE(isKept());
+  EXPECT_GT(GetLargestDifference(whole, GetPixels(this->Scene.Window)), 2);
   box->VisibilityOff();
   EXPECT_FALSE(isKept());
   this->Renderer->GetActiveCamera()->Azimuth(1.0);
@@ -170,6 +182,41 @@ TEST_F(GodRaysShadowMap, KeepsTheMapWhileNothingInItChanges)
   EXPECT_FALSE(isKept());
   this->Scene.Window->Finalize();
   EXPECT_FALSE(isKept());
+}
+
+namespace
+{
+/// Several processes of which one has all data: the others wait for nothing.
+class GatheringCompositor : public vtkGodRaysCompositor
+{
+public:
+  static GatheringCompositor* New()
+  {
+    auto compositor = new GatheringCompositor;
+    compositor->InitializeObjectBase();
+    return compositor;
+  }
+  bool IsDistributed() override { return false; }
+  bool IsRoot() override { return true; }
+  bool HasDepth() override { return true; }
+  void Reduce(float*, std::size_t, Operation) override { ++this->Calls; }
+  void Reduce(double*, std::size_t, Operation) override { ++this->Calls; }
+  bool DrawBackground(vtkRenderer*) override { return false; }
+
+  int Calls = 0;
+};
+}
+
+TEST_F(GodRaysShadowMap, AsksNoOtherProcessWhereOneHasAllData)
+{
+  this->AddPillars();
+  this->AddSun({ 0.15, 0.1, -1.0 });
+  vtkNew<GatheringCompositor> compositor;
+  this->Rays->SetCompositor(compositor);
+  this->Scene.Window->Render();
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "shadow map: 1 of")) << this->Rays->GetPlan();
+  EXPECT_EQ(compositor->Calls, 0);
+  this->Rays->SetCompositor(nullptr);
 }
 
 TEST_F(GodRaysShadowMap, LeavesTheSceneAndRolesAlone)
