@@ -3,6 +3,7 @@
 #include "vtkGodRaysPass.h"
 
 #include "vtkCamera.h"
+#include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysAttachment.h"
 #include "vtkGodRaysBlendPass.h"
 #include "vtkGodRaysCompositor.h"
@@ -122,6 +123,7 @@ struct vtkGodRaysPass::Internals
 vtkGodRaysPass::vtkGodRaysPass()
   : Internal(new Internals)
 {
+  this->SunAngularRadius = vtkNew<vtkGodRaysAtmosphere>()->GetSunAngularRadius();
   this->SetModel(nullptr);
   this->SetIntegrator(nullptr);
 }

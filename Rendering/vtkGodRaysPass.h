@@ -404,7 +404,7 @@ private:
   double InteractiveErrorTolerance = 0.01;
   bool UntaggedPropsOcclude = true;
   double SourceRadius = 0.0;
-  double SunAngularRadius = 0.2678;
+  double SunAngularRadius = 0.0;
   double BackgroundGlow = 0.4;
   double BackgroundGlowRadius = 2.0;
   double BackgroundGlowFalloff = 18.0;

@@ -57,6 +57,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -315,6 +316,32 @@ void ReadNrrd(const std::string& path, FileContents& contents)
 }
 
 //------------------------------------------------------------------------------
+void ReadHdr(const std::string& path, FileContents& contents)
+{
+  // VTK takes memory for a size that is not there.
+  std::ifstream file(path);
+  std::string line;
+  bool hasSize = std::getline(file, line) && line.rfind("#?", 0) == 0;
+  if (hasSize)
+  {
+    do
+    {
+      char sign[2];
+      char axis[2];
+      int size[2];
+      hasSize = std::sscanf(line.c_str(), "%c%c %d %c%c %d", &sign[0], &axis[0], &size[0], &sign[1],
+                  &axis[1], &size[1]) == 6 &&
+        size[0] > 0 && size[1] > 0;
+    } while (!hasSize && std::getline(file, line));
+  }
+  if (!hasSize)
+  {
+    throw Failure(path + ": says no size of a picture; it is damaged, or not what its name says");
+  }
+  ReadData<vtkHDRReader>(path, contents);
+}
+
+//------------------------------------------------------------------------------
 using ReadFunction = std::function<void(const std::string&, FileContents&)>;
 
 const std::map<std::string, ReadFunction>& Types()
@@ -326,7 +353,7 @@ const std::map<std::string, ReadFunction>& Types()
     { ".dem", ReadDem },
     { ".glb", ReadGlb },
     { ".gltf", ReadGltf },
-    { ".hdr", ReadData<vtkHDRReader> },
+    { ".hdr", ReadHdr },
     { ".jpeg", ReadData<vtkJPEGReader> },
     { ".jpg", ReadData<vtkJPEGReader> },
     { ".mha", ReadData<vtkMetaImageReader> },

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysAtmosphereModel.h"
 
+#include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysMedium.h"
 #include "vtkGodRaysSetGet.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
@@ -20,6 +22,29 @@ vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphereModel, MieScaleHeight, 1e-6, 1e9);
 vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphereModel, MieAsymmetry, -0.99, 0.99);
 vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphereModel, GroundLevel, -1e30, 1e30);
 vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphereModel, PlanetRadius, 0.0, 1e15);
+
+//------------------------------------------------------------------------------
+vtkGodRaysAtmosphereModel::vtkGodRaysAtmosphereModel()
+{
+  vtkNew<vtkGodRaysAtmosphere> earth;
+  this->TakeAtmosphere(earth);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysAtmosphereModel::TakeAtmosphere(vtkGodRaysAtmosphere* atmosphere)
+{
+  if (!atmosphere)
+  {
+    vtkErrorMacro("TakeAtmosphere needs a vtkGodRaysAtmosphere, not null; nothing is changed.");
+    return;
+  }
+  this->SetRayleighScattering(atmosphere->GetRayleighScattering());
+  this->SetRayleighScaleHeight(atmosphere->GetRayleighHeight());
+  this->SetMieScattering(atmosphere->GetMieScattering());
+  this->SetMieAbsorption(atmosphere->GetMieAbsorption());
+  this->SetMieScaleHeight(atmosphere->GetMieHeight());
+  this->SetMieAsymmetry(atmosphere->GetMieAsymmetry());
+}
 
 //------------------------------------------------------------------------------
 void vtkGodRaysAtmosphereModel::SetUp(const double direction[3])

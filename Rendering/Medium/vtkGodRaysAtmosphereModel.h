@@ -27,6 +27,8 @@
 
 #include <string> // For std::string
 
+class vtkGodRaysAtmosphere;
+
 class VTKGODRAYSRENDERING_EXPORT vtkGodRaysAtmosphereModel : public vtkGodRaysMediumModel
 {
 public:
@@ -34,10 +36,18 @@ public:
   vtkTypeMacro(vtkGodRaysAtmosphereModel, vtkGodRaysMediumModel);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * Take the molecules and the aerosol of an atmosphere, as a sky has it: scattering, absorption, heights,
+   * asymmetry. Its profiles count as EXPONENTIAL, the aerosol's phase function as CORNETTE_SHANKS, and
+   * ozone is left out: near the ground there is next to none. A new model has those of the Earth, a
+   * new vtkGodRaysAtmosphere. A null atmosphere is an error and changes nothing.
+   */
+  void TakeAtmosphere(vtkGodRaysAtmosphere* atmosphere);
+
   ///@{
   /**
    * Set/Get how much light molecules scatter at GroundLevel, for each colour [1/m]. Valid range:
-   * [0, 1e15]. Default is 5.802e-6, 13.558e-6, 33.1e-6.
+   * [0, 1e15]. Default is that of the Earth, see TakeAtmosphere(): 5.802e-6, 13.558e-6, 33.10e-6.
    */
   void SetRayleighScattering(double red, double green, double blue);
   void SetRayleighScattering(const double coefficient[3]) VTK_SIZEHINT(3);
@@ -56,7 +66,7 @@ public:
   ///@{
   /**
    * Set/Get how much light aerosols scatter and absorb at GroundLevel, for each colour [1/m]. Valid
-   * range: [0, 1e15]. Defaults are 3.996e-6 and 4.4e-7.
+   * range: [0, 1e15]. Defaults are 3.996e-6 and 4.44e-7.
    */
   void SetMieScattering(double red, double green, double blue);
   void SetMieScattering(const double coefficient[3]) VTK_SIZEHINT(3);
@@ -116,7 +126,7 @@ public:
   std::string Describe() const override;
 
 protected:
-  vtkGodRaysAtmosphereModel() = default;
+  vtkGodRaysAtmosphereModel();
   ~vtkGodRaysAtmosphereModel() override = default;
 
   void FillMedium(
@@ -126,12 +136,12 @@ private:
   vtkGodRaysAtmosphereModel(const vtkGodRaysAtmosphereModel&) = delete;
   void operator=(const vtkGodRaysAtmosphereModel&) = delete;
 
-  double RayleighScattering[3] = { 5.802e-6, 13.558e-6, 33.1e-6 };
-  double RayleighScaleHeight = 8000.0;
-  double MieScattering[3] = { 3.996e-6, 3.996e-6, 3.996e-6 };
-  double MieAbsorption[3] = { 4.4e-7, 4.4e-7, 4.4e-7 };
-  double MieScaleHeight = 1200.0;
-  double MieAsymmetry = 0.8;
+  double RayleighScattering[3] = { 0.0, 0.0, 0.0 };
+  double RayleighScaleHeight = 1.0;
+  double MieScattering[3] = { 0.0, 0.0, 0.0 };
+  double MieAbsorption[3] = { 0.0, 0.0, 0.0 };
+  double MieScaleHeight = 1.0;
+  double MieAsymmetry = 0.0;
   double Up[3] = { 0.0, 0.0, 1.0 };
   double GroundLevel = 0.0;
   double PlanetRadius = 0.0;

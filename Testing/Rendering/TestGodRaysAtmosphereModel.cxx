@@ -6,6 +6,7 @@
 
 #include "GodRaysMediumTesting.h"
 
+#include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysAtmosphereModel.h"
 #include "vtkGodRaysDepthWeightedTapsIntegrator.h"
 #include "vtkGodRaysEpipolarCoverageIntegrator.h"
@@ -163,6 +164,32 @@ TEST_F(GodRaysAtmosphereModel, DimsLessWhatIsHigh)
   const auto pixels = GetPixels(this->Scene.Window);
   const auto get = [&pixels](int y) { return pixels[4 * (y * Width + Width / 2)]; };
   EXPECT_GT(get(Height - 5), get(5) + 20);
+}
+
+TEST_F(GodRaysAtmosphereModel, TakesTheAirOfASky)
+{
+  vtkNew<vtkGodRaysAtmosphere> sky;
+  vtkNew<vtkGodRaysAtmosphereModel> model;
+  const auto expectSame = [&]
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      EXPECT_EQ(model->GetRayleighScattering()[i], sky->GetRayleighScattering()[i]);
+      EXPECT_EQ(model->GetMieScattering()[i], sky->GetMieScattering()[i]);
+      EXPECT_EQ(model->GetMieAbsorption()[i], sky->GetMieAbsorption()[i]);
+    }
+    EXPECT_EQ(model->GetRayleighScaleHeight(), sky->GetRayleighHeight());
+    EXPECT_EQ(model->GetMieScaleHeight(), sky->GetMieHeight());
+    EXPECT_EQ(model->GetMieAsymmetry(), sky->GetMieAsymmetry());
+  };
+  expectSame();
+  sky->LoadPreset(vtkGodRaysAtmosphere::MARS);
+  EXPECT_NE(model->GetMieScaleHeight(), sky->GetMieHeight());
+  model->TakeAtmosphere(sky);
+  expectSame();
+  model->TakeAtmosphere(nullptr);
+  EXPECT_EQ(this->VTKMessages.Take().size(), 1u);
+  expectSame();
 }
 
 TEST_F(GodRaysAtmosphereModel, RefusesWhatIsNoDirection)
