@@ -1,0 +1,214 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What every model and every integrator in CMake's lists has to do, with every other one that it goes with.
+
+Their properties and ranges are those of their ParaView entries, which a test of the plugin holds to the classes.
+"""
+
+import itertools
+import os
+import pathlib
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+import godrays
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersSources import vtkConeSource
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkLight,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+)
+
+SOURCES = pathlib.Path(os.environ["GODRAYS_SOURCES"])
+
+
+def classes(variable, suffix):
+    """The classes of one of CMake's lists: words with their folders."""
+    for stem in os.environ[variable].split(","):
+        folder, word = stem.split("/")
+        yield f"vtkGodRays{word}{suffix}", SOURCES / "Rendering" / folder
+
+
+MODELS = dict(classes("GODRAYS_MODELS", "Model"))
+INTEGRATORS = dict(classes("GODRAYS_INTEGRATORS", "Integrator"))
+
+
+def properties(name, folder):
+    """(setter, number of values, values to try) of each property of a class."""
+    for element in ElementTree.parse(folder / f"{name}.xml").getroot().iter():
+        command = element.get("command", "")
+        if not command.startswith("Set") or not element.tag.endswith("VectorProperty"):
+            continue
+        values = []
+        for domain in element:
+            if domain.tag.endswith("RangeDomain"):
+                values = [float(domain.get("min")), float(domain.get("max"))]
+            elif domain.tag == "EnumerationDomain":
+                values = [int(entry.get("value")) for entry in domain.iter("Entry")]
+            elif domain.tag == "BooleanDomain":
+                values = [0, 1]
+        if element.tag == "IntVectorProperty":
+            values = [int(value) for value in values]
+        if command == "SetVerifyPixels":  # more than the picture has take minutes
+            values = [0, 100]
+        yield command, int(element.get("number_of_elements")), values
+
+
+def presets(model):
+    count = getattr(model, "GetNumberOfPresets", lambda: 0)()
+    return [model.GetPresetName(i) for i in range(count)]
+
+
+class Scene:
+    """A cone before a sun, in a small window."""
+
+    def __init__(self):
+        cone = vtkConeSource()
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputConnection(cone.GetOutputPort())
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        self.renderer = vtkRenderer()
+        self.renderer.AddActor(actor)
+        self.renderer.GetActiveCamera().SetPosition(0, 0, 5)
+        self.renderer.ResetCameraClippingRange()
+        self.window = vtkRenderWindow()
+        self.window.SetOffScreenRendering(True)
+        self.window.SetMultiSamples(0)
+        self.window.SetSize(48, 36)
+        self.window.AddRenderer(self.renderer)
+        sun = vtkLight()
+        sun.SetPosition(0.1, 0.3, -1)
+        self.rays = godrays.vtkGodRaysPass()
+        self.rays.AddLight(sun)
+        self.rays.SetPrecision(godrays.vtkGodRaysPass.SINGLE)
+
+    def pixels(self):
+        self.window.Render()
+        data = vtkUnsignedCharArray()
+        self.window.GetRGBACharPixelData(0, 0, 47, 35, 1, data)
+        return vtk_to_numpy(data).copy()
+
+    def light(self):
+        """What was scattered, None if nothing."""
+        image = vtkImageData()
+        if not self.rays.GetScatteringImage(image):
+            return None
+        return vtk_to_numpy(image.GetPointData().GetScalars())
+
+
+class Contract(unittest.TestCase):
+    def setUp(self):
+        self.messages = vtkStringOutputWindow()
+        vtkOutputWindow.SetInstance(self.messages)
+        self.addCleanup(vtkOutputWindow.SetInstance, None)
+
+    def said(self):
+        """What VTK has said since."""
+        text = self.messages.GetOutput()
+        self.messages = vtkStringOutputWindow()
+        vtkOutputWindow.SetInstance(self.messages)
+        return text
+
+    def for_each_pair(self, test):
+        """Call test(scene, model, integrator) for each model with each integrator that supports it."""
+        for model_name, name in itertools.product(MODELS, INTEGRATORS):
+            model, integrator = getattr(godrays, model_name)(), getattr(godrays, name)()
+            if not integrator.Supports(model):
+                continue
+            if hasattr(model, "SetUp"):
+                model.SetUp(0, 1, 0)  # the sun is above the horizon
+            with self.subTest(model=model_name, integrator=name):
+                scene = Scene()
+                scene.rays.SetModel(model)
+                scene.rays.SetIntegrator(integrator)
+                test(scene, model, integrator)
+
+    def test_every_class_is_wrapped_with_documentation(self):
+        for name in (*MODELS, *INTEGRATORS):
+            with self.subTest(name):
+                self.assertGreater(len(getattr(godrays, name).__doc__), 200)
+
+    def test_every_model_has_integrators_and_every_integrator_a_model(self):
+        for name in MODELS:
+            rays = godrays.vtkGodRaysPass()
+            rays.SetModel(getattr(godrays, name)())
+            self.assertTrue(rays.GetIntegrator().Supports(rays.GetModel()), name)
+        for name in INTEGRATORS:
+            integrator = getattr(godrays, name)()
+            self.assertTrue(any(integrator.Supports(getattr(godrays, each)()) for each in MODELS), name)
+
+    def test_they_draw_the_same_every_time_and_leave_nothing_behind(self):
+        def test(scene, model, integrator):
+            without = scene.pixels()
+            scene.rays.Attach(scene.renderer)
+            scene.rays.SetIntensity(1e4)
+            drawn = scene.pixels()
+            self.assertFalse((drawn == without).all(), "draws nothing: " + scene.rays.GetPlan())
+            self.assertTrue((scene.pixels() == drawn).all(), "another frame")
+            light = scene.light()
+            self.assertTrue(numpy.isfinite(light).all())
+            self.assertGreater(light.max(), 0)
+            scene.rays.Detach(scene.renderer)
+            self.assertTrue((scene.pixels() == without).all(), "after Detach()")
+            other = Scene()
+            other.rays.SetModel(model)
+            other.rays.SetIntegrator(integrator)
+            other.rays.SetIntensity(1e4)
+            other.rays.Attach(other.renderer)
+            self.assertTrue((other.pixels() == drawn).all(), "in another window")
+            self.assertEqual(self.said(), "")
+
+        self.for_each_pair(test)
+
+    def test_they_survive_the_ends_of_their_ranges(self):
+        def try_all(scene, each, name, folder):
+            fresh = getattr(godrays, name)()
+            for command, count, values in properties(name, folder):
+                for value in values:
+                    getattr(each, command)(*[value] * count)
+                    scene.window.Render()
+                    light = scene.light()
+                    if light is not None:
+                        self.assertTrue(numpy.isfinite(light).all(), (command, value))
+                        self.assertGreaterEqual(light.min(), 0, (command, value))
+                former = getattr(fresh, "Get" + command[3:])()
+                getattr(each, command)(*(former if count > 1 else (former,)))
+
+        def test(scene, model, integrator):
+            scene.rays.Attach(scene.renderer)
+            name = model.GetClassName()
+            try_all(scene, model, name, MODELS[name])
+            name = integrator.GetClassName()
+            try_all(scene, integrator, name, INTEGRATORS[name])
+            said = self.said()  # at most a warning with its remedy
+            self.assertNotIn("ERROR", said)
+            self.assertEqual("Warning" in said, "Set " in said or "Use " in said, said)
+
+        self.for_each_pair(test)
+
+    def test_every_preset_draws(self):
+        for name in MODELS:
+            for preset in presets(getattr(godrays, name)()):
+                with self.subTest(model=name, preset=preset):
+                    scene = Scene()
+                    model = getattr(godrays, name)()
+                    scene.rays.SetModel(model)
+                    self.assertTrue(scene.rays.ApplyPreset(preset))
+                    self.assertGreater(len(model.GetPresetDescription(presets(model).index(preset))), 10)
+                    scene.rays.Attach(scene.renderer)
+                    scene.window.Render()
+                    light = scene.light()
+                    self.assertTrue(numpy.isfinite(light).all())
+                    self.assertGreater(light.max(), 0)
+                    self.assertEqual(self.said(), "")
+
+
+if __name__ == "__main__":
+    unittest.main()
