@@ -9,8 +9,9 @@
  * projection. NumberOfSteps places of each view ray, from between which equal light comes, are looked
  * up in it; an interleaved noise moves them from pixel to pixel, and what part of a ray's airlight is
  * lit is the mean of 5 x 5 pixels that end at about the same depth, of rows and then of columns. The
- * airlight itself is that of vtkGodRaysDepthWeightedTapsIntegrator: without anything that blocks, the
- * number of steps does not matter.
+ * airlight itself is in closed form for a directional light in a medium that is homogeneous or has one
+ * component, otherwise a quadrature of 2 points in each of 32 parts of the ray: without anything that
+ * blocks, the number of steps does not matter.
  *
  * What the depth of the picture lacks, things outside it or behind others, casts its shadow; each prop
  * is rendered once or six times more for each light of a frame. A map is fitted to what blocks, and to

@@ -27,13 +27,11 @@
 #define vtkGodRaysDepthWeightedTapsIntegrator_h
 
 #include "vtkGodRaysMediumIntegrator.h"
-#include "vtkGodRaysRenderingModule.h" // For export macro
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
-class VTKGODRAYSRENDERING_EXPORT vtkGodRaysDepthWeightedTapsIntegrator
-  : public vtkGodRaysMediumIntegrator
+class vtkGodRaysDepthWeightedTapsIntegrator : public vtkGodRaysMediumIntegrator
 {
 public:
   static vtkGodRaysDepthWeightedTapsIntegrator* New();
@@ -59,7 +57,7 @@ public:
   vtkGetMacro(Thickness, double);
   ///@}
 
-  VTK_WRAPEXCLUDE bool Integrate(const Request& request) override;
+  bool Integrate(const Request& request) override;
   std::string Describe(vtkGodRaysModel* model) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
