@@ -604,7 +604,7 @@ bool vtkGodRaysPass::RenderRays(
 }
 
 //------------------------------------------------------------------------------
-// Keep what the framebuffer holds, and find what blocks light.
+// Keep what the framebuffer holds, and find the occluders.
 bool vtkGodRaysPass::FindOccluders(const vtkRenderState* s, const vtkGodRaysView& view,
   const vtkGodRaysFramebuffer& bound, const int viewport[4])
 {

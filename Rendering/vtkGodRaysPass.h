@@ -7,8 +7,8 @@
  * Draws the scene where it would have been drawn without it, then adds the light that the medium
  * between the scene and the eye scatters towards the viewer:
  *
- * 1. Occlusion: for each light, a layer of what shines (the light's own disc, or the props tagged
- *    LIGHT, and the open background about it) less what blocks it. See vtkGodRaysOcclusionPass.
+ * 1. Occlusion: for each light, a layer of its emitter (the light's own disc, or the props tagged
+ *    LIGHT, and the open background about it) less the occluders. See vtkGodRaysOcclusionPass.
  * 2. Scattering: a vtkGodRaysModel says what is summed, a vtkGodRaysIntegrator how.
  * 3. Blend: the sum is added to the picture in linear light. See vtkGodRaysBlendPass.
  *

@@ -136,7 +136,7 @@ FUNCTION Real PointAirlight(IN(PhaseFunction) phase, IN(Real) extinction, IN(Rea
   return exp(-extinction * (begin + rNear)) * sum;
 }
 
-// A medium that thins out exponentially with height above the plane of reference, where its
+// A medium whose density falls exponentially with height above the plane of reference, where its
 // coefficients are given. slope is the rise of a way for each unit of its length, -1 to 1.
 
 // Optical depth of a straight way from a height, up or down.
@@ -191,7 +191,7 @@ FUNCTION Real MediumDepth(IN(Real) planetRadius, IN(Real) height, IN(Real) slope
   return ExponentialDepth(1.0, height, rise / max(distance, 1e-30), scaleHeight, distance);
 }
 
-// The same of a way to where nothing is any more, of a medium that thins out: up over a plane, else to
+// The same of a way to where nothing is any more, of a medium of exponential density: up over a plane, else to
 // 40 scale heights above.
 // Formula: scaleHeight density/slope, or SkyExponentialColumn. [length]
 FUNCTION Real MediumColumn(
@@ -383,7 +383,7 @@ FUNCTION Real MediumEnd(IN(LitRay) ray, IN(Real) end)
 }
 
 // Optical depth of the light's way to a point of the ray at a height, r from a point light. Only a
-// medium that thins out dims a light that is infinitely far, and hides one below the horizon.
+// medium of exponential density dims a light that is infinitely far, and hides one below the horizon.
 // Formula: see MediumDepth() and MediumColumn(). [no unit]
 FUNCTION Real LightDepth(IN(MediumComponent) component, IN(LitRay) ray, IN(Real) height,
   IN(Real) slope, IN(Real) r)

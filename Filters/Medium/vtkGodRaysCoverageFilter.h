@@ -27,14 +27,14 @@
  * processors with other vector instructions they differ by less than 1e-5 of the peak.
  *
  * Supported: directional and point lights anywhere (in the picture, beside it, behind the eye, across
- * the view), perspective and parallel projection, one or two components, homogeneous or thinning out with
- * height; but in what thins out, a directional light over a planet, and a spotlight that fades from an axis
- * that is not vertical, are errors. A planet's ground
- * ends view rays where the depths show it. A view ray nearer to a point light than 0.28 pixels is taken to be so far from it: that is the
- * mean over its pixel.
+ * the view), perspective and parallel projection, one or two components, homogeneous or of a density that
+ * falls exponentially with height. In the latter, errors are: a directional light over a planet, and a
+ * spotlight that fades from an axis that is not vertical. A planet's ground ends view rays where the depths
+ * show it. A view ray nearer to a point light than 0.28 pixels is taken to be so far from it, since that is
+ * the mean over its pixel.
  *
- * Point lights and media that thin out use a table of airlight, made anew when the camera, the light or the
- * medium change; what is read from it differs by less than 0.002 of the picture's peak.
+ * Point lights and media of exponential density use a table of airlight, made anew when the camera, the
+ * light or the medium change; what is read from it differs by less than 0.002 of the picture's peak.
  *
  * An input or parameter that cannot be used is one error that says what to do, and the output is empty;
  * so it is after AbortExecute, which is looked at whenever progress is told, 4 times, on the calling

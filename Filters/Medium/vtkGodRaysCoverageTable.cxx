@@ -345,7 +345,7 @@ double GetLeastScale(const vtkGodRaysMedium& medium)
 
 //------------------------------------------------------------------------------
 // How fast light changes along rays where it is brightest, at the eye or at a point light: what of it
-// is extinguished for each unit of length, and how fast layers thin out.
+// is extinguished for each unit of length, and how fast their density falls.
 double GetChange(const CoverageSettings& settings, const vtkGodRaysMedium& medium, double longest)
 {
   const double* light = settings.Light;

@@ -19,7 +19,7 @@ struct CoverageImage;
 struct CoverageSettings;
 struct CoverageTable;
 
-/// The table of a point light, or of a directional light in a medium that thins out, for the view rays of a
+/// The table of a point light, or of a directional light in a medium of exponential density, for the view rays of a
 /// picture. Plane c is of colour c, or, of a directional light, k Channels + c of component k.
 void MakeCoverageTable(const CoverageSettings& settings, const CoverageImage& image,
   const vtkGodRaysMedium& medium, CoverageTable& table);

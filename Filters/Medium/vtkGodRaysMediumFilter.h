@@ -15,10 +15,10 @@
  * depth of a way: sigma_t = ScatteringCoefficient + AbsorptionCoefficient times its length in a
  * homogeneous medium, the default.
  *
- * With a ScaleHeight H, the medium thins out with the height above a plane, as e^(-height/H); its
+ * With a ScaleHeight H, the density of the medium falls with the height above a plane, as e^(-height/H); its
  * coefficients are those at GroundLevel. A second component of the medium, say the molecules of air among
  * droplets, has the same parameters with names that begin with Gas; the two add up. A directional light
- * comes from above through what thins out, which dims it (and hides one below the horizon altogether);
+ * comes from above through the medium, which dims it (and hides one below the horizon altogether);
  * by what is homogeneous, which has no end, it is not dimmed: LightColor is its irradiance there.
  *
  * The formulas are those of vtkGodRaysPhaseMath.glsl.
@@ -151,7 +151,7 @@ public:
   ///@{
   /**
    * Set/Get the second component: what it scatters and absorbs, into which directions, and over which
-   * height it thins out, as above. Defaults are 0, 0, RAYLEIGH, 0 and 0.
+   * height its density falls, as above. Defaults are 0, 0, RAYLEIGH, 0 and 0.
    */
   vtkSetVector3Macro(GasScatteringCoefficient, double);
   vtkGetVector3Macro(GasScatteringCoefficient, double);
@@ -167,7 +167,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the direction in which a medium with a scale height thins out, in world coordinates and of
+   * Set/Get the direction in which the density of a medium with a scale height falls, in world coordinates and of
    * any length but 0, and how far along it the plane is where its coefficients are given [scene units].
    * Valid range of the level: [-1e15, 1e15]. Defaults are (0, 1, 0) and 0.
    */
@@ -180,7 +180,7 @@ public:
   ///@{
   /**
    * Set/Get the radius of a planet whose ground it is [scene units], and about whose centre, that far
-   * below the ground along MediumUp from the origin, media thin out. Its ground ends view rays and hides
+   * below the ground along MediumUp from the origin, the density of media falls. Its ground ends view rays and hides
    * lights. It should be above 500 scale heights. 0: the ground is a plane, which hides nothing. Valid
    * range: [0, 1e15]. Default is 0.
    */

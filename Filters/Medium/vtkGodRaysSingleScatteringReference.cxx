@@ -472,7 +472,7 @@ Vec3 Integrate(const Scatter& f, double a, double b, double error, int depth)
     Integrate(f, middle, b, 0.5 * error, depth - 1);
 }
 
-// Between two distances. Where the medium thins out in parts that double, so that no layer near the
+// Between two distances. Where the density falls, in parts that double, so that no layer near the
 // eye is overlooked.
 Vec3 IntegrateWay(const Scatter& f, double from, double to, double end, double error)
 {

@@ -5,7 +5,7 @@
  * @brief   how a scene whose parts are on several processes becomes one: an interface
  *
  * Where each process renders its own part of a scene and the pictures are joined, the rays need the
- * whole of what blocks light and of what shines. vtkGodRaysPass asks its compositor, if it has one,
+ * whole of the occluders and of the emitters. vtkGodRaysPass asks its compositor, if it has one,
  * to join those layers; they are floats, so that light is not cut off at 1.
  *
  * Every process makes the same calls in the same order, also one that has no part of the scene:

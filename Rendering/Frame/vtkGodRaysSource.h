@@ -66,7 +66,7 @@ struct vtkGodRaysView
 struct vtkGodRaysSource
 {
   std::string Name;                    ///< for the plan
-  vtkProp* Prop = nullptr;             ///< the prop that shines, or null for a disc
+  vtkProp* Prop = nullptr;             ///< the emitter, or null for a disc
   double Color[3] = { 0.0, 0.0, 0.0 }; ///< of the disc and, times BackgroundGlow, of the glow
   double Power = 1.0; ///< irradiance, or intensity of a light at a finite distance, over Color
   double SpotAxis[3] = { 0.0, 0.0, -1.0 }; ///< of a spotlight, unit vector, view coordinates

@@ -30,7 +30,7 @@ public:
   vtkGodRaysTransfer Transfer = vtkGodRaysTransfer::SRGB; ///< of the colours of lights
   bool CapsMarch = true;                                  ///< see vtkGodRaysModel
   double Tiles = 1.0;        ///< of which the view is one, across or up the whole picture
-  bool LightsMedium = false; ///< all that shines counts, wherever it is
+  bool LightsMedium = false; ///< all emitters count, wherever it is
   vtkGodRaysCompositor* Compositor = nullptr; ///< of a scene on several processes
 
   /**

@@ -48,7 +48,7 @@ public:
   /**
    * Set/Get how many layers of solid things are known [no unit]. 0: the first surface alone, Thickness
    * thick. 1: also where view rays leave the first thing; 2: also where they enter and leave the second
-   * one, which takes 1 or 3 more renderings of what blocks light. Things must be closed, with polygons
+   * one, which takes 1 or 3 more renderings of the occluders. Things must be closed, with polygons
    * that face outwards; what has no back is Thickness thick. A scene on several processes has none, which
    * is told once.
    * Valid range: [0, 2]. Default is 0.

@@ -11,7 +11,7 @@
  *     L = integral of sigma_s p(cos a) I V e^(-sigma_t (s + r))/r^2 ds   positional light
  *
  * from the eye to the first surface; s is the distance from the eye, r from the light, V 1 where the
- * light is seen and 0 in the shadow of what blocks it. There is no scale to fit, and no occlusion
+ * light is seen and 0 in the shadow of an occluder. There is no scale to fit, and no occlusion
  * layer: shafts are what shadows leave. They are as long as things are thick and far apart, so the
  * medium should be chosen for the size of the scene: as a start, an optical depth of about 1 across it,
  * sigma_t = 1/its diagonal.

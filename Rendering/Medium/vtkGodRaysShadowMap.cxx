@@ -31,7 +31,7 @@
 
 namespace
 {
-/// The bounds of what blocks, on all processes.
+/// The bounds of the occluders, on all processes.
 bool GetBounds(const vtkGodRaysMediumIntegrator::Request& request, double bounds[6])
 {
   vtkMath::UninitializeBounds(bounds);

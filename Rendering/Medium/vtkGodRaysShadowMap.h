@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGodRaysShadowMap
- * @brief   depths of what blocks light, as a light sees them; private to this module
+ * @brief   depths of the occluders, as a light sees them; private to this module
  *
- * One face, fitted to what blocks, for a light that is infinitely far or sees all of it within 60
+ * One face, fitted to the occluders, for a light that is infinitely far or sees all of it within 60
  * degrees of one direction; else the six faces of a cube about the light, side by side in one texture.
- * What was drawn for the last light serves again while view, light, faces and what blocks are the same. Of
+ * What was drawn for the last light serves again while view, light, faces and occluders are the same. Of
  * plain actors VTK tells that; with any other prop, and on several processes, it is drawn anew.
  */
 

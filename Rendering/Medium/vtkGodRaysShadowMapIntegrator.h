@@ -14,7 +14,7 @@
  * blocks, the number of steps does not matter.
  *
  * What the depth of the picture lacks, things outside it or behind others, casts its shadow; each prop
- * is rendered once or six times more for each light of a frame. A map is fitted to what blocks, and to
+ * is rendered once or six times more for each light of a frame. A map is fitted to the occluders, and to
  * what is seen of its shadow for a directional light. A point light that does not see all that blocks
  * within 60 degrees of one direction takes a cube of six maps, which leave out what is nearer than 1e-4
  * of the farthest thing. A shadow starts 1.5 of the map's pixels behind what casts it, and its edge is

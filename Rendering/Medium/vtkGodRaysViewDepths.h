@@ -28,7 +28,7 @@ public:
   ~vtkGodRaysViewDepths();
 
   /**
-   * Start a frame with the window depths of what blocks light, of a layer's size, and of what is seen,
+   * Start a frame with the window depths of the occluders, of a layer's size, and of what is seen,
    * of the picture's, about which the layer may have a margin; null if it is the same.
    */
   void Begin(vtkOpenGLRenderWindow* window, const vtkGodRaysView& view, vtkTextureObject* blocking,
@@ -40,7 +40,7 @@ public:
   void End();
 
   /**
-   * Window depths of what blocks light.
+   * Window depths of the occluders.
    */
   vtkTextureObject* GetBlockingWindowDepth() const { return this->Sources[0]; }
 
@@ -51,7 +51,7 @@ public:
 
   ///@{
   /**
-   * Depths of what blocks light, and of where view rays end, if that is not the same; of the layer's
+   * Depths of the occluders, and of where view rays end, if that is not the same; of the layer's
    * size. Null, after an error, if they cannot be drawn. The framebuffer drawn into may be another one
    * after it.
    */

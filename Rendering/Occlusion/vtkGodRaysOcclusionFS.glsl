@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 
-// The occlusion layer of one light: what shines, less what blocks it.
+// The occlusion layer of one light: its emitter, less the occluders.
 
 in vec2 texCoord; // of the layer
 
@@ -24,7 +24,7 @@ uniform sampler2D occluderDepth;
 uniform sampler2D translucency;   // opacity of what dims, in alpha
 uniform sampler2D propColor;
 uniform sampler2D propDepth;
-uniform sampler2D haze;           // colours of the hazy parts over black, before what blocks
+uniform sampler2D haze;           // colours of the hazy parts over black, before the occluders
 
 uniform vec3 pictureOrigin;       // + x right + y up: a place in the picture, or a ray to it
 uniform vec3 pictureRight;
@@ -70,7 +70,7 @@ float Slopes(ivec2 pixel)
     max(OneSidedSlope(pixel, ivec2(0, -1)), OneSidedSlope(pixel, ivec2(0, 1)));
 }
 
-// The least depth that the prop may have within a pixel. The depth of what blocks holds the prop
+// The least depth that the prop may have within a pixel. The depth of the occluders holds the prop
 // too, but when it is multisampled that depth is the one of a sample up to half a pixel off the
 // centre: of the slanted surface at the centre, or of a nearer part of the prop that ends there.
 float LeastPropDepth(ivec2 pixel)

@@ -120,16 +120,16 @@ struct vtkGodRaysOcclusionPass::Internals
 {
   vtkGodRaysQuad Quad{ "vtkGodRaysOcclusionFS", vtkGodRaysOcclusionFS };
   vtkGodRaysTarget Occluders; // depth, when the scene's will not do
-  vtkGodRaysTarget Dimming;   // opacity, over the depth of what blocks
+  vtkGodRaysTarget Dimming;   // opacity, over the depth of the occluders
   vtkGodRaysTarget Shining;   // opaque parts of a prop tagged LIGHT
-  vtkGodRaysTarget Haze;      // its translucent parts and volumes, over the depth of what blocks
+  vtkGodRaysTarget Haze;      // its translucent parts and volumes, over the depth of the occluders
   vtkGodRaysTarget Layer;
   vtkGodRaysTarget OneColorLayer; // one value a pixel
   vtkGodRaysTarget* Composed = nullptr;
   vtkSmartPointer<vtkCamera> WideCamera;
   Request Frame{};
   std::vector<vtkProp*> Blocking;
-  vtkTextureObject* Depth = nullptr; // of what blocks
+  vtkTextureObject* Depth = nullptr; // of the occluders
   bool Dimmed = false;
   int Width = 0; // of the layer [pixels]
   int Height = 0;
@@ -153,7 +153,7 @@ bool vtkGodRaysOcclusionPass::SceneDepthServes(const Request& request)
   vtkGodRaysCompositor* compositor = request.Compositor;
   if (compositor && compositor->IsDistributed())
   {
-    // It does on one process alone; translucent parts and what shines need it on all of them.
+    // It does on one process alone; translucent parts and emitters need it on all of them.
     const bool own = sorted.NotBlocking > 0 || sorted.Shining > 0 || !sorted.Dimming.empty();
     return !vtkGodRaysCompositor::Any(compositor, own || !compositor->HasDepth()) &&
       request.Margin == 0.0;
@@ -353,7 +353,7 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysSource& source)
 }
 
 //------------------------------------------------------------------------------
-// Draw what shines into the bound framebuffer, with or without the disc.
+// Draw the emitter into the bound framebuffer, with or without the disc.
 bool vtkGodRaysOcclusionPass::Draw(const vtkGodRaysSource& source, bool disc, bool hazy)
 {
   Internals& self = *this->Internal;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGodRaysOcclusionPass
- * @brief   the first stage: for each light a layer of what shines, less what blocks it
+ * @brief   the first stage: for each light a layer of its emitter, less the occluders
  *
- * When every prop blocks light, the scene's own depth says what blocks it and no geometry is
+ * When every prop blocks light, the scene's own depth holds its occluders and no geometry is
  * rendered again. Otherwise, or with a margin about the picture, the props that block are rendered
  * into a depth of their own, each in its ordinary way, so that no shader is rebuilt. Translucent
  * props and volumes that block are rendered once more, into an opacity by which the light is
@@ -13,8 +13,8 @@
  * translucent ones as they show before black.
  *
  * With a vtkGodRaysCompositor, a scene on several processes is joined layer by layer: the least
- * depth of what blocks, the product of what translucent props and volumes let through, and the
- * nearest of what shines. Translucent parts of what shines are added, whatever their order.
+ * depth of the occluders, the product of what translucent props and volumes let through, and the
+ * nearest of the emitters. Translucent parts of emitters are added, whatever their order.
  *
  * @sa vtkGodRaysPass
  */
@@ -74,7 +74,7 @@ public:
   VTK_WRAPEXCLUDE static bool SceneDepthServes(const Request& request);
 
   /**
-   * Find and, where need be, render what blocks light. Returns false if the driver refuses.
+   * Find and, where need be, render the occluders. Returns false if the driver refuses.
    */
   VTK_WRAPEXCLUDE bool Begin(const Request& request);
 
@@ -94,7 +94,7 @@ public:
   VTK_WRAPEXCLUDE vtkGodRaysTarget* GetLayer();
 
   /**
-   * Window depth of what blocks light, of the layer's size.
+   * Window depth of the occluders, of the layer's size.
    */
   VTK_WRAPEXCLUDE vtkTextureObject* GetDepth();
 

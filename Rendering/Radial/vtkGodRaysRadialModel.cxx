@@ -123,7 +123,7 @@ TapSums SumPostprocessing(const Parameters& p, int)
 }
 
 //------------------------------------------------------------------------------
-// What blocks, 1 - s, is blurred three times with 6 taps, 1/6, 1/36 and 1/216 of the picture apart;
+// The occluders, 1 - s, are blurred three times with 6 taps, 1/6, 1/36 and 1/216 of the picture apart;
 // what is left of the light is e (1 - blur).
 TapSums SumThreeJS(const Parameters& p, int)
 {
