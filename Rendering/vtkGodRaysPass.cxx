@@ -598,6 +598,7 @@ bool vtkGodRaysPass::RenderRays(
   const bool done = bound.Formats.Color && bound.Formats.Depth &&
     this->FindOccluders(s, view, bound, viewport) && this->DrawLights(s, view, sources) &&
     this->DrawOutput(s, bound, viewport);
+  self.HasRays = self.HasRays && done; // else layers may lack lights
   self.Effect->End();
   self.Occlusion->End();
   return done;
