@@ -703,7 +703,10 @@ bool vtkGodRaysPass::DrawOutput(
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, bound.Binding);
   vtkGodRaysSum* light = this->Output == OCCLUSION ? self.Effect->GetLayers() : &self.Scattering;
   vtkGodRaysBlendPass::Request request;
-  self.Effect->Join(request);
+  if (this->Output == COMPOSITE)
+  {
+    self.Effect->Join(request);
+  }
   request.Screen = this->Blend == MODEL_BLEND ? request.Screen : this->Blend == SCREEN;
   bool drawn = true;
   if (light)
