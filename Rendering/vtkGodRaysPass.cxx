@@ -10,6 +10,8 @@
 #include "vtkGodRaysEffect.h"
 #include "vtkGodRaysFramebuffer.h"
 #include "vtkGodRaysIntegrator.h"
+#include "vtkGodRaysLight.h"
+#include "vtkGodRaysLightFinder.h"
 #include "vtkGodRaysOcclusionPass.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysRadialModel.h"
@@ -17,12 +19,11 @@
 #include "vtkGodRaysScene.h"
 #include "vtkGodRaysSceneCopy.h"
 #include "vtkGodRaysSetGet.h"
-#include "vtkGodRaysSource.h"
-#include "vtkGodRaysSourceFinder.h"
 #include "vtkGodRaysSum.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysTimers.h"
 #include "vtkGodRaysTransfer.h"
+#include "vtkGodRaysView.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
@@ -87,7 +88,7 @@ struct vtkGodRaysPass::Internals
   bool HasScattering = false;                   // alike
   bool HasBackdrop = false;
   bool KeepAllLayers = false;
-  int NumberOfSources = 0; // of the last frame
+  int NumberOfLights = 0; // of the last frame
   vtkGodRaysTransfer Transfer = vtkGodRaysTransfer::SRGB;
   double Margin = 0.0;        // of the layers of this frame
   bool DrawsScene = false;    // at this moment
@@ -419,7 +420,7 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   this->NumberOfGeometryPasses = 1;
 
   vtkGodRaysView view;
-  std::vector<vtkGodRaysSource> sources;
+  std::vector<vtkGodRaysLight> lights;
   const char* reason = this->FindReasonForNoRays(s, window);
   const bool hasLayers = !reason;
   if (hasLayers)
@@ -432,8 +433,8 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
     self.Transfer = self.Effect->SumsShownValues()
       ? vtkGodRaysTransfer::NONE
       : vtkGodRaysFindTransfer(this->DisplayTransfer, renderer, this);
-    sources = this->FindSources(renderer, view);
-    reason = sources.empty() && !this->DimsScene() ? "no light reaches the picture" : nullptr;
+    lights = this->FindLights(renderer, view);
+    reason = lights.empty() && !this->DimsScene() ? "no light reaches the picture" : nullptr;
     const std::string obstacle = self.Effect->FindObstacle(view, viewport + 2);
     if (!obstacle.empty())
     {
@@ -441,7 +442,7 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
       reason = "the model cannot be evaluated in this projection";
     }
   }
-  self.NumberOfSources = static_cast<int>(sources.size());
+  self.NumberOfLights = static_cast<int>(lights.size());
   if (reason)
   {
     self.StagePlan = std::string("rays: none, ") + reason + "\nscene: drawn straight through\n";
@@ -469,7 +470,7 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   {
     self.StagePlan = "rays: none, the delegate leads back to this pass\n";
   }
-  else if (!this->RenderRays(s, view, sources))
+  else if (!this->RenderRays(s, view, lights))
   {
     this->Complain("the framebuffer of this window cannot be copied or drawn into by the rays' "
                    "stages. Render into a window or framebuffer with a depth buffer and 8-bit or "
@@ -566,11 +567,11 @@ void vtkGodRaysPass::RenderScene(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkGodRaysSource> vtkGodRaysPass::FindSources(
+std::vector<vtkGodRaysLight> vtkGodRaysPass::FindLights(
   vtkRenderer* renderer, const vtkGodRaysView& view)
 {
   Internals& self = *this->Internal;
-  vtkGodRaysSourceFinder finder;
+  vtkGodRaysLightFinder finder;
   finder.Renderer = renderer;
   finder.SourceRadius = this->SourceRadius;
   finder.SunAngularRadius = this->SunAngularRadius;
@@ -581,14 +582,14 @@ std::vector<vtkGodRaysSource> vtkGodRaysPass::FindSources(
   finder.Tiles = GetTiles(renderer->GetRenderWindow());
   finder.Compositor = self.Compositor;
   self.Effect->SetUp(finder);
-  auto sources = finder.Find(view, self.Lights);
+  auto lights = finder.Find(view, self.Lights);
   self.LightPlan = finder.GetPlan();
-  return sources;
+  return lights;
 }
 
 //------------------------------------------------------------------------------
 bool vtkGodRaysPass::RenderRays(
-  const vtkRenderState* s, const vtkGodRaysView& view, const std::vector<vtkGodRaysSource>& sources)
+  const vtkRenderState* s, const vtkGodRaysView& view, const std::vector<vtkGodRaysLight>& lights)
 {
   Internals& self = *this->Internal;
   const vtkGodRaysStateKeeper keeper(self.Window->GetState());
@@ -596,7 +597,7 @@ bool vtkGodRaysPass::RenderRays(
   vtkGodRaysScene::GetViewport(s, viewport);
   const vtkGodRaysFramebuffer bound;
   const bool done = bound.Formats.Color && bound.Formats.Depth &&
-    this->FindOccluders(s, view, bound, viewport) && this->DrawLights(s, view, sources) &&
+    this->FindOccluders(s, view, bound, viewport) && this->DrawLights(s, view, lights) &&
     this->DrawOutput(s, bound, viewport);
   self.HasRays = self.HasRays && done; // else layers may lack lights
   self.Effect->End();
@@ -651,7 +652,7 @@ bool vtkGodRaysPass::FindOccluders(const vtkRenderState* s, const vtkGodRaysView
 
 //------------------------------------------------------------------------------
 bool vtkGodRaysPass::DrawLights(
-  const vtkRenderState* s, const vtkGodRaysView& view, const std::vector<vtkGodRaysSource>& sources)
+  const vtkRenderState* s, const vtkGodRaysView& view, const std::vector<vtkGodRaysLight>& lights)
 {
   Internals& self = *this->Internal;
   vtkGodRaysEffect::Frame frame;
@@ -665,7 +666,7 @@ bool vtkGodRaysPass::DrawLights(
   frame.Timers = &self.Timers;
   frame.Light = &self.Scattering;
   frame.Format = this->GetLayerFormat();
-  frame.NumberOfLights = static_cast<int>(sources.size());
+  frame.NumberOfLights = static_cast<int>(lights.size());
   const bool interactive = self.Window->GetDesiredUpdateRate() >= 1.0;
   frame.ErrorTolerance = interactive
     ? std::max(this->ErrorTolerance, this->InteractiveErrorTolerance)
@@ -677,8 +678,8 @@ bool vtkGodRaysPass::DrawLights(
   self.Scattering.Begin(self.Window, width, height, frame.Format);
   self.Effect->Begin(frame);
   self.HasRays = true;
-  return std::all_of(sources.begin(), sources.end(),
-    [&](const vtkGodRaysSource& source) { return self.Effect->DrawLight(frame, source); });
+  return std::all_of(lights.begin(), lights.end(),
+    [&](const vtkGodRaysLight& light) { return self.Effect->DrawLight(frame, light); });
 }
 
 //------------------------------------------------------------------------------

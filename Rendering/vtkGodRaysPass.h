@@ -57,7 +57,7 @@ class vtkOpenGLState;
 class vtkProp;
 class vtkRenderer;
 struct vtkGodRaysFramebuffer;
-struct vtkGodRaysSource;
+struct vtkGodRaysLight;
 struct vtkGodRaysView;
 
 class VTKGODRAYSRENDERING_EXPORT vtkGodRaysPass : public vtkImageProcessingPass
@@ -379,14 +379,14 @@ private:
 
   // Render(), step by step. Reasons and plans are for GetPlan().
   const char* FindReasonForNoRays(const vtkRenderState* s, vtkOpenGLRenderWindow* window);
-  std::vector<vtkGodRaysSource> FindSources(vtkRenderer* renderer, const vtkGodRaysView& view);
+  std::vector<vtkGodRaysLight> FindLights(vtkRenderer* renderer, const vtkGodRaysView& view);
   void RenderScene(const vtkRenderState* s);
   bool RenderRays(const vtkRenderState* s, const vtkGodRaysView& view,
-    const std::vector<vtkGodRaysSource>& sources);
+    const std::vector<vtkGodRaysLight>& lights);
   bool FindOccluders(const vtkRenderState* s, const vtkGodRaysView& view,
     const vtkGodRaysFramebuffer& bound, const int viewport[4]);
   bool DrawLights(const vtkRenderState* s, const vtkGodRaysView& view,
-    const std::vector<vtkGodRaysSource>& sources);
+    const std::vector<vtkGodRaysLight>& lights);
   unsigned int GetLayerFormat() const;
   double FindMargin(vtkOpenGLRenderWindow* window, const int size[2]) const;
   bool DimsScene() const;

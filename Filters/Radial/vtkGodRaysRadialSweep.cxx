@@ -18,47 +18,14 @@ namespace
 {
 using vtkGodRays::SweepEffort;
 using vtkGodRays::SweepImage;
-using vtkGodRays::SweepMarch;
 using vtkGodRays::SweepPlan;
 using vtkGodRays::SweepResult;
 using vtkGodRays::SweepWedge;
 using vtkGodRays::SweepWorkspace;
 using Parameters = vtkGodRaysRadialSweep::Parameters;
 
-// Below these the sweep is not faster, or not as accurate, as taps.
-constexpr double ShortestMarch = 8.0; // [pixels]
-constexpr int SmallestImage = 32;     // [pixels]
-
-// Taps of a picture that are affordable: as many as 100 a pixel of 1920 x 1080.
-constexpr double MostTaps = 2e8;
-
 // Sums of the largest floats stay finite.
 constexpr float ScaleOfFloats = 1.0f / 1048576.0f;
-
-//------------------------------------------------------------------------------
-// What the parameters mean in pixels. An infinite k, no march: the pixel itself, times Gain.
-SweepMarch MakeMarch(const Parameters& parameters, int width, int height)
-{
-  const int n = parameters.NumberOfSamples;
-  const double* light = parameters.LightClip;
-  const vtkGodRays::Vec3 lightClip(light[0], light[1], light[2]);
-  const double size[2] = { static_cast<double>(width), static_cast<double>(height) };
-
-  SweepMarch march;
-  march.Gain =
-    parameters.Exposure * parameters.Weight * vtkGodRays::GeometricSum(parameters.Decay, n);
-  march.K = -n * std::log(parameters.Decay);
-  // The march is linear in the pixel: known from that at the picture's centre, where ndc is 0.
-  const vtkGodRays::Vec2 center =
-    vtkGodRays::MarchVector(lightClip, vtkGodRays::Vec2(0.0), parameters.MarchScale);
-  march.Slope = parameters.Density * parameters.MarchScale * light[2];
-  for (int i = 0; i < 2; ++i)
-  {
-    march.Constant[i] =
-      parameters.Density * center[i] * size[i] + march.Slope * 0.5 * (size[i] - 1.0);
-  }
-  return march;
-}
 
 //------------------------------------------------------------------------------
 // What each effort attains on black and white noise from pixel to pixel: root mean square error
@@ -84,64 +51,21 @@ const EffortRow Efforts[] = {
 };
 
 //------------------------------------------------------------------------------
-// How long the marches are within the picture, in the mean [pixels].
-double EstimateLength(const SweepMarch& march, int width, int height)
-{
-  double sum = 0.0;
-  const double points[5][2] = { { 0.5, 0.5 }, { 0, 0 }, { 1, 0 }, { 0, 1 }, { 1, 1 } };
-  for (const double* point : points)
-  {
-    sum += std::hypot(march.Constant[0] - march.Slope * point[0] * (width - 1),
-      march.Constant[1] - march.Slope * point[1] * (height - 1));
-  }
-  return std::min(0.2 * sum, 0.4 * std::sqrt(static_cast<double>(width) * height));
-}
-
-//------------------------------------------------------------------------------
-// How many pixels are summed, in the mean [pixels]. Steep kernels sum fewer.
-double EstimateSummedPixels(const SweepMarch& march, int width, int height)
-{
-  const double length = EstimateLength(march, width, height);
-  return std::max(1.0, length / std::sqrt(std::max(1.0, std::abs(march.K))));
-}
-
-//------------------------------------------------------------------------------
 // How many taps the whole picture takes at a distance that SumClippedTaps() chooses.
-double EstimateTaps(const SweepMarch& march, int width, int height, double tolerance)
+double EstimateTaps(const vtkGodRaysMarch& march, double tolerance)
 {
   const double spacing = std::min(std::max(std::sqrt(tolerance / 0.09), 0.02), 1.0);
-  return EstimateLength(march, width, height) / spacing * width * height;
-}
-
-//------------------------------------------------------------------------------
-// From 1 for a light in the picture to 4 for parallel rays, whose lines come no closer together
-// away from where they are farthest apart.
-double EstimateParallelism(const SweepMarch& march, int width, int height)
-{
-  const double size[2] = { static_cast<double>(width), static_cast<double>(height) };
-  double nearest = 0.0;
-  double farthest = 0.0;
-  for (int i = 0; i < 2; ++i)
-  {
-    const double low = march.Constant[i];
-    const double high = march.Constant[i] - march.Slope * (size[i] - 1.0);
-    nearest = std::max(nearest, low * high > 0.0 ? std::min(std::abs(low), std::abs(high)) : 0.0);
-    farthest = std::max({ farthest, std::abs(low), std::abs(high) });
-  }
-  return 1.0 + (farthest > 0.0 ? 3.0 * nearest / farthest : 0.0);
+  return march.GetLength() / spacing * march.PictureSize[0] * march.PictureSize[1];
 }
 
 //------------------------------------------------------------------------------
 // The least effort that keeps the tolerance; false if none does.
-bool ChooseEffort(
-  double tolerance, const SweepMarch& march, int width, int height, SweepEffort& effort)
+bool ChooseEffort(double tolerance, const vtkGodRaysMarch& march, SweepEffort& effort)
 {
   effort.FitTolerance = 0.4 * tolerance;
   effort.TapTolerance = tolerance;
-  const double parallelism = EstimateParallelism(march, width, height);
-  // A kernel that grows gives the far end of the march more weight, where errors are as large.
-  const double growth = std::exp(0.5 * std::min(std::max(-march.K, 0.0), 4.0));
-  const double scale = growth * parallelism / std::sqrt(EstimateSummedPixels(march, width, height));
+  const double parallelism = march.GetParallelism();
+  const double scale = march.GetErrorScale();
   for (const EffortRow& row : Efforts)
   {
     // Parallel lines a whole fraction of a pixel apart can meet the centres of all pixels.
@@ -280,16 +204,14 @@ public:
 private:
   void MakePlan(const Parameters& parameters)
   {
-    this->Plan.March = MakeMarch(parameters, this->Plan.Width, this->Plan.Height);
-    this->IsKept = ChooseEffort(parameters.ErrorTolerance, this->Plan.March, this->Plan.Width,
-      this->Plan.Height, this->Plan.Effort);
+    const int size[2] = { this->Plan.Width, this->Plan.Height };
+    this->Plan.March = vtkGodRaysMarch(parameters, size, size, 1.0);
+    this->IsKept = ChooseEffort(parameters.ErrorTolerance, this->Plan.March, this->Plan.Effort);
     this->Reason = "";
     this->Plan.NumberOfWedges = 0;
-    if (std::isinf(this->Plan.March.K))
+    if (parameters.Decay <= 0.0)
     {
       this->Reason = "decay 0 leaves the pixel itself";
-      this->Plan.March.K = 0.0;
-      this->Plan.March.Slope = this->Plan.March.Constant[0] = this->Plan.March.Constant[1] = 0.0;
       this->Sweeps = false;
     }
     else
@@ -306,20 +228,18 @@ private:
       this->Reason = "as asked for";
       return false;
     }
-    if (vtkGodRays::GetLongestMarch(this->Plan.March, this->Plan.Width, this->Plan.Height) <
-      ShortestMarch)
+    if (this->Plan.March.GetLongest() < vtkGodRaysMarch::ShortestSweep)
     {
       this->Reason = "the longest march is below 8 pixels";
       return false;
     }
-    if (method == AUTOMATIC && size < SmallestImage)
+    if (method == AUTOMATIC && size < vtkGodRaysMarch::SmallestSweep)
     {
       this->Reason = "the image is small";
       return false;
     }
     if (method == AUTOMATIC && !this->IsKept &&
-      EstimateTaps(this->Plan.March, this->Plan.Width, this->Plan.Height,
-        this->Plan.Effort.TapTolerance) <= MostTaps)
+      EstimateTaps(this->Plan.March, this->Plan.Effort.TapTolerance) <= vtkGodRaysMarch::MostTaps)
     {
       this->Reason = "the march is short for the tolerance";
       return false;

@@ -21,6 +21,7 @@
 #define vtkGodRaysRadialSweep_h
 
 #include "vtkGodRaysFiltersModule.h" // For export macro
+#include "vtkGodRaysMarch.h"         // For vtkGodRaysMarchParameters
 
 #include <cstddef>    // For std::ptrdiff_t
 #include <functional> // For std::function
@@ -42,15 +43,8 @@ public:
   /**
    * What vtkGodRaysScatteringFilter's setters of the same names take, in their ranges.
    */
-  struct Parameters
+  struct Parameters : vtkGodRaysMarchParameters
   {
-    double Density = 0.97;
-    double Decay = 0.98;
-    double Weight = 0.03;
-    double Exposure = 1.0;
-    int NumberOfSamples = 100;
-    double LightClip[3] = { 0.0, 0.0, 1.0 };
-    double MarchScale = 1.0;
     double ErrorTolerance = 1.0 / 255.0;
     int Method = AUTOMATIC;
 

@@ -421,7 +421,7 @@ double FindEnd(SweepPlan& plan)
 // The light at the end of all marches, if it is not too far away.
 void FindLight(SweepPlan& plan)
 {
-  const SweepMarch& march = plan.March;
+  const vtkGodRaysMarch& march = plan.March;
   const double size = std::max(plan.Width, plan.Height);
   const double center[2] = { 0.5 * (plan.Width - 1), 0.5 * (plan.Height - 1) };
   double way[2];
@@ -486,21 +486,6 @@ int SweepWedge::GetStride() const
     lines = std::max(lines, octave.Lines);
   }
   return RoundUp(lines, 16) + 64;
-}
-
-//------------------------------------------------------------------------------
-double GetLongestMarch(const SweepMarch& march, int width, int height)
-{
-  double longest = 0.0;
-  for (const int x : { 0, width - 1 })
-  {
-    for (const int y : { 0, height - 1 })
-    {
-      longest = std::max(longest,
-        std::hypot(march.Constant[0] - march.Slope * x, march.Constant[1] - march.Slope * y));
-    }
-  }
-  return longest;
 }
 
 //------------------------------------------------------------------------------

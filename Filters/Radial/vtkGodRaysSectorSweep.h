@@ -40,6 +40,7 @@
 #ifndef vtkGodRaysSectorSweep_h
 #define vtkGodRaysSectorSweep_h
 
+#include "vtkGodRaysMarch.h"
 #include "vtkGodRaysPowerSum.h"
 
 #include <array>
@@ -72,17 +73,6 @@ private:
   std::ptrdiff_t GetIndex(int y) const { return (y + 2) * this->Stride + Padding + this->Offset; }
 
   std::ptrdiff_t Offset = 0;
-};
-
-/**
- * Where the march goes: from the pixel p to p + Constant - Slope p [pixels].
- */
-struct SweepMarch
-{
-  double Constant[2] = { 0.0, 0.0 };
-  double Slope = 0.0;
-  double K = 0.0;    ///< the kernel is e^(-k t)
-  double Gain = 0.0; ///< of a constant image
 };
 
 /**
@@ -188,7 +178,7 @@ struct SweepPlan
 {
   int Width = 0;
   int Height = 0;
-  SweepMarch March;
+  vtkGodRaysMarch March;
   SweepEffort Effort;
   double Light[2] = { 0.0, 0.0 }; ///< as used; far ones are brought nearer
   double Density = 0.0;           ///< fraction of the way to the light; negative: away from it
@@ -205,11 +195,6 @@ struct SweepPlan
  * cannot keep the tolerance here, and why.
  */
 bool PlanSweep(SweepPlan& plan, const char*& reason);
-
-/**
- * The largest distance between a pixel and where its march ends [pixels].
- */
-double GetLongestMarch(const SweepMarch& march, int width, int height);
 }
 
 #endif

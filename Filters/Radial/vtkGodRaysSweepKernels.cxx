@@ -1236,7 +1236,7 @@ HWY_INLINE Float SampleImage(const SweepImage& image, Float x, Float y)
 //------------------------------------------------------------------------------
 // Within how much of t in [0, reach] a march is over the image.
 inline double FindStretch(
-  const SweepMarch& march, const SweepImage& image, double reach, const double position[2])
+  const vtkGodRaysMarch& march, const SweepImage& image, double reach, const double position[2])
 {
   const double size[2] = { static_cast<double>(image.Width), static_cast<double>(image.Height) };
   double begin = 0.0;
@@ -1259,7 +1259,7 @@ inline double FindStretch(
 // How many taps the longest march of some pixels of row y needs: the number does not depend on how
 // many lanes there are. Taps h pixels apart miss at most 0.06 h^2 of what a single bright pixel, or
 // a steep kernel, contributes.
-inline int CountTaps(const SweepMarch& march, const SweepImage& image, double reach,
+inline int CountTaps(const vtkGodRaysMarch& march, const SweepImage& image, double reach,
   double tolerance, int y, int first, int last)
 {
   double length = 0.0;
@@ -1282,7 +1282,7 @@ inline int CountTaps(const SweepMarch& march, const SweepImage& image, double re
 //------------------------------------------------------------------------------
 // Midpoint taps; each has the weight that the kernel has in its stretch:
 //   L = Gain/phi(k) sum_i e^(-k t_i) sinh(z)/z dt s(p + t_i v),  z = k dt/2
-void RunTaps(const SweepMarch& march, const SweepImage& image, double tolerance, int y,
+void RunTaps(const vtkGodRaysMarch& march, const SweepImage& image, double tolerance, int y,
   int firstPixel, int lastPixel, float* to)
 {
   const FloatTag d;
@@ -1390,7 +1390,7 @@ void SweepBand(const SweepPlan& plan, const SweepWedge& wedge, int band, const S
 }
 
 //------------------------------------------------------------------------------
-void SumClippedTaps(const SweepMarch& march, const SweepImage& image, double tolerance, int y,
+void SumClippedTaps(const vtkGodRaysMarch& march, const SweepImage& image, double tolerance, int y,
   int first, int last, float* to)
 {
   HWY_DYNAMIC_DISPATCH(RunTaps)(march, image, tolerance, y, first, last, to);

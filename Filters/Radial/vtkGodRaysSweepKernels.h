@@ -41,7 +41,7 @@ void SweepBand(const SweepPlan& plan, const SweepWedge& wedge, int band, const S
 
 /// Sum taps along the marches of pixels first to last of row y, within the image only.
 /// tolerance: root mean square error that is accepted [fraction of the peak].
-void SumClippedTaps(const SweepMarch& march, const SweepImage& image, double tolerance, int y,
+void SumClippedTaps(const vtkGodRaysMarch& march, const SweepImage& image, double tolerance, int y,
   int first, int last, float* to);
 
 ///@{

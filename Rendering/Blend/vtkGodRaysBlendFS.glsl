@@ -52,11 +52,11 @@ vec3 SceneTransmittance(ivec2 pixel)
   viewDepth = rest > 0.0 && viewDepth > 0.0 ? min(viewDepth, farLimit) : farLimit;
   vec2 place = pictureScale * (2.0 * texCoord - 1.0);
   vec3 ray = pictureOrigin + place.x * pictureRight + place.y * pictureUp;
-  float way = parallel ? viewDepth : viewDepth * length(ray) / -ray.z;
+  float way = parallel ? viewDepth : viewDepth * length(ray) / ray.z;
   vec3 tau = (thinsOut || !hasSecond ? extinction : extinction + secondExtinction) * way;
   if (thinsOut)
   {
-    vec3 direction = parallel ? vec3(0.0, 0.0, -1.0) : normalize(ray);
+    vec3 direction = parallel ? vec3(0.0, 0.0, 1.0) : normalize(ray);
     vec3 origin = parallel ? vec3(ray.xy, 0.0) : vec3(0.0);
     vec2 start = MediumStart(planetRadius, eyeHeight, mediumUp, origin, direction);
     tau = extinction * MediumDepth(planetRadius, start.x, start.y, scaleHeight.x, way);

@@ -6,7 +6,7 @@
 #include "vtkGodRaysMedium.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysQuad.h"
-#include "vtkGodRaysSource.h"
+#include "vtkGodRaysView.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -34,8 +34,7 @@ void SetMedium(vtkShaderProgram* program, const vtkGodRaysBlendPass::Request& re
   vtkGodRaysQuad::SetVector(program, "extinction", extinction[0]);
   vtkGodRaysQuad::SetVector(program, "secondExtinction", extinction[1]);
   program->SetUniform2f("scaleHeight", scaleHeight);
-  const double mediumUp[3] = { medium.Up[0], medium.Up[1], -medium.Up[2] }; // as OpenGL's z
-  vtkGodRaysQuad::SetVector(program, "mediumUp", mediumUp);
+  vtkGodRaysQuad::SetVector(program, "mediumUp", medium.Up);
   program->SetUniformf("eyeHeight", static_cast<float>(medium.EyeHeight));
   program->SetUniformf("planetRadius", static_cast<float>(medium.PlanetRadius));
   program->SetUniformf("farLimit", static_cast<float>(medium.FarLimit));

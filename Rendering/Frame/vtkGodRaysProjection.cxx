@@ -3,13 +3,14 @@
 #include "vtkGodRaysProjection.h"
 
 #include "vtkCamera.h"
+#include "vtkGodRaysView.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkRenderer.h"
 
 //------------------------------------------------------------------------------
-vtkGodRaysProjection::vtkGodRaysProjection(
-  vtkRenderer* renderer, const double viewToClip[16], vtkSmartPointer<vtkCamera>& standIn)
+vtkGodRaysProjection::vtkGodRaysProjection(vtkRenderer* renderer, const vtkGodRaysView& view,
+  const double viewToClip[16], vtkSmartPointer<vtkCamera>& standIn)
   : Renderer(renderer)
   , Camera(renderer->GetActiveCamera())
 {
@@ -18,7 +19,7 @@ vtkGodRaysProjection::vtkGodRaysProjection(
     standIn = vtkSmartPointer<vtkCamera>::New();
   }
   vtkNew<vtkMatrix4x4> projection;
-  projection->DeepCopy(viewToClip);
+  vtkMatrix4x4::Multiply4x4(viewToClip, view.CameraToView, projection->GetData());
   standIn->DeepCopy(this->Camera);
   standIn->SetUserTransform(nullptr); // the matrix has it
   standIn->SetExplicitProjectionTransformMatrix(projection);

@@ -15,16 +15,17 @@
 
 class vtkCamera;
 class vtkRenderer;
+struct vtkGodRaysView;
 
 class vtkGodRaysProjection
 {
 public:
   /**
-   * Project by a row-major matrix from view coordinates, those of vtkGodRaysView, to clip
-   * coordinates. The camera that stands in is kept by the caller from frame to frame.
+   * Project by a row-major matrix from view coordinates to clip coordinates. The camera that stands in
+   * is kept by the caller from frame to frame.
    */
-  vtkGodRaysProjection(
-    vtkRenderer* renderer, const double viewToClip[16], vtkSmartPointer<vtkCamera>& standIn);
+  vtkGodRaysProjection(vtkRenderer* renderer, const vtkGodRaysView& view,
+    const double viewToClip[16], vtkSmartPointer<vtkCamera>& standIn);
   ~vtkGodRaysProjection();
   vtkGodRaysProjection(const vtkGodRaysProjection&) = delete;
   void operator=(const vtkGodRaysProjection&) = delete;

@@ -73,7 +73,7 @@ void vtkGodRaysAtmosphereModel::SetUp(double x, double y, double z)
 
 //------------------------------------------------------------------------------
 void vtkGodRaysAtmosphereModel::FillMedium(
-  vtkGodRaysMedium& medium, const double worldToView[16], const double eye[3]) const
+  vtkGodRaysMedium& medium, const double worldToView[16]) const
 {
   medium.NumberOfComponents = 2;
   vtkGodRaysMedium::Component& molecules = medium.Components[0];
@@ -87,7 +87,7 @@ void vtkGodRaysAtmosphereModel::FillMedium(
   aerosols.Asymmetry = this->MieAsymmetry;
   aerosols.ScaleHeight = this->MieScaleHeight;
 
-  // A view is the world, turned and then moved by the last column.
+  // A view is the world, turned and then moved by the last column; the eye is its origin.
   double up[3] = { this->Up[0], this->Up[1], this->Up[2] };
   vtkMath::Normalize(up);
   double place[3] = { 0.0, 0.0, 0.0 };
@@ -95,7 +95,7 @@ void vtkGodRaysAtmosphereModel::FillMedium(
   {
     for (int k = 0; k < 3; ++k)
     {
-      place[k] += worldToView[4 * i + k] * (eye[i] - worldToView[4 * i + 3]);
+      place[k] -= worldToView[4 * i + k] * worldToView[4 * i + 3];
     }
   }
   medium.PlanetRadius = this->PlanetRadius / this->WorldUnitInMeters;
@@ -103,8 +103,7 @@ void vtkGodRaysAtmosphereModel::FillMedium(
   medium.PlaceEye(place, up, this->GroundLevel, vertical);
   for (int i = 0; i < 3; ++i)
   {
-    const double along = vtkMath::Dot(worldToView + 4 * i, vertical);
-    medium.Up[i] = i == 2 ? -along : along;
+    medium.Up[i] = vtkMath::Dot(worldToView + 4 * i, vertical);
   }
 }
 

@@ -129,8 +129,7 @@ protected:
   vtkGodRaysAtmosphereModel();
   ~vtkGodRaysAtmosphereModel() override = default;
 
-  void FillMedium(
-    vtkGodRaysMedium& medium, const double worldToView[16], const double eye[3]) const override;
+  void FillMedium(vtkGodRaysMedium& medium, const double worldToView[16]) const override;
 
 private:
   vtkGodRaysAtmosphereModel(const vtkGodRaysAtmosphereModel&) = delete;

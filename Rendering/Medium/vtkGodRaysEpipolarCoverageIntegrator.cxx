@@ -4,12 +4,12 @@
 
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysCoverageSweep.h"
+#include "vtkGodRaysLight.h"
 #include "vtkGodRaysMediumModel.h"
 #include "vtkGodRaysMediumRays.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysSetGet.h"
 #include "vtkGodRaysSolidLayers.h"
-#include "vtkGodRaysSource.h"
 #include "vtkGodRaysSum.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysViewDepths.h"
@@ -108,26 +108,26 @@ bool vtkGodRaysEpipolarCoverageIntegrator::Integrate(const Request& request)
   vtkGodRaysTarget& depths = *request.Depths->GetBlocking();
   const int size[2] = { depths.GetWidth(), depths.GetHeight() };
   const vtkGodRaysView& view = *request.View;
-  const vtkGodRaysSource& source = *request.Source;
+  const vtkGodRaysLight& light = *request.Light;
   const vtkGodRaysMediumRays rays(request, size);
 
   vtkGodRaysCoverageSweep::Parameters parameters;
   parameters.PixelSize = rays.GetPinhole().PixelSize;
   std::copy_n(rays.GetPinhole().Center, 2, parameters.Center);
   parameters.Parallel = view.Parallel;
-  std::copy_n(rays.GetLight(), 4, parameters.Light);
+  std::copy_n(light.Position, 4, parameters.Light);
   const bool grey = request.Medium->IsGrey(); // then one channel serves a light of any colour
   for (int i = 0; i < 3; ++i)
   {
-    parameters.LightColor[i] = source.Power * (grey ? 1.0 : source.Color[i]);
+    parameters.LightColor[i] = light.Power * (grey ? 1.0 : light.Color[i]);
   }
   parameters.Medium = *request.Medium;
-  parameters.Spot = rays.GetSpot();
+  parameters.Spot = light.Spot;
   parameters.Thickness = this->Thickness;
   parameters.Layers = layers;
   if (!vtkGodRaysCoverageSweep::Supports(parameters))
   {
-    this->TellThatNot(source.Name);
+    this->TellThatNot(light.Name);
     return true;
   }
   self.Sweep.Execute(parameters);
@@ -141,7 +141,7 @@ bool vtkGodRaysEpipolarCoverageIntegrator::Integrate(const Request& request)
   sum.Prepare(request.Window, size[0], size[1],
     { static_cast<unsigned int>(grey ? GL_R32F : GL_RGBA32F), 0 });
   sum.Write(grey ? GL_RED : GL_RGB, GL_FLOAT, self.Sweep.GetResult());
-  return request.Result->Lend(sum, source.Color, view.ViewScale);
+  return request.Result->Lend(sum, light.Color, view.ViewScale);
 }
 
 //------------------------------------------------------------------------------

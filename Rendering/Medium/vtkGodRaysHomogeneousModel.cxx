@@ -92,8 +92,7 @@ bool vtkGodRaysHomogeneousModel::ApplyPreset(const char* name)
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysHomogeneousModel::FillMedium(
-  vtkGodRaysMedium& medium, const double*, const double*) const
+void vtkGodRaysHomogeneousModel::FillMedium(vtkGodRaysMedium& medium, const double*) const
 {
   medium.NumberOfComponents = 1;
   vtkGodRaysMedium::Component& component = medium.Components[0];

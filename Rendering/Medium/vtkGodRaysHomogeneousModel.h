@@ -95,8 +95,7 @@ protected:
   vtkGodRaysHomogeneousModel() = default;
   ~vtkGodRaysHomogeneousModel() override = default;
 
-  void FillMedium(
-    vtkGodRaysMedium& medium, const double worldToView[16], const double eye[3]) const override;
+  void FillMedium(vtkGodRaysMedium& medium, const double worldToView[16]) const override;
 
 private:
   vtkGodRaysHomogeneousModel(const vtkGodRaysHomogeneousModel&) = delete;

@@ -4,11 +4,11 @@
 
 #include "vtkCamera.h"
 #include "vtkGodRaysCompositor.h"
+#include "vtkGodRaysLightFinder.h"
 #include "vtkGodRaysMediumIntegrator.h"
 #include "vtkGodRaysMediumModel.h"
-#include "vtkGodRaysSource.h"
-#include "vtkGodRaysSourceFinder.h"
 #include "vtkGodRaysTimers.h"
+#include "vtkGodRaysView.h"
 #include "vtkRenderer.h"
 
 //------------------------------------------------------------------------------
@@ -36,7 +36,7 @@ bool vtkGodRaysMediumEffect::DimsScene() const
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysMediumEffect::SetUp(vtkGodRaysSourceFinder& finder) const
+void vtkGodRaysMediumEffect::SetUp(vtkGodRaysLightFinder& finder) const
 {
   finder.LightsMedium = true;
 }
@@ -61,11 +61,11 @@ void vtkGodRaysMediumEffect::Begin(const Frame& frame)
   this->Depths.Begin(
     frame.Window, *frame.View, occluders, this->SeenDepth == occluders ? nullptr : this->SeenDepth);
   const double* range = frame.Renderer->GetActiveCamera()->GetClippingRange();
-  this->Medium = this->Model->GetMedium(frame.View->WorldToView, frame.View->Eye, range[1]);
+  this->Medium = this->Model->GetMedium(frame.View->WorldToView, range[1]);
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysMediumEffect::DrawLight(const Frame& frame, const vtkGodRaysSource& source)
+bool vtkGodRaysMediumEffect::DrawLight(const Frame& frame, const vtkGodRaysLight& light)
 {
   if (!frame.Scatters)
   {
@@ -76,7 +76,7 @@ bool vtkGodRaysMediumEffect::DrawLight(const Frame& frame, const vtkGodRaysSourc
   request.Renderer = frame.Renderer;
   request.Medium = &this->Medium;
   request.View = frame.View;
-  request.Source = &source;
+  request.Light = &light;
   request.Blocking = &frame.Occlusion->GetBlocking();
   request.Compositor = frame.Compositor;
   auto integrator = vtkGodRaysMediumIntegrator::SafeDownCast(frame.Integrator);

@@ -25,11 +25,11 @@ public:
   bool SumsShownValues() const override { return false; }
   bool DimsScene() const override;
   bool ReadsSceneDepth() const override { return true; }
-  void SetUp(vtkGodRaysSourceFinder& finder) const override;
+  void SetUp(vtkGodRaysLightFinder& finder) const override;
   void SetUp(
     vtkGodRaysOcclusionPass::Request& request, vtkGodRaysIntegrator* integrator) const override;
   void Begin(const Frame& frame) override;
-  bool DrawLight(const Frame& frame, const vtkGodRaysSource& source) override;
+  bool DrawLight(const Frame& frame, const vtkGodRaysLight& light) override;
   void Join(vtkGodRaysBlendPass::Request& request) const override;
   void End() override;
   bool HasLayers() const override { return false; }

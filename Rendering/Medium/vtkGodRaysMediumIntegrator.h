@@ -25,7 +25,7 @@ class vtkOpenGLRenderWindow;
 class vtkProp;
 class vtkRenderer;
 struct vtkGodRaysMedium;
-struct vtkGodRaysSource;
+struct vtkGodRaysLight;
 struct vtkGodRaysView;
 
 class VTKGODRAYSRENDERING_EXPORT vtkGodRaysMediumIntegrator : public vtkGodRaysIntegrator
@@ -42,7 +42,7 @@ public:
     vtkRenderer* Renderer = nullptr;
     const vtkGodRaysMedium* Medium = nullptr; ///< in scene units
     const vtkGodRaysView* View = nullptr;
-    const vtkGodRaysSource* Source = nullptr;
+    const vtkGodRaysLight* Light = nullptr;
     vtkGodRaysViewDepths* Depths = nullptr;
     const std::vector<vtkProp*>* Blocking = nullptr; ///< their opaque parts block light
     vtkGodRaysCompositor* Compositor = nullptr;      ///< of a scene on several processes
@@ -50,7 +50,7 @@ public:
   };
 
   /**
-   * Add the light of one source to the result. Returns false, after an error, if that failed.
+   * Add what the medium scatters of the light to the result. Returns false, after an error, if that failed.
    */
   VTK_WRAPEXCLUDE virtual bool Integrate(const Request& request) = 0;
 

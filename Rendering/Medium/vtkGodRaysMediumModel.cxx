@@ -17,15 +17,14 @@ namespace
 // Any place will do where only coefficients matter.
 const double Identity[16] = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0,
   0.0, 1.0 };
-const double Origin[3] = { 0.0, 0.0, 0.0 };
 }
 
 //------------------------------------------------------------------------------
 vtkGodRaysMedium vtkGodRaysMediumModel::GetMedium(
-  const double worldToView[16], const double eye[3], double farDepth) const
+  const double worldToView[16], double farDepth) const
 {
   vtkGodRaysMedium medium;
-  this->FillMedium(medium, worldToView, eye);
+  this->FillMedium(medium, worldToView);
   for (int i = 0; i < medium.NumberOfComponents; ++i)
   {
     vtkGodRaysMedium::Component& component = medium.Components[i];
@@ -43,7 +42,7 @@ vtkGodRaysMedium vtkGodRaysMediumModel::GetMedium(
 //------------------------------------------------------------------------------
 bool vtkGodRaysMediumModel::CanScatter() const
 {
-  const vtkGodRaysMedium medium = this->GetMedium(Identity, Origin, 1.0);
+  const vtkGodRaysMedium medium = this->GetMedium(Identity, 1.0);
   double most = 0.0;
   for (int i = 0; i < medium.NumberOfComponents; ++i)
   {

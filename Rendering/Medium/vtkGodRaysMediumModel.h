@@ -86,11 +86,10 @@ public:
   ///@}
 
   /**
-   * The medium in scene units, as an eye sees it: worldToView and eye are those of vtkGodRaysView,
-   * farDepth the view depth of the far clipping plane.
+   * The medium in scene units, as an eye sees it: worldToView is that of vtkGodRaysView, farDepth the
+   * view depth of the far clipping plane.
    */
-  VTK_WRAPEXCLUDE vtkGodRaysMedium GetMedium(
-    const double worldToView[16], const double eye[3], double farDepth) const;
+  VTK_WRAPEXCLUDE vtkGodRaysMedium GetMedium(const double worldToView[16], double farDepth) const;
 
   bool CanScatter() const override;
   VTK_NEWINSTANCE vtkGodRaysIntegrator* MakeIntegrator() const override;
@@ -103,8 +102,7 @@ protected:
   /**
    * Fill in components [1/m, m], and what their heights are counted from.
    */
-  virtual void FillMedium(
-    vtkGodRaysMedium& medium, const double worldToView[16], const double eye[3]) const = 0;
+  virtual void FillMedium(vtkGodRaysMedium& medium, const double worldToView[16]) const = 0;
 
   double WorldUnitInMeters = 1.0;
   double FarLimit = 0.0;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysMediumRays.h"
 
+#include "vtkGodRaysLight.h"
 #include "vtkGodRaysMath.h"
+#include "vtkGodRaysMedium.h"
 #include "vtkGodRaysMediumRaysFS.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysQuad.h"
@@ -50,25 +52,18 @@ vtkGodRaysMediumRays::vtkGodRaysMediumRays(
   , LayerSize{ layerSize[0], layerSize[1] }
 {
   request.View->GetPinhole(layerSize, this->Pinhole);
-  const vtkGodRaysSource& source = *request.Source;
-  for (int i = 0; i < 3; ++i)
-  {
-    const double place = source.Position[i] - (source.Infinite ? 0.0 : request.View->Eye[i]);
-    this->Light[i] = i == 2 ? -place : place;
-  }
-  this->Light[3] = source.Infinite ? 0.0 : 1.0;
-  this->Spot.CosCone = source.CosCone;
-  this->Spot.Exponent = source.SpotExponent;
-  for (int i = 0; i < 3; ++i)
-  {
-    this->Spot.Axis[i] = i == 2 ? -source.SpotAxis[i] : source.SpotAxis[i];
-  }
 }
 
 //------------------------------------------------------------------------------
 bool vtkGodRaysMediumRays::IsParallel() const
 {
   return this->Request.View->Parallel;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysMediumRays::IsInfinite() const
+{
+  return this->Request.Light->IsInfinite();
 }
 
 //------------------------------------------------------------------------------
@@ -94,21 +89,21 @@ void vtkGodRaysMediumRays::Set(vtkShaderProgram* program) const
   SetPair(program, "viewCenter", this->Pinhole.Center[0], this->Pinhole.Center[1]);
   SetNumber(program, "pixelSize", this->Pinhole.PixelSize);
   SetNumber(program, "farLimit", medium.FarLimit);
-  const float light[4] = { static_cast<float>(this->Light[0]), static_cast<float>(this->Light[1]),
-    static_cast<float>(this->Light[2]), static_cast<float>(this->Light[3]) };
-  program->SetUniform4f("light", light);
-  const vtkGodRaysSource& source = *this->Request.Source;
-  const double color[3] = { source.Power * source.Color[0], source.Power * source.Color[1],
-    source.Power * source.Color[2] };
+  const vtkGodRaysLight& light = *this->Request.Light;
+  float position[4];
+  std::copy_n(light.Position, 4, position);
+  program->SetUniform4f("light", position);
+  const double color[3] = { light.Power * light.Color[0], light.Power * light.Color[1],
+    light.Power * light.Color[2] };
   vtkGodRaysQuad::SetVector(program, "lightColor", color);
   const glm::dvec3 up(medium.Up[0], medium.Up[1], medium.Up[2]);
-  const glm::dvec3 place(this->Light[0], this->Light[1], this->Light[2]);
+  const glm::dvec3 place(light.Position[0], light.Position[1], light.Position[2]);
   SetNumber(program, "lightHeight",
     vtkGodRays::MediumStart(medium.PlanetRadius, medium.EyeHeight, up, place, up).x);
   SetNumber(program, "planetRadius", medium.PlanetRadius);
-  vtkGodRaysQuad::SetVector(program, "spotAxis", this->Spot.Axis);
-  SetNumber(program, "cosCone", this->Spot.CosCone);
-  SetNumber(program, "spotExponent", this->Spot.Exponent);
+  vtkGodRaysQuad::SetVector(program, "spotAxis", light.Spot.Axis);
+  SetNumber(program, "cosCone", light.Spot.CosCone);
+  SetNumber(program, "spotExponent", light.Spot.Exponent);
   vtkGodRaysQuad::SetVector(program, "mediumUp", medium.Up);
   SetNumber(program, "eyeHeight", medium.EyeHeight);
   const bool closed = this->IsInfinite() &&

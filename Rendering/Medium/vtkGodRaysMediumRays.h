@@ -11,9 +11,8 @@
 #ifndef vtkGodRaysMediumRays_h
 #define vtkGodRaysMediumRays_h
 
-#include "vtkGodRaysMedium.h"           // For vtkGodRaysSpot
 #include "vtkGodRaysMediumIntegrator.h" // For Request
-#include "vtkGodRaysSource.h"           // For vtkGodRaysView::Pinhole
+#include "vtkGodRaysView.h"             // For Pinhole
 
 #include <string>
 
@@ -39,21 +38,10 @@ public:
    * medium homogeneous, and one channel serves a light of any colour.
    */
   bool IsParallel() const;
-  bool IsInfinite() const { return this->Light[3] == 0.0; }
+  bool IsInfinite() const;
   bool IsUniform() const;
   bool IsGrey() const;
   ///@}
-
-  /**
-   * The light in view coordinates, x to the right, y up, z forwards from the eye: (x, y, z)/w, or with
-   * w = 0 the direction to it.
-   */
-  const double* GetLight() const { return this->Light; }
-
-  /**
-   * Its cone, in these coordinates.
-   */
-  const vtkGodRaysSpot& GetSpot() const { return this->Spot; }
 
   const vtkGodRaysView::Pinhole& GetPinhole() const { return this->Pinhole; }
 
@@ -68,8 +56,6 @@ private:
   const vtkGodRaysMediumIntegrator::Request& Request;
   vtkGodRaysView::Pinhole Pinhole;
   int LayerSize[2];
-  double Light[4];
-  vtkGodRaysSpot Spot;
 };
 
 #endif

@@ -5,10 +5,11 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkGodRaysCompositor.h"
+#include "vtkGodRaysLight.h"
 #include "vtkGodRaysMedium.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysProjection.h"
-#include "vtkGodRaysSource.h"
+#include "vtkGodRaysView.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -31,6 +32,8 @@
 
 namespace
 {
+const double Eye[3] = { 0.0, 0.0, 0.0 };
+
 /// The bounds of the occluders, on all processes.
 bool GetBounds(const vtkGodRaysMediumIntegrator::Request& request, double bounds[6])
 {
@@ -79,13 +82,14 @@ bool AddState(vtkProp* prop, std::vector<const void*>& objects, std::vector<doub
   return true;
 }
 
-/// Right-handed: right, up, and backwards from what is looked at.
+/// Right, up, and backwards from what is looked at. View coordinates are left-handed: the order of the
+/// product keeps the faces of props facing as they do.
 void SetAxes(const double backwards[3], double axes[3][3])
 {
   std::copy_n(backwards, 3, axes[2]);
   double unused[3];
   vtkMath::Perpendiculars(axes[2], axes[0], unused, 0.0);
-  vtkMath::Cross(axes[2], axes[0], axes[1]);
+  vtkMath::Cross(axes[0], axes[2], axes[1]);
 }
 
 /// Where the layer's point (x, y) is at a view depth.
@@ -99,12 +103,12 @@ void GetPlace(const vtkGodRaysView& view, double x, double y, double depth, doub
   {
     place[i] = origin[i] + x * right[i] + y * up[i];
   }
-  const double scale = view.Parallel ? 1.0 : -depth / place[2];
+  const double scale = view.Parallel ? 1.0 : depth / place[2];
   for (int i = 0; i < 2; ++i)
   {
-    place[i] = view.Eye[i] + scale * place[i];
+    place[i] *= scale;
   }
-  place[2] = view.Eye[2] - depth;
+  place[2] = depth;
 }
 
 /// How far a place is along axes from an origin.
@@ -201,7 +205,8 @@ void vtkGodRaysShadowMap::Render(
     const int corner[2] = { face % 3 * this->Size, face / 3 * this->Size };
     state->vtkglViewport(corner[0], corner[1], this->Size, this->Size);
     state->vtkglScissor(corner[0], corner[1], this->Size, this->Size);
-    const vtkGodRaysProjection projection(request.Renderer, this->ViewToMap[face], this->Camera);
+    const vtkGodRaysProjection projection(
+      request.Renderer, *request.View, this->ViewToMap[face], this->Camera);
     for (vtkProp* prop : *request.Blocking)
     {
       prop->RenderOpaqueGeometry(request.Renderer);
@@ -224,7 +229,6 @@ void vtkGodRaysShadowMap::Fit(const vtkGodRaysMediumIntegrator::Request& request
   {
     return;
   }
-  std::copy_n(request.View->Eye, 3, this->Eye);
   double corners[8][3]; // in view coordinates
   for (int i = 0; i < 8; ++i)
   {
@@ -233,7 +237,7 @@ void vtkGodRaysShadowMap::Fit(const vtkGodRaysMediumIntegrator::Request& request
     vtkMatrix4x4::MultiplyPoint(request.View->WorldToView, world, view);
     std::copy_n(view, 3, corners[i]);
   }
-  this->Perspective = !request.Source->Infinite;
+  this->Perspective = !request.Light->IsInfinite();
   if (this->Perspective)
   {
     this->FitPoint(request, corners);
@@ -250,13 +254,13 @@ void vtkGodRaysShadowMap::FitDirectional(
   const vtkGodRaysMediumIntegrator::Request& request, const double corners[8][3])
 {
   double axes[3][3];
-  SetAxes(request.Source->Direction, axes);
+  SetAxes(request.Light->Direction, axes);
   double low[3] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
   double high[3] = { -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
   for (int i = 0; i < 8; ++i)
   {
     double along[3];
-    GetAlong(axes, this->Eye, corners[i], along);
+    GetAlong(axes, Eye, corners[i], along);
     for (int k = 0; k < 3; ++k)
     {
       low[k] = std::min(low[k], along[k]);
@@ -275,7 +279,7 @@ void vtkGodRaysShadowMap::FitDirectional(
     double place[3];
     GetPlace(*request.View, x, y, depth, place);
     double along[3];
-    GetAlong(axes, this->Eye, place, along);
+    GetAlong(axes, Eye, place, along);
     for (int k = 0; k < 2; ++k)
     {
       seenLow[k] = std::min(seenLow[k], along[k]);
@@ -301,14 +305,14 @@ void vtkGodRaysShadowMap::FitDirectional(
   this->Range[0] = -high[2] - around;
   this->Range[1] = -low[2] + around;
   this->Texel = std::max(high[0] - low[0], high[1] - low[1]);
-  this->SetFace(0, axes, this->Eye, low, high);
+  this->SetFace(0, axes, Eye, low, high);
 }
 
 //------------------------------------------------------------------------------
 void vtkGodRaysShadowMap::FitPoint(
   const vtkGodRaysMediumIntegrator::Request& request, const double corners[8][3])
 {
-  const double* light = request.Source->Position;
+  const double* light = request.Light->Position;
   double center[3] = { 0.0, 0.0, 0.0 };
   double farthest = 0.0;
   for (int i = 0; i < 8; ++i)
@@ -402,19 +406,12 @@ void vtkGodRaysShadowMap::Set(vtkShaderProgram* program) const
   const float range[2] = { static_cast<float>(this->Range[0]), static_cast<float>(this->Range[1]) };
   program->SetUniform2f("mapRange", range);
   program->SetUniformf("texel", static_cast<float>(this->Texel));
-  // As shaders of integrators have them: from the eye, z forwards; columns first.
-  float matrices[6 * 16];
+  float matrices[6 * 16]; // columns first
   for (int face = 0; face < this->NumberOfFaces; ++face)
   {
-    const double* m = this->ViewToMap[face];
-    for (int row = 0; row < 4; ++row)
+    for (int i = 0; i < 16; ++i)
     {
-      const double columns[4] = { m[4 * row], m[4 * row + 1], -m[4 * row + 2],
-        m[4 * row + 3] + vtkMath::Dot(m + 4 * row, this->Eye) };
-      for (int column = 0; column < 4; ++column)
-      {
-        matrices[16 * face + 4 * column + row] = static_cast<float>(columns[column]);
-      }
+      matrices[16 * face + i] = static_cast<float>(this->ViewToMap[face][4 * (i % 4) + i / 4]);
     }
   }
   program->SetUniformMatrix4x4v("toMap", this->NumberOfFaces, matrices);

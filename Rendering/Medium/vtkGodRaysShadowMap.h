@@ -80,7 +80,6 @@ private:
   double Range[2] = { 0.0, 1.0 }; // distances of window depths 0 and 1
   double Texel = 0.0; // width of a pixel, at distance 1 from a point light [scene units]
   bool Perspective = false;
-  double Eye[3] = { 0.0, 0.0, 0.0 };
 };
 
 #endif

@@ -37,7 +37,7 @@ int GetFace(vec3 direction)
   {
     return direction.y > 0.0 ? 2 : 3;
   }
-  return direction.z < 0.0 ? 4 : 5; // z is forwards here, backwards there
+  return direction.z > 0.0 ? 4 : 5;
 }
 
 // Whether the light reaches a place, in clip coordinates of a face: beyond the map's edge nothing

@@ -5,7 +5,7 @@
 #include "vtkCamera.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysProjection.h"
-#include "vtkGodRaysSource.h"
+#include "vtkGodRaysView.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -30,7 +30,7 @@ bool vtkGodRaysSolidLayers::Draw(const vtkGodRaysMediumIntegrator::Request& requ
   state->vtkglClearDepth(1.0);
   const auto camera = request.View->ViewScale < 1.0
     ? std::make_unique<vtkGodRaysProjection>(
-        request.Renderer, request.View->ViewToClip, this->Camera)
+        request.Renderer, *request.View, request.View->ViewToClip, this->Camera)
     : nullptr;
   std::vector<vtkProp*> props = *request.Blocking;
   vtkRenderState blocking(request.Renderer);

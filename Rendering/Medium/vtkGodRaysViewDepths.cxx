@@ -3,7 +3,7 @@
 #include "vtkGodRaysViewDepths.h"
 
 #include "vtkGodRaysOpenGL.h"
-#include "vtkGodRaysSource.h"
+#include "vtkGodRaysView.h"
 #include "vtkGodRaysViewDepthsFS.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"

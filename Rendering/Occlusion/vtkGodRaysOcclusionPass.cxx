@@ -5,13 +5,14 @@
 #include "vtkActor2D.h"
 #include "vtkCamera.h"
 #include "vtkGodRaysCompositor.h"
+#include "vtkGodRaysLight.h"
 #include "vtkGodRaysOcclusionFS.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysProjection.h"
 #include "vtkGodRaysQuad.h"
 #include "vtkGodRaysRole.h"
-#include "vtkGodRaysSource.h"
 #include "vtkGodRaysTarget.h"
+#include "vtkGodRaysView.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -86,7 +87,7 @@ std::unique_ptr<vtkGodRaysProjection> IncludeMargin(
   vtkRenderer* renderer, const vtkGodRaysView& view, vtkSmartPointer<vtkCamera>& wide)
 {
   return view.ViewScale < 1.0
-    ? std::make_unique<vtkGodRaysProjection>(renderer, view.ViewToClip, wide)
+    ? std::make_unique<vtkGodRaysProjection>(renderer, view, view.ViewToClip, wide)
     : nullptr;
 }
 
@@ -270,15 +271,15 @@ void vtkGodRaysOcclusionPass::Render(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysSource& source)
+bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysLight& light)
 {
   Internals& self = *this->Internal;
   const Request& frame = self.Frame;
   vtkOpenGLState* state = frame.Window->GetState();
-  const bool hazy = source.Prop &&
+  const bool hazy = light.Prop &&
     vtkGodRaysCompositor::Any(
-      frame.Compositor, source.Prop->HasTranslucentPolygonalGeometry() || HasVolume(source.Prop));
-  if (source.Prop)
+      frame.Compositor, light.Prop->HasTranslucentPolygonalGeometry() || HasVolume(light.Prop));
+  if (light.Prop)
   {
     self.Shining.Prepare(
       frame.Window, self.Width, self.Height, { frame.ColorFormat, frame.DepthFormat });
@@ -295,7 +296,7 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysSource& source)
     state->vtkglBlendFuncSeparate(
       GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     const auto camera = IncludeMargin(frame.Renderer, *frame.View, self.WideCamera);
-    source.Prop->RenderOpaqueGeometry(frame.Renderer);
+    light.Prop->RenderOpaqueGeometry(frame.Renderer);
     if (self.Distributed)
     {
       this->JoinShining();
@@ -308,7 +309,7 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysSource& source)
         return false;
       }
       state->vtkglClear(GL_COLOR_BUFFER_BIT);
-      this->RenderTranslucent({ source.Prop });
+      this->RenderTranslucent({ light.Prop });
       if (self.Distributed)
       {
         JoinOpacity(self.Haze, frame.Compositor);
@@ -317,7 +318,7 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysSource& source)
   }
 
   // A disc and its glow have one colour.
-  const bool oneColor = !source.Prop && frame.OneColorFormat;
+  const bool oneColor = !light.Prop && frame.OneColorFormat;
   self.Composed = oneColor ? &self.OneColorLayer : &self.Layer;
   self.Composed->Prepare(frame.Window, self.Width, self.Height,
     { oneColor ? frame.OneColorFormat : frame.ColorFormat, 0 });
@@ -326,41 +327,41 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysSource& source)
     return false;
   }
   state->vtkglDisable(GL_BLEND);
-  if (source.Prop)
+  if (light.Prop)
   {
-    return this->Draw(source, false, hazy);
+    return this->Draw(light, false, hazy);
   }
   // The disc takes more than the glow: only where it may be, if that is not most of the layer.
   const int size[2] = { self.Width, self.Height };
   int bounds[4];
-  source.GetDiscBounds(*frame.View, size, bounds);
+  light.GetDiscBounds(*frame.View, size, bounds);
   const int width = std::max(0, bounds[1] - bounds[0]);
   const int height = std::max(0, bounds[3] - bounds[2]);
   if (2.0 * width * height > 1.0 * self.Width * self.Height)
   {
-    return this->Draw(source, true, hazy);
+    return this->Draw(light, true, hazy);
   }
-  if (!this->Draw(source, false, hazy))
+  if (!this->Draw(light, false, hazy))
   {
     return false;
   }
   if (width > 0 && height > 0)
   {
     state->vtkglScissor(bounds[0], bounds[2], width, height);
-    return this->Draw(source, true, hazy);
+    return this->Draw(light, true, hazy);
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
 // Draw the emitter into the bound framebuffer, with or without the disc.
-bool vtkGodRaysOcclusionPass::Draw(const vtkGodRaysSource& source, bool disc, bool hazy)
+bool vtkGodRaysOcclusionPass::Draw(const vtkGodRaysLight& light, bool disc, bool hazy)
 {
   Internals& self = *this->Internal;
   const Request& frame = self.Frame;
   vtkShaderProgram* program = self.Quad.Begin(frame.Window,
-    { { "dimmed", self.Dimmed }, { "prop", source.Prop != nullptr }, { "disc", disc },
-      { "hazy", hazy }, { "planar", source.Planar },
+    { { "dimmed", self.Dimmed }, { "prop", light.Prop != nullptr }, { "disc", disc },
+      { "hazy", hazy }, { "planar", light.Planar },
       { "multisampled", frame.Multisampled && !this->RenderedOccluders },
       { "linearLight", frame.Transfer != vtkGodRaysTransfer::NONE },
       { "isPower", frame.Transfer == vtkGodRaysTransfer::POWER } });
@@ -371,32 +372,32 @@ bool vtkGodRaysOcclusionPass::Draw(const vtkGodRaysSource& source, bool disc, bo
   double origin[3];
   double right[3];
   double up[3];
-  frame.View->GetPicture(source.Planar, origin, right, up);
+  frame.View->GetPicture(light.Planar, origin, right, up);
   vtkGodRaysQuad::SetVector(program, "pictureOrigin", origin);
   vtkGodRaysQuad::SetVector(program, "pictureRight", right);
   vtkGodRaysQuad::SetVector(program, "pictureUp", up);
   const float pixelStep[2] = { 2.0f / static_cast<float>(self.Width),
     2.0f / static_cast<float>(self.Height) };
   program->SetUniform2f("pixelStep", pixelStep);
-  vtkGodRaysQuad::SetVector(program, "lightPosition", source.Position);
-  vtkGodRaysQuad::SetVector(program, "lightDirection", source.Direction);
+  vtkGodRaysQuad::SetVector(program, "lightPosition", light.Position);
+  vtkGodRaysQuad::SetVector(program, "lightDirection", light.Direction);
   const double white[3] = { 1.0, 1.0, 1.0 };
   vtkGodRaysQuad::SetVector(
-    program, "lightColor", self.Composed == &self.OneColorLayer ? white : source.Color);
-  program->SetUniformf("lightDepth", static_cast<float>(source.Depth));
-  program->SetUniformf("lightRadius", static_cast<float>(source.Radius));
-  program->SetUniformf("leastPixel", static_cast<float>(source.LeastPixel));
-  program->SetUniformf("fade", static_cast<float>(source.Fade));
+    program, "lightColor", self.Composed == &self.OneColorLayer ? white : light.Color);
+  program->SetUniformf("lightDepth", static_cast<float>(light.Depth));
+  program->SetUniformf("lightRadius", static_cast<float>(light.Radius));
+  program->SetUniformf("leastPixel", static_cast<float>(light.LeastPixel));
+  program->SetUniformf("fade", static_cast<float>(light.Fade));
   program->SetUniformf("glow", static_cast<float>(frame.Glow));
-  program->SetUniformf("glowRadius", static_cast<float>(source.GlowRadius));
-  program->SetUniformf("glowFalloff", static_cast<float>(source.GlowFalloff));
+  program->SetUniformf("glowRadius", static_cast<float>(light.GlowRadius));
+  program->SetUniformf("glowFalloff", static_cast<float>(light.GlowFalloff));
   program->SetUniformf("maximum", frame.ColorFormat == GL_RGBA16F ? 65504.0f : 1e30f);
   self.Quad.SetTexture("occluderDepth", self.Depth);
   if (self.Dimmed)
   {
     self.Quad.SetTexture("translucency", self.Dimming.GetColor());
   }
-  if (source.Prop)
+  if (light.Prop)
   {
     self.Quad.SetTexture("propColor", self.Shining.GetColor());
     self.Quad.SetTexture("propDepth", self.Shining.GetDepth());

@@ -36,7 +36,7 @@ class vtkOpenGLRenderWindow;
 class vtkProp;
 class vtkRenderer;
 class vtkTextureObject;
-struct vtkGodRaysSource;
+struct vtkGodRaysLight;
 struct vtkGodRaysView;
 
 class VTKGODRAYSRENDERING_EXPORT vtkGodRaysOcclusionPass : public vtkOpenGLRenderPass
@@ -86,7 +86,7 @@ public:
   /**
    * Draw the layer of one light. Returns false, after an error, if that failed.
    */
-  VTK_WRAPEXCLUDE bool Compose(const vtkGodRaysSource& source);
+  VTK_WRAPEXCLUDE bool Compose(const vtkGodRaysLight& light);
 
   /**
    * The layer last composed; null if there is none.
@@ -133,7 +133,7 @@ private:
 
   void JoinShining();
   void RenderTranslucent(std::vector<vtkProp*> props);
-  bool Draw(const vtkGodRaysSource& source, bool disc, bool hazy);
+  bool Draw(const vtkGodRaysLight& light, bool disc, bool hazy);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

@@ -3,6 +3,7 @@
 #include "vtkGodRaysClippedTaps.h"
 
 #include "vtkGodRaysClippedTapsFS.h"
+#include "vtkGodRaysLight.h"
 #include "vtkGodRaysMarch.h"
 #include "vtkGodRaysSum.h"
 #include "vtkGodRaysTarget.h"
@@ -28,9 +29,8 @@ double ChooseTapsPerPixel(const vtkGodRaysMarch& march, double tolerance)
   const double size = std::min(march.LayerSize[0], march.LayerSize[1]);
   const double length = std::min(0.5 * march.GetLongest(), 0.5 * size);
   const double summed = std::max(1.0, length / std::max(1.0, std::abs(march.K)));
-  // A kernel that grows gives most weight to the end, where many marches meet the same pixels.
-  const double growth = std::exp(0.5 * std::min(std::max(-march.K, 0.0), 5.0));
-  const double perPixel = std::sqrt(growth * NoiseError / (tolerance * std::sqrt(summed)));
+  const double perPixel =
+    std::sqrt(march.GetGrowth() * NoiseError / (tolerance * std::sqrt(summed)));
   return std::min(std::max(1.0, perPixel), 16.0);
 }
 }
@@ -44,7 +44,7 @@ vtkGodRaysClippedTaps::vtkGodRaysClippedTaps()
 //------------------------------------------------------------------------------
 bool vtkGodRaysClippedTaps::Integrate(const vtkGodRaysRadialIntegrator::Request& request)
 {
-  const vtkGodRaysMarch march(request);
+  const vtkGodRaysMarch march = request.GetMarch();
   this->TapsPerPixel = ChooseTapsPerPixel(march, request.ErrorTolerance);
   const bool oneChannel = request.Layer->HasOneChannel();
   if (!request.Result->BindToAdd())
@@ -74,7 +74,7 @@ bool vtkGodRaysClippedTaps::Integrate(const vtkGodRaysRadialIntegrator::Request&
   float gain[3];
   for (int c = 0; c < 3; ++c)
   {
-    gain[c] = static_cast<float>(march.Gain * (oneChannel ? request.Color[c] : 1.0));
+    gain[c] = static_cast<float>(march.Gain * (oneChannel ? request.Light->Color[c] : 1.0));
   }
   program->SetUniform3f("gain", gain);
   vtkTextureObject* layer = request.Layer->GetColor();
@@ -88,7 +88,7 @@ bool vtkGodRaysClippedTaps::Integrate(const vtkGodRaysRadialIntegrator::Request&
 //------------------------------------------------------------------------------
 double vtkGodRaysClippedTaps::CountTaps(const vtkGodRaysRadialIntegrator::Request& request)
 {
-  const vtkGodRaysMarch march(request);
+  const vtkGodRaysMarch march = request.GetMarch();
   const double size = std::min(march.LayerSize[0], march.LayerSize[1]);
   const double length = std::min(0.5 * march.GetLongest(), 0.5 * size);
   return ChooseTapsPerPixel(march, request.ErrorTolerance) * length * march.PictureSize[0] *

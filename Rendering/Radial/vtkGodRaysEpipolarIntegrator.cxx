@@ -4,6 +4,7 @@
 
 #include "vtkGodRaysBlockMeans.h"
 #include "vtkGodRaysClippedTaps.h"
+#include "vtkGodRaysLight.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysRadialModel.h"
@@ -77,7 +78,7 @@ struct vtkGodRaysEpipolarIntegrator::Internals
     return backend == PROCESSOR || (backend == AUTOMATIC && this->Software);
   }
 
-  bool IntegrateOnProcessor(const Request& request, vtkGodRaysRadialModel* model);
+  bool IntegrateOnProcessor(const Request& request);
   bool IntegrateOnGraphics(const Request& request);
 };
 
@@ -103,8 +104,8 @@ void Verification::Measure(const vtkGodRaysRadialIntegrator::Request& request,
   {
     return;
   }
-  request.Layer->Download(layer, request.Color);
-  const vtkGodRays::ImageLayer light = { static_cast<const float*>(layer->GetScalarPointer()),
+  request.Layer->Download(layer, request.Light->Color);
+  const vtkGodRays::ImageLayer emitter = { static_cast<const float*>(layer->GetScalarPointer()),
     request.Layer->GetWidth(), request.Layer->GetHeight(), vtkGodRays::BORDER_ZERO };
   const float* values = static_cast<const float*>(after->GetScalarPointer());
   const float* former = before->GetNumberOfPoints() > 0
@@ -114,7 +115,8 @@ void Verification::Measure(const vtkGodRaysRadialIntegrator::Request& request,
   const int height = request.Result->GetHeight();
   std::vector<vtkGodRays::TapSum> passes;
   model->GetTapSums(passes, taps);
-  const vtkGodRays::Vec3 clip(request.LightClip[0], request.LightClip[1], request.LightClip[2]);
+  const double* light = request.Light->Clip;
+  const vtkGodRays::Vec3 clip(light[0], light[1], light[2]);
 
   // one pixel at random of each of as many parts of the picture, the same ones every time
   const std::int64_t total = static_cast<std::int64_t>(width) * height;
@@ -136,8 +138,8 @@ void Verification::Measure(const vtkGodRaysRadialIntegrator::Request& request,
         const vtkGodRays::Vec2 picture(
           (places[i] % width + 0.5) / width, (places[i] / width + 0.5) / height);
         const vtkGodRays::Vec2 uv = 0.5 + (picture - 0.5) * request.ViewScale;
-        const vtkGodRays::Vec3 exact = vtkGodRays::SumTaps(
-          light, passes[0], uv, vtkGodRays::MarchVector(clip, 2.0 * uv - 1.0, request.MarchScale));
+        const vtkGodRays::Vec3 exact = vtkGodRays::SumTaps(emitter, passes[0], uv,
+          vtkGodRays::MarchVector(clip, 2.0 * uv - 1.0, request.Light->MarchScale));
         for (int c = 0; c < 3; ++c)
         {
           const std::size_t at = 3 * static_cast<std::size_t>(places[i]) + c;
@@ -165,8 +167,7 @@ void Verification::Measure(const vtkGodRaysRadialIntegrator::Request& request,
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysEpipolarIntegrator::Internals::IntegrateOnProcessor(
-  const Request& request, vtkGodRaysRadialModel* model)
+bool vtkGodRaysEpipolarIntegrator::Internals::IntegrateOnProcessor(const Request& request)
 {
   const bool oneColor = request.Layer->HasOneChannel();
   const int width = request.Layer->GetWidth();
@@ -185,13 +186,7 @@ bool vtkGodRaysEpipolarIntegrator::Internals::IntegrateOnProcessor(
   }
 
   vtkGodRaysRadialSweep::Parameters parameters;
-  parameters.Density = model->GetDensity();
-  parameters.Decay = model->GetDecay();
-  parameters.Weight = model->GetWeight();
-  parameters.Exposure = model->GetExposure();
-  parameters.NumberOfSamples = model->GetNumberOfSamples();
-  std::copy_n(request.LightClip, 3, parameters.LightClip);
-  parameters.MarchScale = request.MarchScale;
+  static_cast<vtkGodRaysMarchParameters&>(parameters) = request.GetMarchParameters();
   parameters.ErrorTolerance = request.ErrorTolerance;
   this->Sweep.Execute(parameters);
 
@@ -227,7 +222,7 @@ bool vtkGodRaysEpipolarIntegrator::Internals::IntegrateOnProcessor(
     rays.Write(GL_RGB, GL_FLOAT, this->Pixels.data());
   }
   this->Plan = "on the processor: " + this->Sweep.Describe();
-  return request.Result->Lend(rays, request.Color, request.ViewScale);
+  return request.Result->Lend(rays, request.Light->Color, request.ViewScale);
 }
 
 //------------------------------------------------------------------------------
@@ -282,9 +277,8 @@ bool vtkGodRaysEpipolarIntegrator::Integrate(const Request& request)
   {
     request.Result->Download(before);
   }
-  if (!(self.UsesProcessor(this->Backend, request.Window)
-          ? self.IntegrateOnProcessor(request, model)
-          : self.IntegrateOnGraphics(request)))
+  if (!(self.UsesProcessor(this->Backend, request.Window) ? self.IntegrateOnProcessor(request)
+                                                          : self.IntegrateOnGraphics(request)))
   {
     return false;
   }

@@ -3,12 +3,13 @@
 #include "vtkGodRaysRadialEffect.h"
 
 #include "vtkGodRaysCompositor.h"
+#include "vtkGodRaysLight.h"
+#include "vtkGodRaysLightFinder.h"
 #include "vtkGodRaysRadialIntegrator.h"
 #include "vtkGodRaysRadialModel.h"
-#include "vtkGodRaysSource.h"
-#include "vtkGodRaysSourceFinder.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysTimers.h"
+#include "vtkGodRaysView.h"
 
 #include <algorithm>
 
@@ -31,7 +32,7 @@ bool vtkGodRaysRadialEffect::SumsShownValues() const
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysRadialEffect::SetUp(vtkGodRaysSourceFinder& finder) const
+void vtkGodRaysRadialEffect::SetUp(vtkGodRaysLightFinder& finder) const
 {
   finder.CapsMarch = this->Model->CapsMarch();
   finder.LightsMedium = false;
@@ -55,10 +56,10 @@ void vtkGodRaysRadialEffect::Begin(const Frame& frame)
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysRadialEffect::DrawLight(const Frame& frame, const vtkGodRaysSource& source)
+bool vtkGodRaysRadialEffect::DrawLight(const Frame& frame, const vtkGodRaysLight& light)
 {
   frame.Timers->Start(vtkGodRaysTimers::OCCLUSION);
-  if (!this->ComposeLayer(frame, source))
+  if (!this->ComposeLayer(frame, light))
   {
     return false;
   }
@@ -70,10 +71,8 @@ bool vtkGodRaysRadialEffect::DrawLight(const Frame& frame, const vtkGodRaysSourc
   vtkGodRaysRadialIntegrator::Request request;
   request.Window = frame.Window;
   request.Model = this->Model;
+  request.Light = &light;
   request.Layer = frame.Occlusion->GetLayer();
-  std::copy_n(source.Color, 3, request.Color);
-  std::copy_n(source.Clip, 3, request.LightClip);
-  request.MarchScale = source.MarchScale;
   request.ViewScale = frame.View->ViewScale;
   request.ErrorTolerance = frame.ErrorTolerance;
   request.Result = frame.Light;
@@ -84,9 +83,9 @@ bool vtkGodRaysRadialEffect::DrawLight(const Frame& frame, const vtkGodRaysSourc
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysRadialEffect::ComposeLayer(const Frame& frame, const vtkGodRaysSource& source)
+bool vtkGodRaysRadialEffect::ComposeLayer(const Frame& frame, const vtkGodRaysLight& light)
 {
-  if (!frame.Occlusion->Compose(source))
+  if (!frame.Occlusion->Compose(light))
   {
     return false;
   }
@@ -100,8 +99,8 @@ bool vtkGodRaysRadialEffect::ComposeLayer(const Frame& frame, const vtkGodRaysSo
   {
     this->Layers.Begin(frame.Window, layer.GetWidth(), layer.GetHeight(), frame.Format);
   }
-  return frame.NumberOfLights == 1 ? this->Layers.Lend(layer, source.Color, 1.0)
-                                   : this->Layers.Add(layer, source.Color, 1.0);
+  return frame.NumberOfLights == 1 ? this->Layers.Lend(layer, light.Color, 1.0)
+                                   : this->Layers.Add(layer, light.Color, 1.0);
 }
 
 //------------------------------------------------------------------------------

@@ -23,11 +23,11 @@ public:
   bool SumsShownValues() const override;
   bool DimsScene() const override { return false; }
   bool ReadsSceneDepth() const override { return false; }
-  void SetUp(vtkGodRaysSourceFinder& finder) const override;
+  void SetUp(vtkGodRaysLightFinder& finder) const override;
   void SetUp(
     vtkGodRaysOcclusionPass::Request& request, vtkGodRaysIntegrator* integrator) const override;
   void Begin(const Frame& frame) override;
-  bool DrawLight(const Frame& frame, const vtkGodRaysSource& source) override;
+  bool DrawLight(const Frame& frame, const vtkGodRaysLight& light) override;
   void Join(vtkGodRaysBlendPass::Request& request) const override;
   void End() override {}
   bool HasLayers() const override { return this->Composed > 0; }
@@ -35,7 +35,7 @@ public:
   void Release(vtkWindow* window) override;
 
 private:
-  bool ComposeLayer(const Frame& frame, const vtkGodRaysSource& source);
+  bool ComposeLayer(const Frame& frame, const vtkGodRaysLight& light);
 
   vtkGodRaysRadialModel* Model;
   vtkGodRaysSum Layers; // of all lights; of several only if they are asked for

@@ -20,6 +20,9 @@ class vtkGodRaysRadialModel;
 class vtkGodRaysSum;
 class vtkGodRaysTarget;
 class vtkOpenGLRenderWindow;
+struct vtkGodRaysLight;
+struct vtkGodRaysMarch;
+struct vtkGodRaysMarchParameters;
 
 class VTKGODRAYSRENDERING_EXPORT vtkGodRaysRadialIntegrator : public vtkGodRaysIntegrator
 {
@@ -33,13 +36,18 @@ public:
   {
     vtkOpenGLRenderWindow* Window = nullptr; ///< its context is current
     vtkGodRaysRadialModel* Model = nullptr;
-    vtkGodRaysTarget* Layer = nullptr;   ///< occlusion layer of one light: RGB, or of one channel
-    double Color[3] = { 1.0, 1.0, 1.0 }; ///< factor on a layer of one channel
-    double LightClip[3] = { 0.0, 0.0, 1.0 }; ///< X, Y and w of the light, in the layer
-    double MarchScale = 1.0;                 ///< see MarchVector() in vtkGodRaysRadialMath.glsl
+    const vtkGodRaysLight* Light = nullptr;
+    vtkGodRaysTarget* Layer =
+      nullptr;              ///< its occlusion layer: RGB, or of one channel over its colour
     double ViewScale = 1.0; ///< fraction of the layer's width that the picture covers
     double ErrorTolerance = 1.0 / 255.0;
     vtkGodRaysSum* Result = nullptr; ///< the light scattered by all lights: add to it
+
+    ///@{
+    /// The march of the invariant sum, in uv and in pixels.
+    vtkGodRaysMarchParameters GetMarchParameters() const;
+    vtkGodRaysMarch GetMarch() const;
+    ///@}
   };
 
   /**

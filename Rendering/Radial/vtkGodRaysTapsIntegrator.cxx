@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysTapsIntegrator.h"
 
+#include "vtkGodRaysLight.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysQuad.h"
@@ -72,10 +73,8 @@ struct vtkGodRaysTapsIntegrator::Internals
     const float size[2] = { static_cast<float>(width), static_cast<float>(height) };
     program->SetUniform2f("size", size);
     SetTaps(program, taps, request.ViewScale);
-    const float clip[3] = { static_cast<float>(request.LightClip[0]),
-      static_cast<float>(request.LightClip[1]), static_cast<float>(request.LightClip[2]) };
-    program->SetUniform3f("lightClip", clip);
-    program->SetUniformf("marchScale", static_cast<float>(request.MarchScale));
+    vtkGodRaysQuad::SetVector(program, "lightClip", request.Light->Clip);
+    program->SetUniformf("marchScale", static_cast<float>(request.Light->MarchScale));
     program->SetUniformf("viewScale", static_cast<float>(viewScale));
     this->Quad.SetTexture("layer", layer);
     this->Quad.End();

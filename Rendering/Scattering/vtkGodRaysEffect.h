@@ -19,14 +19,14 @@
 
 class vtkGodRaysCompositor;
 class vtkGodRaysIntegrator;
-class vtkGodRaysSourceFinder;
+class vtkGodRaysLightFinder;
 class vtkGodRaysSum;
 class vtkGodRaysTimers;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
 class vtkTextureObject;
 class vtkWindow;
-struct vtkGodRaysSource;
+struct vtkGodRaysLight;
 struct vtkGodRaysView;
 
 class vtkGodRaysEffect
@@ -69,7 +69,7 @@ public:
   /**
    * Say which lights and which occluders the effect needs.
    */
-  virtual void SetUp(vtkGodRaysSourceFinder& finder) const = 0;
+  virtual void SetUp(vtkGodRaysLightFinder& finder) const = 0;
   virtual void SetUp(
     vtkGodRaysOcclusionPass::Request& request, vtkGodRaysIntegrator* integrator) const = 0;
   ///@}
@@ -83,7 +83,7 @@ public:
    * Add a light's rays to the sum. All processes of a compositor call it; only its root has a sum. Returns
    * false, after an error, if that failed.
    */
-  virtual bool DrawLight(const Frame& frame, const vtkGodRaysSource& source) = 0;
+  virtual bool DrawLight(const Frame& frame, const vtkGodRaysLight& light) = 0;
 
   /**
    * Say how the sum and the picture are joined.

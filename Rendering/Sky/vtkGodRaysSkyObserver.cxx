@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysSkyObserver.h"
 
-#include "vtkGodRaysSource.h"
+#include "vtkGodRaysView.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 
@@ -19,10 +19,7 @@ Vec3 GetEye(const vtkGodRaysView& view)
 {
   double viewToWorld[16];
   vtkMatrix4x4::Invert(view.WorldToView, viewToWorld);
-  const double eye[4] = { view.Eye[0], view.Eye[1], view.Eye[2], 1.0 };
-  double world[4];
-  vtkMatrix4x4::MultiplyPoint(viewToWorld, eye, world);
-  return Vec3(world[0], world[1], world[2]);
+  return Vec3(viewToWorld[3], viewToWorld[7], viewToWorld[11]);
 }
 
 /// A vector of view coordinates in a frame of the world.
@@ -66,7 +63,7 @@ void vtkGodRaysSkyObserver::Set(const vtkGodRaysView& view, const vtkGodRaysPlan
   this->PictureOrigin = ToFrame(origin, view, axes);
   this->PictureRight = ToFrame(right, view, axes);
   this->PictureUp = ToFrame(up, view, axes);
-  const double ahead[3] = { 0.0, 0.0, -1.0 };
+  const double ahead[3] = { 0.0, 0.0, 1.0 };
   this->Axis = normalize(ToFrame(ahead, view, axes));
 }
 

@@ -9,6 +9,7 @@
 #include "vtkGodRaysAttachment.h"
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysFramebuffer.h"
+#include "vtkGodRaysLight.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysPass.h"
 #include "vtkGodRaysQuad.h"
@@ -19,10 +20,10 @@
 #include "vtkGodRaysSkyObserver.h"
 #include "vtkGodRaysSkySource.h"
 #include "vtkGodRaysSkyTable.h"
-#include "vtkGodRaysSource.h"
 #include "vtkGodRaysSunPosition.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysTransfer.h"
+#include "vtkGodRaysView.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
@@ -101,7 +102,7 @@ struct vtkGodRaysSkyPass::Internals
   vtkMTimeType ContextTime = 0;                 // when its context was made
   vtkGodRaysView View;                          // of this frame
   vtkGodRaysSkyObserver Observer;
-  vtkGodRaysSource Sun;
+  vtkGodRaysLight Sun;
   vtkGodRaysTransfer Transfer = vtkGodRaysTransfer::SRGB;
   bool DrawsScene = false; // at this moment
   std::string Plan;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scattering.h"
 
+#include "vtkGodRaysLight.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysReferenceFilter.h"
 
@@ -116,9 +117,11 @@ double Scattering::Run(const Method& method, Content content)
   request.Window = window;
   request.Model = this->Model;
   request.Layer = &this->GetTarget(method, content);
-  std::copy_n(Tints, 3, request.Color);
-  std::copy_n(this->LightClip, 3, request.LightClip);
-  request.MarchScale = this->MarchScale;
+  vtkGodRaysLight light;
+  std::copy_n(Tints, 3, light.Color);
+  std::copy_n(this->LightClip, 3, light.Clip);
+  light.MarchScale = this->MarchScale;
+  request.Light = &light;
   request.ErrorTolerance = method.Tolerance;
   request.Result = &this->Result;
   vtkOpenGLState* state = window->GetState();

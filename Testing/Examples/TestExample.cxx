@@ -9,6 +9,7 @@
 
 #include "vtkGodRaysEpipolarIntegrator.h"
 #include "vtkGodRaysHomogeneousModel.h"
+#include "vtkGodRaysLight.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysModel.h"
 #include "vtkGodRaysPass.h"
@@ -55,11 +56,11 @@ public:
       return false;
     }
     request.Result->Download(after);
-    request.Layer->Download(layer, request.Color);
+    request.Layer->Download(layer, request.Light->Color);
     const int size[2] = { request.Result->GetWidth(), request.Result->GetHeight() };
     auto model = vtkGodRaysRadialModel::SafeDownCast(request.Model);
-    model->Evaluate(
-      layer, request.LightClip, request.MarchScale, request.ViewScale, size, expected, 1000);
+    model->Evaluate(layer, request.Light->Clip, request.Light->MarchScale, request.ViewScale, size,
+      expected, 1000);
     double peak = 0.0;
     double squares = 0.0;
     for (int i = 0; i < 3 * size[0] * size[1]; ++i)

@@ -8,6 +8,7 @@
 
 #include "vtkGodRaysBlockMeans.h"
 #include "vtkGodRaysClippedTaps.h"
+#include "vtkGodRaysLight.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysRadialModel.h"
 #include "vtkGodRaysReferenceFilter.h"
@@ -66,6 +67,7 @@ protected:
   double ViewScale = 1.0;
   double Tolerance = 1.0 / 255.0;
   double Color[3] = { 1.0, 1.0, 1.0 };
+  vtkGodRaysLight Emitter;
   double Seconds = 0.0; // that the last Integrate() took
 
   GodRaysBlockMeans()
@@ -133,9 +135,10 @@ protected:
     request.Window = this->Window;
     request.Model = this->Model;
     request.Layer = &this->Target;
-    std::copy_n(this->Color, 3, request.Color);
-    std::copy(clip.begin(), clip.end(), request.LightClip);
-    request.MarchScale = this->GetMarchScale(clip);
+    std::copy_n(this->Color, 3, this->Emitter.Color);
+    std::copy(clip.begin(), clip.end(), this->Emitter.Clip);
+    this->Emitter.MarchScale = this->GetMarchScale(clip);
+    request.Light = &this->Emitter;
     request.ViewScale = this->ViewScale;
     request.ErrorTolerance = this->Tolerance;
     request.Result = &this->Result;

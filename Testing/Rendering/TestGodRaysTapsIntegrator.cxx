@@ -7,6 +7,7 @@
 
 #include "GodRaysTesting.h"
 
+#include "vtkGodRaysLight.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysRadialModel.h"
 #include "vtkGodRaysSum.h"
@@ -165,8 +166,10 @@ protected:
     request.Window = this->Window;
     request.Model = this->Model;
     request.Layer = &this->Target;
-    std::copy(clip.begin(), clip.end(), request.LightClip);
-    request.MarchScale = this->GetMarchScale(clip);
+    vtkGodRaysLight light;
+    std::copy(clip.begin(), clip.end(), light.Clip);
+    light.MarchScale = this->GetMarchScale(clip);
+    request.Light = &light;
     request.ViewScale = this->ViewScale;
     request.ErrorTolerance = 1.0 / 255.0;
     request.Result = &this->Result;
@@ -290,16 +293,17 @@ TEST_F(GodRaysTapsOnNoise, AddToWhatOtherLightsScattered)
   this->MakeLayer(64, 48);
   vtkNew<vtkImageData> once;
   vtkNew<vtkImageData> twice;
-  const std::array<double, 3> light = { 0.31, -0.23, 1.0 };
-  this->Integrate(light, GL_RGBA32F, once);
+  const std::array<double, 3> clip = { 0.31, -0.23, 1.0 };
+  this->Integrate(clip, GL_RGBA32F, once);
   vtkOpenGLState* state = this->Window->GetState();
   state->PushFramebufferBindings();
   vtkGodRaysRadialIntegrator::Request request;
   request.Window = this->Window;
   request.Model = this->Model;
   request.Layer = &this->Target;
-  std::copy(light.begin(), light.end(), request.LightClip);
-  request.MarchScale = 1.0;
+  vtkGodRaysLight light;
+  std::copy(clip.begin(), clip.end(), light.Clip);
+  request.Light = &light;
   request.ViewScale = 1.0;
   request.ErrorTolerance = 1.0 / 255.0;
   request.Result = &this->Result;

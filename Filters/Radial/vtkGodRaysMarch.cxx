@@ -3,39 +3,33 @@
 #include "vtkGodRaysMarch.h"
 
 #include "vtkGodRaysMath.h"
-#include "vtkGodRaysRadialModel.h"
-#include "vtkGodRaysSum.h"
-#include "vtkGodRaysTarget.h"
 
 #include <algorithm>
 #include <cmath>
 
 //------------------------------------------------------------------------------
-vtkGodRaysMarch::vtkGodRaysMarch(const vtkGodRaysRadialIntegrator::Request& request)
+vtkGodRaysMarch::vtkGodRaysMarch(const vtkGodRaysMarchParameters& parameters,
+  const int layerSize[2], const int pictureSize[2], double viewScale)
 {
-  vtkGodRaysRadialModel* model = request.Model;
-  const int n = model->GetNumberOfSamples();
+  const int n = parameters.NumberOfSamples;
   this->Gain =
-    model->GetExposure() * model->GetWeight() * vtkGodRays::GeometricSum(model->GetDecay(), n);
-  this->K = -n * std::log(model->GetDecay());
-
-  this->LayerSize[0] = request.Layer->GetWidth();
-  this->LayerSize[1] = request.Layer->GetHeight();
-  this->PictureSize[0] = request.Result->GetWidth();
-  this->PictureSize[1] = request.Result->GetHeight();
-  const double* light = request.LightClip;
+    parameters.Exposure * parameters.Weight * vtkGodRays::GeometricSum(parameters.Decay, n);
+  this->K = -n * std::log(parameters.Decay);
+  const double* light = parameters.LightClip;
   // The march is linear in the point: known from that at the picture's centre, where ndc is 0.
   const vtkGodRays::Vec2 center = vtkGodRays::MarchVector(
-    { light[0], light[1], light[2] }, vtkGodRays::Vec2(0.0), request.MarchScale);
-  this->Slope = model->GetDensity() * request.MarchScale * light[2];
+    { light[0], light[1], light[2] }, vtkGodRays::Vec2(0.0), parameters.MarchScale);
+  this->Slope = parameters.Density * parameters.MarchScale * light[2];
   for (int i = 0; i < 2; ++i)
   {
-    const double size = this->LayerSize[i];
-    this->Step[i] = request.ViewScale * size / this->PictureSize[i];
-    this->Origin[i] = 0.5 * (size - 1.0) - 0.5 * this->Step[i] * (this->PictureSize[i] - 1);
-    this->Constant[i] = model->GetDensity() * center[i] * size + this->Slope * 0.5 * (size - 1.0);
+    this->LayerSize[i] = layerSize[i];
+    this->PictureSize[i] = pictureSize[i];
+    const double size = layerSize[i];
+    this->Step[i] = viewScale * size / pictureSize[i];
+    this->Origin[i] = 0.5 * (size - 1.0) - 0.5 * this->Step[i] * (pictureSize[i] - 1);
+    this->Constant[i] = parameters.Density * center[i] * size + this->Slope * 0.5 * (size - 1.0);
   }
-  if (std::isinf(this->K)) // the pixel itself
+  if (std::isinf(this->K))
   {
     this->K = this->Slope = this->Constant[0] = this->Constant[1] = 0.0;
   }
@@ -52,6 +46,13 @@ bool vtkGodRaysMarch::operator==(const vtkGodRaysMarch& other) const
 }
 
 //------------------------------------------------------------------------------
+double vtkGodRaysMarch::GetMarchAt(double x, double y) const
+{
+  return std::hypot(this->Constant[0] - this->Slope * this->GetPoint(0, x),
+    this->Constant[1] - this->Slope * this->GetPoint(1, y));
+}
+
+//------------------------------------------------------------------------------
 double vtkGodRaysMarch::GetLongest() const
 {
   double longest = 0.0;
@@ -59,28 +60,36 @@ double vtkGodRaysMarch::GetLongest() const
   {
     for (const int y : { 0, this->PictureSize[1] - 1 })
     {
-      longest = std::max(longest,
-        std::hypot(this->Constant[0] - this->Slope * this->GetPoint(0, x),
-          this->Constant[1] - this->Slope * this->GetPoint(1, y)));
+      longest = std::max(longest, this->GetMarchAt(x, y));
     }
   }
   return longest;
 }
 
 //------------------------------------------------------------------------------
-double vtkGodRaysMarch::GetSummedPixels() const
+double vtkGodRaysMarch::GetLength() const
 {
   double sum = 0.0;
   const double points[5][2] = { { 0.5, 0.5 }, { 0, 0 }, { 1, 0 }, { 0, 1 }, { 1, 1 } };
   for (const double* point : points)
   {
-    sum += std::hypot(
-      this->Constant[0] - this->Slope * this->GetPoint(0, point[0] * (this->PictureSize[0] - 1)),
-      this->Constant[1] - this->Slope * this->GetPoint(1, point[1] * (this->PictureSize[1] - 1)));
+    sum += this->GetMarchAt(
+      point[0] * (this->PictureSize[0] - 1), point[1] * (this->PictureSize[1] - 1));
   }
   const double area = static_cast<double>(this->LayerSize[0]) * this->LayerSize[1];
-  const double length = std::min(0.2 * sum, 0.4 * std::sqrt(area));
-  return std::max(1.0, length / std::sqrt(std::max(1.0, std::abs(this->K))));
+  return std::min(0.2 * sum, 0.4 * std::sqrt(area));
+}
+
+//------------------------------------------------------------------------------
+double vtkGodRaysMarch::GetSummedPixels() const
+{
+  return std::max(1.0, this->GetLength() / std::sqrt(std::max(1.0, std::abs(this->K))));
+}
+
+//------------------------------------------------------------------------------
+double vtkGodRaysMarch::GetGrowth() const
+{
+  return std::exp(0.5 * std::min(std::max(-this->K, 0.0), 5.0));
 }
 
 //------------------------------------------------------------------------------
@@ -97,4 +106,10 @@ double vtkGodRaysMarch::GetParallelism() const
     farthest = std::max({ farthest, std::abs(low), std::abs(high) });
   }
   return 1.0 + (farthest > 0.0 ? 3.0 * nearest / farthest : 0.0);
+}
+
+//------------------------------------------------------------------------------
+double vtkGodRaysMarch::GetErrorScale() const
+{
+  return this->GetGrowth() * this->GetParallelism() / std::sqrt(this->GetSummedPixels());
 }

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkGodRaysSourceFinder.h"
+#include "vtkGodRaysLightFinder.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysRole.h"
+#include "vtkGodRaysView.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -67,22 +68,22 @@ bool GetWorldPlace(vtkLight* light, vtkCamera* camera, double place[4])
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkGodRaysSource> vtkGodRaysSourceFinder::Find(
+std::vector<vtkGodRaysLight> vtkGodRaysLightFinder::Find(
   const vtkGodRaysView& view, const std::vector<vtkSmartPointer<vtkLight>>& lights)
 {
-  std::vector<vtkGodRaysSource> sources;
+  std::vector<vtkGodRaysLight> found;
   this->Plan.clear();
   int number = 0;
   for (vtkLight* light : lights)
   {
-    vtkGodRaysSource source;
-    source.Name = (light->GetPositional() ? "positional, number " : "directional, number ") +
+    vtkGodRaysLight seen;
+    seen.Name = (light->GetPositional() ? "positional, number " : "directional, number ") +
       std::to_string(number++);
     double place[4];
     if (!GetWorldPlace(light, this->Renderer->GetActiveCamera(), place))
     {
       this->Plan +=
-        "light: " + source.Name + ", skipped: its position is its focal point, or no number\n";
+        "light: " + seen.Name + ", skipped: its position is its focal point, or no number\n";
       continue;
     }
     double radius = vtkMath::RadiansFromDegrees(this->SunAngularRadius);
@@ -90,14 +91,14 @@ std::vector<vtkGodRaysSource> vtkGodRaysSourceFinder::Find(
     {
       radius = this->SourceRadius > 0.0 ? this->SourceRadius : 0.02 * this->FindDiagonal();
     }
-    source.Place(view, place, radius);
+    seen.Place(view, place, radius);
     if (this->LightsMedium)
     {
-      source.Power = this->FindPower(light);
-      this->SetSpot(source, view, light);
+      seen.Power = this->FindPower(light);
+      this->SetSpot(seen, view, light);
     }
-    this->Add(source, view, light->GetDiffuseColor(),
-      light->GetSwitch() ? light->GetIntensity() : 0.0, sources);
+    this->Add(seen, view, light->GetDiffuseColor(),
+      light->GetSwitch() ? light->GetIntensity() : 0.0, found);
   }
 
   vtkCollectionSimpleIterator iterator;
@@ -109,8 +110,8 @@ std::vector<vtkGodRaysSource> vtkGodRaysSourceFinder::Find(
     {
       continue;
     }
-    vtkGodRaysSource source;
-    source.Name = std::string("prop tagged LIGHT, ") + prop->GetClassName();
+    vtkGodRaysLight seen;
+    seen.Name = std::string("prop tagged LIGHT, ") + prop->GetClassName();
     double bounds[6];
     vtkMath::UninitializeBounds(bounds);
     if (const double* own = prop->GetVisibility() ? prop->GetBounds() : nullptr)
@@ -120,43 +121,43 @@ std::vector<vtkGodRaysSource> vtkGodRaysSourceFinder::Find(
     vtkGodRaysCompositor::JoinBounds(this->Compositor, bounds);
     if (!vtkMath::AreBoundsInitialized(bounds))
     {
-      this->Plan += "light: " + source.Name + ", skipped: it is invisible or has no geometry\n";
+      this->Plan += "light: " + seen.Name + ", skipped: it is invisible or has no geometry\n";
       continue;
     }
-    source.Prop = prop;
+    seen.Prop = prop;
     const double place[4] = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
       0.5 * (bounds[4] + bounds[5]), 1.0 };
     const double diagonal[3] = { bounds[1] - bounds[0], bounds[3] - bounds[2],
       bounds[5] - bounds[4] };
     const double radius = 0.5 * vtkMath::Norm(diagonal);
-    source.Place(view, place, radius);
-    source.Power = vtkMath::Pi() * radius * radius / 3.0; // of a sphere within its bounds
+    seen.Place(view, place, radius);
+    seen.Power = vtkMath::Pi() * radius * radius / 3.0; // of a sphere within its bounds
     double color[3] = { 1.0, 1.0, 1.0 };
     if (auto actor = vtkActor::SafeDownCast(prop))
     {
       actor->GetProperty()->GetColor(color);
     }
-    this->Add(source, view, color, 1.0, sources);
+    this->Add(seen, view, color, 1.0, found);
   }
   if (this->Plan.empty())
   {
-    this->Plan = "light: none; add one with AddLight() or tag a prop LIGHT\n";
+    this->Plan = "light: none; add seen with AddLight() or tag a prop LIGHT\n";
   }
-  return sources;
+  return found;
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysSourceFinder::Add(vtkGodRaysSource& source, const vtkGodRaysView& view,
-  const double color[3], double intensity, std::vector<vtkGodRaysSource>& sources)
+void vtkGodRaysLightFinder::Add(vtkGodRaysLight& seen, const vtkGodRaysView& view,
+  const double color[3], double intensity, std::vector<vtkGodRaysLight>& found)
 {
   if (this->LightsMedium)
   {
-    source.Fade = 1.0;
+    seen.Fade = 1.0;
   }
   else
   {
-    source.SetGlow(view, this->BackgroundGlowRadius, this->BackgroundGlowFalloff);
-    this->SetMarch(source, view);
+    seen.SetGlow(view, this->BackgroundGlowRadius, this->BackgroundGlowFalloff);
+    this->SetMarch(seen, view);
   }
   const vtkGodRays::Vec3 shown(color[0], color[1], color[2]);
   const vtkGodRays::Vec3 light = this->Transfer == vtkGodRaysTransfer::NONE
@@ -165,53 +166,53 @@ void vtkGodRaysSourceFinder::Add(vtkGodRaysSource& source, const vtkGodRaysView&
   double greatest = 0.0;
   for (int i = 0; i < 3; ++i)
   {
-    source.Color[i] =
-      vtkGodRays::Sanitize(source.Fade * intensity * light[i], std::numeric_limits<float>::max());
-    greatest = std::max(greatest, source.Color[i]);
+    seen.Color[i] =
+      vtkGodRays::Sanitize(seen.Fade * intensity * light[i], std::numeric_limits<float>::max());
+    greatest = std::max(greatest, seen.Color[i]);
   }
-  this->Plan += "light: " + source.Name;
-  if (source.Fade <= 0.0)
+  this->Plan += "light: " + seen.Name;
+  if (seen.Fade <= 0.0)
   {
     this->Plan += ", skipped: behind the camera\n";
   }
-  else if (!(greatest > 0.0) && !source.Prop)
+  else if (!(greatest > 0.0) && !seen.Prop)
   {
     this->Plan += ", skipped: off or black\n";
   }
-  else if (!this->LightsMedium && !source.Reaches(view, this->BackgroundGlow > 0.0))
+  else if (!this->LightsMedium && !seen.Reaches(view, this->BackgroundGlow > 0.0))
   {
     this->Plan += ", skipped: neither it nor its glow can be in the picture\n";
   }
   else
   {
-    this->Plan += source.Fade < 1.0 ? ", fading behind the camera\n" : "\n";
-    sources.push_back(source);
+    this->Plan += seen.Fade < 1.0 ? ", fading behind the camera\n" : "\n";
+    found.push_back(seen);
   }
 }
 
 //------------------------------------------------------------------------------
 // Where a light's shafts start, and how far they are marched.
-void vtkGodRaysSourceFinder::SetMarch(vtkGodRaysSource& source, const vtkGodRaysView& view) const
+void vtkGodRaysLightFinder::SetMarch(vtkGodRaysLight& seen, const vtkGodRaysView& view) const
 {
   // Parallel rays have no point to lead to: they lead as far as to the point of a perspective
   // view, so that the shafts of a sun that crosses the direction of view shrink and grow again.
   const double distance =
-    source.Planar || !view.Parallel ? source.Clip[2] : source.GetPerspectiveDistance(view);
-  const glm::dvec3 clip(source.Clip[0], source.Clip[1], distance);
+    seen.Planar || !view.Parallel ? seen.Clip[2] : seen.GetPerspectiveDistance(view);
+  const glm::dvec3 clip(seen.Clip[0], seen.Clip[1], distance);
   const double diagonal = 2.0 * std::hypot(view.Aspect, 1.0);
   const bool capped = this->CapsMarch || view.Parallel;
   const double cap = capped ? MarchCapDiagonals * diagonal * view.ViewScale * this->Tiles
                             : std::numeric_limits<float>::max();
-  source.MarchScale = vtkGodRays::MarchScale(clip, view.Aspect, cap);
-  if (!capped && source.Clip[2] <= 0.0)
+  seen.MarchScale = vtkGodRays::MarchScale(clip, view.Aspect, cap);
+  if (!capped && seen.Clip[2] <= 0.0)
   {
-    source.Fade = 0.0; // a published march ends where the light stops being before the camera
+    seen.Fade = 0.0; // a published march ends where the light stops being before the camera
   }
 }
 
 //------------------------------------------------------------------------------
 // Of what is visible; 50 if nothing is.
-double vtkGodRaysSourceFinder::FindDiagonal() const
+double vtkGodRaysLightFinder::FindDiagonal() const
 {
   double bounds[6];
   this->Renderer->ComputeVisiblePropBounds(bounds);
@@ -227,8 +228,8 @@ double vtkGodRaysSourceFinder::FindDiagonal() const
 
 //------------------------------------------------------------------------------
 // As VTK shades: from 90 degrees on there is no cone.
-void vtkGodRaysSourceFinder::SetSpot(
-  vtkGodRaysSource& source, const vtkGodRaysView& view, vtkLight* light) const
+void vtkGodRaysLightFinder::SetSpot(
+  vtkGodRaysLight& seen, const vtkGodRaysView& view, vtkLight* light) const
 {
   if (!light->GetPositional() || !(light->GetConeAngle() < 90.0))
   {
@@ -243,16 +244,17 @@ void vtkGodRaysSourceFinder::SetSpot(
   {
     for (int i = 0; i < 3; ++i)
     {
-      source.SpotAxis[i] = vtkMath::Dot(view.WorldToView + 4 * i, axis);
+      seen.Spot.Axis[i] = vtkMath::Dot(view.WorldToView + 4 * i, axis);
     }
-    source.CosCone = std::cos(vtkMath::RadiansFromDegrees(std::max(light->GetConeAngle(), 1e-3)));
-    source.SpotExponent = light->GetExponent();
+    seen.Spot.CosCone =
+      std::cos(vtkMath::RadiansFromDegrees(std::max(light->GetConeAngle(), 1e-3)));
+    seen.Spot.Exponent = light->GetExponent();
   }
 }
 
 //------------------------------------------------------------------------------
 // See vtkGodRaysMediumModel.
-double vtkGodRaysSourceFinder::FindPower(vtkLight* light) const
+double vtkGodRaysLightFinder::FindPower(vtkLight* light) const
 {
   if (!light->GetPositional())
   {

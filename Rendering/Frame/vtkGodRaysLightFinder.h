@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkGodRaysSourceFinder
+ * @class   vtkGodRaysLightFinder
  * @brief   find the lights of a frame; private to this module
  */
 
-#ifndef vtkGodRaysSourceFinder_h
-#define vtkGodRaysSourceFinder_h
+#ifndef vtkGodRaysLightFinder_h
+#define vtkGodRaysLightFinder_h
 
-#include "vtkGodRaysSource.h"
+#include "vtkGodRaysLight.h"
 #include "vtkGodRaysTransfer.h"
 #include "vtkSmartPointer.h"
 
@@ -16,9 +16,11 @@
 #include <vector>
 
 class vtkGodRaysCompositor;
+class vtkLight;
 class vtkRenderer;
+struct vtkGodRaysView;
 
-class vtkGodRaysSourceFinder
+class vtkGodRaysLightFinder
 {
 public:
   vtkRenderer* Renderer = nullptr;
@@ -29,14 +31,14 @@ public:
   double BackgroundGlowFalloff = 0.0; ///< [degrees]
   vtkGodRaysTransfer Transfer = vtkGodRaysTransfer::SRGB; ///< of the colours of lights
   bool CapsMarch = true;                                  ///< see vtkGodRaysModel
-  double Tiles = 1.0;        ///< of which the view is one, across or up the whole picture
+  double Tiles = 1.0;        ///< of which the view is seen, across or up the whole picture
   bool LightsMedium = false; ///< all emitters count, wherever it is
   vtkGodRaysCompositor* Compositor = nullptr; ///< of a scene on several processes
 
   /**
    * The lights, and the props tagged LIGHT, of which any light may fall into the layer.
    */
-  std::vector<vtkGodRaysSource> Find(
+  std::vector<vtkGodRaysLight> Find(
     const vtkGodRaysView& view, const std::vector<vtkSmartPointer<vtkLight>>& lights);
 
   /**
@@ -45,12 +47,12 @@ public:
   const std::string& GetPlan() const { return this->Plan; }
 
 private:
-  void Add(vtkGodRaysSource& source, const vtkGodRaysView& view, const double color[3],
-    double intensity, std::vector<vtkGodRaysSource>& sources);
-  void SetMarch(vtkGodRaysSource& source, const vtkGodRaysView& view) const;
+  void Add(vtkGodRaysLight& seen, const vtkGodRaysView& view, const double color[3],
+    double intensity, std::vector<vtkGodRaysLight>& found);
+  void SetMarch(vtkGodRaysLight& seen, const vtkGodRaysView& view) const;
   double FindDiagonal() const;
   double FindPower(vtkLight* light) const;
-  void SetSpot(vtkGodRaysSource& source, const vtkGodRaysView& view, vtkLight* light) const;
+  void SetSpot(vtkGodRaysLight& seen, const vtkGodRaysView& view, vtkLight* light) const;
 
   std::string Plan;
 };
