@@ -83,7 +83,8 @@ function(godrays_add_example name)
   endif()
 
   foreach(program IN LISTS programs)
-    target_link_libraries(${program} PRIVATE GodRays::Filters GodRays::Rendering GodRays::Sources ${components})
+    target_link_libraries(${program}
+      PRIVATE GodRays::Filters GodRays::Rendering GodRays::Sources ${components})
     target_include_directories(${program} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
     target_compile_options(${program} PRIVATE ${godrays_warnings})
     vtk_module_autoinit(TARGETS ${program} MODULES ${components})

@@ -50,8 +50,8 @@ constexpr int CoverageMaximumPlanes = 6; // colours and components of the medium
 ///  - layers, in perspective: asinh(rise of the view ray/RowUnit),
 ///  - layers and parallel rays: the height at which the view ray begins;
 /// a slice, cubic between slices, to where a ray lies about a point light in layers: the cosine of the
-/// angle between the slices' axis and the ray's nearest way to the light's axis from the eye, seen along that axis, or,
-/// of parallel rays, seen along the rays;
+/// angle between the slices' axis and the ray's nearest way to the light's axis from the eye, seen along
+/// that axis, or, of parallel rays, seen along the rays;
 /// a column to ln((1 + d) (1 + Change s)) for point lights, where s is the distance from the eye and
 /// ln(1 + d) = asinh((s - foot)/height) - asinh(-foot/height), and to ln(1 + s/width) for layers.
 struct CoverageTable

@@ -19,8 +19,8 @@ struct CoverageImage;
 struct CoverageSettings;
 struct CoverageTable;
 
-/// The table of a point light, or of a directional light in a medium of exponential density, for the view rays of a
-/// picture. Plane c is of colour c, or, of a directional light, k Channels + c of component k.
+/// The table of a point light, or of a directional light in a medium of exponential density, for the view
+/// rays of a picture. Plane c is of colour c, or, of a directional light, k Channels + c of component k.
 void MakeCoverageTable(const CoverageSettings& settings, const CoverageImage& image,
   const vtkGodRaysMedium& medium, CoverageTable& table);
 }

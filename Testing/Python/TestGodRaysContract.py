@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What every model and every integrator in CMake's lists has to do, with every other one that it goes with.
 
-Their properties and ranges are those of their ParaView entries, which a test of the plugin holds to the classes.
+Their properties and ranges are those of their ParaView entries, which a test of the plugin holds to the
+classes.
 """
 
 import itertools

@@ -154,8 +154,8 @@ TEST(GodRaysCameras, BothEyesOfStereoHaveTheLightInItsPlace)
 
 namespace
 {
-/// Where the eye and the screen of an off-axis projection count from: since VTK 9.3, which projects anew, from
-/// the origin of the world instead of the camera.
+/// Where the eye and the screen of an off-axis projection count from: since VTK 9.3, which projects anew,
+/// from the origin of the world instead of the camera.
 template <typename Camera>
 auto GetOriginOfEyes(Camera* camera, double origin[3], int)
   -> decltype(static_cast<void>(camera->GetOffAxisClippingAdjustment()))
