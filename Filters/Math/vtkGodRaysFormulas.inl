@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// All formulas, for C++: included within a namespace in which Real, Vec2, Vec3 and Vec4 are types of GLM.
+// All formulas, for C++: included within a namespace in which Real, Vec2, Vec3 and Vec4 are types of GLM,
+// after vtkGodRaysPhaseFunction.h.
 //
 // Each formula is written once, in vtkGodRays<Topic>Math.glsl, and compiled by GLSL 1.50 after
 // vtkGodRaysTypes.glsl and by C++17 here. So: no suffixes on numbers, no swizzles beyond .x .y .z, no
@@ -28,6 +29,16 @@ using glm::sin;
 using glm::sqrt;
 using std::exp2; // GLM has them through e, inexactly
 using std::log2;
+
+#define vtkGodRaysPhaseKindMacro(constant, number, name, hasAsymmetry)                             \
+  constexpr int PHASE_##constant = (number);
+vtkGodRaysPhaseFunctionsMacro(vtkGodRaysPhaseKindMacro)
+#undef vtkGodRaysPhaseKindMacro
+
+inline bool PhaseHasAsymmetry(int kind)
+{
+  return vtkGodRaysPhaseFunctions[kind].HasAsymmetry;
+}
 
 #define LAYER_TEMPLATE template <typename Layer>
 #define FUNCTION inline

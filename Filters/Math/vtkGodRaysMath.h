@@ -13,6 +13,8 @@
 #ifndef vtkGodRaysMath_h
 #define vtkGodRaysMath_h
 
+#include "vtkGodRaysPhaseFunction.h"
+
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>

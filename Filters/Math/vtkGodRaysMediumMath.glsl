@@ -106,14 +106,9 @@ FUNCTION Real PointAirlight(IN(PhaseFunction) phase, IN(Real) extinction, IN(Rea
   Real rNear = sqrt(h * h + (begin - foot) * (begin - foot));
   Real rFar = sqrt(h * h + (end - foot) * (end - foot));
   Real left = (end - begin) * (y + PointLightWay(end - foot, h)) / (rNear + rFar);
-  // The integrand's poles are at y = +-i h and at +-i times this.
-  Real g = phase.Kind >= 2 ? abs(phase.Asymmetry) : 0.0;
-  Real k = phase.Kind == 4 ? SchlickParameter(g) : g;
-  Real scale = phase.Kind == 4 ? h * sqrt((1.0 - k) / (1.0 + k)) : h * (1.0 - k) / (1.0 + k);
-  if (phase.Kind >= 2 && phase.Asymmetry < 0.0)
-  {
-    scale = h; // the poles of a peak to the back are beyond
-  }
+  // The integrand's poles are at y = +-i h and at +-i times this, since y/h is the tangent of half the
+  // scattering angle.
+  Real scale = h * PhasePole(phase);
   Real tau = 0.0;
   Real sum = 0.0;
   for (int panel = 0; panel < 96; ++panel)

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Phase functions.
+// Phase functions. Which there are: vtkGodRaysPhaseFunction.h, of which the constants PHASE_... and
+// PhaseHasAsymmetry() come.
 
 //VTK::GodRays::Types
+//VTK::GodRays::PhaseFunctions
 
 // How a medium scatters light into directions [1/sr]; the integral over all is 1.
 // cosAngle is the cosine of the scattering angle, between the directions in which the light travels
@@ -11,8 +13,8 @@
 // cosine of the angle between the view ray and the direction to the light.
 struct PhaseFunction
 {
-  int Kind;       // 0 isotropic, 1 Rayleigh, 2 Henyey-Greenstein, 3 Cornette-Shanks, 4 Schlick
-  Real Asymmetry; // g, of kinds 2 to 4: the mean cosine (of 3 nearly); in (-1, 1) [no unit]
+  int Kind;       // PHASE_ISOTROPIC or another
+  Real Asymmetry; // g, where PhaseHasAsymmetry(Kind): nearly the mean cosine; in (-1, 1) [no unit]
 };
 
 // Formula: 1/(4 pi). [1/sr]
@@ -72,23 +74,51 @@ FUNCTION Real PhaseSchlick(IN(Real) cosAngle, IN(Real) g)
 // Formula: that of its kind. [1/sr]
 FUNCTION Real Phase(IN(PhaseFunction) phase, IN(Real) cosAngle)
 {
-  if (phase.Kind == 1)
+  if (phase.Kind == PHASE_RAYLEIGH)
   {
     return PhaseRayleigh(cosAngle);
   }
-  if (phase.Kind == 2)
+  if (phase.Kind == PHASE_HENYEY_GREENSTEIN)
   {
     return PhaseHenyeyGreenstein(cosAngle, phase.Asymmetry);
   }
-  if (phase.Kind == 3)
+  if (phase.Kind == PHASE_CORNETTE_SHANKS)
   {
     return PhaseCornetteShanks(cosAngle, phase.Asymmetry);
   }
-  if (phase.Kind == 4)
+  if (phase.Kind == PHASE_SCHLICK)
   {
     return PhaseSchlick(cosAngle, phase.Asymmetry);
   }
   return PhaseIsotropic();
+}
+
+// Where a phase function has poles as a function of t, the tangent of half the scattering angle: at +-i and,
+// where it has an asymmetry, at +-i times this, which is small for a sharp peak ahead. For a peak to the back
+// that is above 1, and 1 is returned.
+// Formula: (1 - g)/(1 + g), where 1 - 2 g c + g^2 = 0 for c = (1 - t^2)/(1 + t^2); for Schlick's
+// sqrt((1 - k)/(1 + k)), where 1 - k c = 0. [no unit]
+FUNCTION Real PhasePole(IN(PhaseFunction) phase)
+{
+  if (!PhaseHasAsymmetry(phase.Kind) || phase.Asymmetry < 0.0)
+  {
+    return 1.0;
+  }
+  if (phase.Kind == PHASE_SCHLICK)
+  {
+    Real k = SchlickParameter(phase.Asymmetry);
+    return sqrt((1.0 - k) / (1.0 + k));
+  }
+  return (1.0 - phase.Asymmetry) / (1.0 + phase.Asymmetry);
+}
+
+// The part of scattered light that goes on nearly straight: where light is scattered more than once it
+// counts as not scattered.
+// Formula: g^2 for g > 0, else 0. [no unit] [Joseph1976]
+FUNCTION Real PhaseForwardPeak(IN(PhaseFunction) phase)
+{
+  Real g = max(phase.Asymmetry, 0.0);
+  return PhaseHasAsymmetry(phase.Kind) ? g * g : 0.0;
 }
 
 // A mix of two, e.g. of a peak ahead and one to the back; weight is the second's part, in [0, 1].

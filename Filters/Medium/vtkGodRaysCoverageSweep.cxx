@@ -70,7 +70,7 @@ double GetPhase(const Component& component, double cosAngle)
 void MakeTable(const Component& component, CoveragePhase& table)
 {
   const auto sharpness = [](int kind, double asymmetry)
-  { return kind >= 2 ? 1.0 - std::abs(asymmetry) : 1.0; };
+  { return PhaseHasAsymmetry(kind) ? 1.0 - std::abs(asymmetry) : 1.0; };
   const double least = std::min(sharpness(component.PhaseFunction, component.Asymmetry),
     component.SecondWeight > 0.0
       ? sharpness(component.SecondPhaseFunction, component.SecondAsymmetry)

@@ -29,7 +29,7 @@ struct vtkGodRaysMedium
   {
     double Scattering[3] = { 0.0, 0.0, 0.0 }; // where the density is 1 [1/scene unit], at least 0
     double Absorption[3] = { 0.0, 0.0, 0.0 };
-    int PhaseFunction = 0;  // vtkGodRaysMediumFilter::PhaseFunctionType
+    int PhaseFunction = 0;  // see vtkGodRaysPhaseFunction.h
     double Asymmetry = 0.0; // [-0.99, 0.99]
     int SecondPhaseFunction =
       0; // the phase function is (1 - SecondWeight) first + SecondWeight second

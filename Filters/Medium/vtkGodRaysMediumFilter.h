@@ -34,6 +34,7 @@
 #define vtkGodRaysMediumFilter_h
 
 #include "vtkGodRaysFiltersModule.h" // For export macro
+#include "vtkGodRaysPhaseFunction.h" // For PhaseFunctionType
 #include "vtkImageAlgorithm.h"
 
 #include <string> // For std::string
@@ -98,27 +99,23 @@ public:
   vtkGetVector3Macro(AbsorptionCoefficient, double);
   ///@}
 
-  /// Into which directions light is scattered; see vtkGodRaysPhaseMath.glsl.
+  /// Into which directions light is scattered; see vtkGodRaysPhaseFunction.h.
   enum PhaseFunctionType
   {
-    ISOTROPIC = 0,
-    RAYLEIGH = 1,
-    HENYEY_GREENSTEIN = 2,
-    CORNETTE_SHANKS = 3,
-    SCHLICK = 4
+    vtkGodRaysPhaseFunctionConstantsMacro()
   };
 
   ///@{
   /**
    * Set/Get the phase function, one of PhaseFunctionType. Default is HENYEY_GREENSTEIN.
    */
-  vtkSetClampMacro(PhaseFunction, int, ISOTROPIC, SCHLICK);
+  vtkSetClampMacro(PhaseFunction, int, ISOTROPIC, vtkGodRaysLastPhaseFunction);
   vtkGetMacro(PhaseFunction, int);
   ///@}
 
   ///@{
   /**
-   * Set/Get the asymmetry g of the last three phase functions: above 0, light goes on rather than
+   * Set/Get the asymmetry g of the phase functions that have one: above 0, light goes on rather than
    * back. Valid range: [-0.99, 0.99]. Default is 0.6.
    */
   void SetAsymmetry(double g);
@@ -131,7 +128,7 @@ public:
    * function is (1 - SecondWeight) first + SecondWeight second. Valid ranges: PhaseFunctionType,
    * [-0.99, 0.99], [0, 1]. Defaults are HENYEY_GREENSTEIN, -0.3 and 0.
    */
-  vtkSetClampMacro(SecondPhaseFunction, int, ISOTROPIC, SCHLICK);
+  vtkSetClampMacro(SecondPhaseFunction, int, ISOTROPIC, vtkGodRaysLastPhaseFunction);
   vtkGetMacro(SecondPhaseFunction, int);
   void SetSecondAsymmetry(double g);
   vtkGetMacro(SecondAsymmetry, double);
@@ -157,7 +154,7 @@ public:
   vtkGetVector3Macro(GasScatteringCoefficient, double);
   vtkSetVector3Macro(GasAbsorptionCoefficient, double);
   vtkGetVector3Macro(GasAbsorptionCoefficient, double);
-  vtkSetClampMacro(GasPhaseFunction, int, ISOTROPIC, SCHLICK);
+  vtkSetClampMacro(GasPhaseFunction, int, ISOTROPIC, vtkGodRaysLastPhaseFunction);
   vtkGetMacro(GasPhaseFunction, int);
   void SetGasAsymmetry(double g);
   vtkGetMacro(GasAsymmetry, double);

@@ -18,6 +18,7 @@
 #define vtkGodRaysAtmosphere_h
 
 #include "vtkGodRaysFiltersModule.h" // For export macro
+#include "vtkGodRaysPhaseFunction.h" // For PhaseFunctionType
 #include "vtkObject.h"
 
 #include <string> // For std::string
@@ -132,14 +133,10 @@ public:
   vtkGetVector3Macro(OzoneAbsorption, double);
   ///@}
 
-  /// Into which directions light is scattered; see vtkGodRaysPhaseMath.glsl.
+  /// Into which directions light is scattered; see vtkGodRaysPhaseFunction.h.
   enum PhaseFunctionType
   {
-    ISOTROPIC = 0,
-    RAYLEIGH = 1,
-    HENYEY_GREENSTEIN = 2,
-    CORNETTE_SHANKS = 3,
-    SCHLICK = 4
+    vtkGodRaysPhaseFunctionConstantsMacro()
   };
 
   ///@{
@@ -147,7 +144,7 @@ public:
    * Set/Get the aerosol's phase function, one of PhaseFunctionType, and its asymmetry g, valid in
    * [-0.99, 0.99]. The air's is RAYLEIGH. Default: CORNETTE_SHANKS of 0.8.
    */
-  vtkSetClampMacro(MiePhaseFunction, int, ISOTROPIC, SCHLICK);
+  vtkSetClampMacro(MiePhaseFunction, int, ISOTROPIC, vtkGodRaysLastPhaseFunction);
   vtkGetMacro(MiePhaseFunction, int);
   void SetMieAsymmetry(double g);
   vtkGetMacro(MieAsymmetry, double);

@@ -11,8 +11,6 @@
 #include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysMath.h"
 
-#include <algorithm>
-
 namespace vtkGodRays
 {
 inline Vec3 ToVec3(const double values[3])
@@ -38,11 +36,10 @@ inline SkyAtmosphere MakeSkyAtmosphere(vtkGodRaysAtmosphere* from)
 }
 
 // The part of what an aerosol scatters that goes on nearly straight, and so is taken to be no scattering
-// where light is scattered more than once. [Joseph1976]
+// where light is scattered more than once.
 inline double GetForwardPeak(const SkyAtmosphere& sky)
 {
-  const double g = std::max(sky.AerosolPhase.Asymmetry, 0.0);
-  return sky.AerosolPhase.Kind >= vtkGodRaysAtmosphere::HENYEY_GREENSTEIN ? g * g : 0.0;
+  return PhaseForwardPeak(sky.AerosolPhase);
 }
 
 // The atmosphere in which light is scattered more than once: the forward peak is left in the light.

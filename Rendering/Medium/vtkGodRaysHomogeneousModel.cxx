@@ -14,9 +14,10 @@ vtkStandardNewMacro(vtkGodRaysHomogeneousModel);
 
 vtkGodRaysSetFinite3Macro(vtkGodRaysHomogeneousModel, ScatteringCoefficient, 0.0, 1e15);
 vtkGodRaysSetFinite3Macro(vtkGodRaysHomogeneousModel, AbsorptionCoefficient, 0.0, 1e15);
-vtkGodRaysSetModeMacro(vtkGodRaysHomogeneousModel, PhaseFunction, SCHLICK);
+vtkGodRaysSetModeMacro(vtkGodRaysHomogeneousModel, PhaseFunction, vtkGodRaysLastPhaseFunction);
 vtkGodRaysSetFiniteMacro(vtkGodRaysHomogeneousModel, Asymmetry, -0.99, 0.99);
-vtkGodRaysSetModeMacro(vtkGodRaysHomogeneousModel, SecondPhaseFunction, SCHLICK);
+vtkGodRaysSetModeMacro(
+  vtkGodRaysHomogeneousModel, SecondPhaseFunction, vtkGodRaysLastPhaseFunction);
 vtkGodRaysSetFiniteMacro(vtkGodRaysHomogeneousModel, SecondAsymmetry, -0.99, 0.99);
 vtkGodRaysSetFiniteMacro(vtkGodRaysHomogeneousModel, SecondWeight, 0.0, 1.0);
 
@@ -44,9 +45,6 @@ const Preset Presets[] = {
   { "sea-water", "coastal water, which swallows red", { 0.219, 0.219, 0.219 },
     { 0.61, 0.20, 0.151 }, vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.924 },
 };
-
-const char* const PhaseNames[] = { "isotropic", "Rayleigh", "Henyey-Greenstein", "Cornette-Shanks",
-  "Schlick" };
 }
 
 //------------------------------------------------------------------------------
@@ -113,14 +111,16 @@ std::string vtkGodRaysHomogeneousModel::Describe() const
   const double* s = this->ScatteringCoefficient;
   const double* a = this->AbsorptionCoefficient;
   text << "homogeneous medium, scattering " << s[0] << " " << s[1] << " " << s[2] << ", absorption "
-       << a[0] << " " << a[1] << " " << a[2] << " [1/m], " << PhaseNames[this->PhaseFunction];
-  if (this->PhaseFunction >= HENYEY_GREENSTEIN)
+       << a[0] << " " << a[1] << " " << a[2] << " [1/m], "
+       << vtkGodRaysPhaseFunctions[this->PhaseFunction].Name;
+  if (vtkGodRaysPhaseFunctions[this->PhaseFunction].HasAsymmetry)
   {
     text << " " << this->Asymmetry;
   }
   if (this->SecondWeight > 0.0)
   {
-    text << " and " << this->SecondWeight << " of " << PhaseNames[this->SecondPhaseFunction];
+    text << " and " << this->SecondWeight << " of "
+         << vtkGodRaysPhaseFunctions[this->SecondPhaseFunction].Name;
   }
   text << (this->AttenuateScene ? ", the scene is dimmed" : ", the scene is not dimmed");
   return text.str();

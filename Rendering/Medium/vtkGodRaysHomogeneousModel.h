@@ -48,8 +48,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the asymmetry g of the last three phase functions [no unit]: above 0, light goes on rather
-   * than back. Valid range: [-0.99, 0.99]. Default is 0.6.
+   * Set/Get the asymmetry g of the phase functions that have one [no unit]: above 0, light goes on
+   * rather than back. Valid range: [-0.99, 0.99]. Default is 0.6.
    */
   void SetAsymmetry(double g);
   vtkGetMacro(Asymmetry, double);

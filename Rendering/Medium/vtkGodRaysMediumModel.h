@@ -35,6 +35,7 @@
 #define vtkGodRaysMediumModel_h
 
 #include "vtkGodRaysModel.h"
+#include "vtkGodRaysPhaseFunction.h"   // For PhaseFunctionType
 #include "vtkGodRaysRenderingModule.h" // For export macro
 #include "vtkWrappingHints.h"          // For VTK_WRAPEXCLUDE
 
@@ -46,14 +47,10 @@ public:
   vtkTypeMacro(vtkGodRaysMediumModel, vtkGodRaysModel);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Into which directions light is scattered; see vtkGodRaysPhaseMath.glsl.
+  /// Into which directions light is scattered; see vtkGodRaysPhaseFunction.h.
   enum PhaseFunctionType
   {
-    ISOTROPIC = 0,
-    RAYLEIGH = 1,
-    HENYEY_GREENSTEIN = 2,
-    CORNETTE_SHANKS = 3,
-    SCHLICK = 4
+    vtkGodRaysPhaseFunctionConstantsMacro()
   };
 
   ///@{

@@ -7,6 +7,7 @@
 #include "vtkGodRaysLightMath.h"
 #include "vtkGodRaysMediumMath.h"
 #include "vtkGodRaysOpenGL.h"
+#include "vtkGodRaysPhaseFunction.h"
 #include "vtkGodRaysPhaseMath.h"
 #include "vtkGodRaysPlanetMath.h"
 #include "vtkGodRaysRadialMath.h"
@@ -28,14 +29,30 @@ namespace
 {
 const std::string TopicMark = "//VTK::GodRays::";
 
+/// What shaders have of vtkGodRaysPhaseFunction.h: a constant for each, and which have an asymmetry.
+std::string MakePhaseFunctions()
+{
+  std::string constants;
+  std::string asymmetric = "false";
+  for (const vtkGodRaysPhaseFunction& phase : vtkGodRaysPhaseFunctions)
+  {
+    const std::string name = std::string("PHASE_") + phase.Constant;
+    constants += "const int " + name + " = " + std::to_string(phase.Number) + ";\n";
+    asymmetric += phase.HasAsymmetry ? " || kind == " + name : "";
+  }
+  return constants + "bool PhaseHasAsymmetry(in int kind)\n{\n  return " + asymmetric + ";\n}\n";
+}
+
 /// The formulas of a topic; null if the mark is not a topic's.
 const char* FindTopic(const std::string& name)
 {
+  static const std::string phaseFunctions = MakePhaseFunctions();
   static const std::map<std::string, const char*> topics = { { "Types", vtkGodRaysTypes },
-    { "Colour", vtkGodRaysColourMath }, { "Common", vtkGodRaysCommonMath },
-    { "Light", vtkGodRaysLightMath }, { "Medium", vtkGodRaysMediumMath },
-    { "Phase", vtkGodRaysPhaseMath }, { "Planet", vtkGodRaysPlanetMath },
-    { "Radial", vtkGodRaysRadialMath }, { "Sky", vtkGodRaysSkyMath } };
+    { "PhaseFunctions", phaseFunctions.c_str() }, { "Colour", vtkGodRaysColourMath },
+    { "Common", vtkGodRaysCommonMath }, { "Light", vtkGodRaysLightMath },
+    { "Medium", vtkGodRaysMediumMath }, { "Phase", vtkGodRaysPhaseMath },
+    { "Planet", vtkGodRaysPlanetMath }, { "Radial", vtkGodRaysRadialMath },
+    { "Sky", vtkGodRaysSkyMath } };
   const auto found = topics.find(name);
   return found == topics.end() ? nullptr : found->second;
 }

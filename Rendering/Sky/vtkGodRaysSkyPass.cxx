@@ -558,6 +558,7 @@ bool vtkGodRaysSkyPass::Draw(const int viewport[4], const int part[4], Stage sta
   Internals& self = *this->Internal;
   vtkGodRaysAtmosphere* atmosphere = this->GetAtmosphere();
   const vtkGodRaysSkyTable& table = stage == AIR ? self.Air : self.Table;
+  static_assert(vtkGodRaysLastPhaseFunction < 8, "a kind of phase function has three bits");
   const int kind = atmosphere->GetMiePhaseFunction();
   vtkShaderProgram* program = self.Quad.Begin(self.Window,
     { { "isPower", self.Transfer == vtkGodRaysTransfer::POWER }, { "beforeScene", stage == AIR },

@@ -66,7 +66,7 @@ TEST(CoverageFilter, IsTheAirlightWithoutOccluders)
     filter->SetScatteringCoefficient(b, b, b);
     filter->SetFarLimit(far);
     filter->SetParallelProjection(parallel);
-    filter->SetPhaseFunction(i % 5);
+    filter->SetPhaseFunction(i % (vtkGodRaysLastPhaseFunction + 1));
     filter->SetAsymmetry(uniform(-0.9, 0.9));
     const int width = 37;
     const int height = 23;
@@ -83,7 +83,7 @@ TEST(CoverageFilter, IsTheAirlightWithoutOccluders)
           : Vec3((x + 0.5 - 0.5 * width) * pixel, (y + 0.5 - 0.5 * height) * pixel, -1.0);
         const double length = vtkGodRays::length(view);
         const double expected = b *
-          vtkGodRays::Phase({ i % 5, filter->GetAsymmetry() },
+          vtkGodRays::Phase({ i % (vtkGodRaysLastPhaseFunction + 1), filter->GetAsymmetry() },
             vtkGodRays::dot(view, light) / length / vtkGodRays::length(light)) *
           vtkGodRays::DirectionalAirlight(b, 0.0, far * length, 0.0, 0.0);
         worst = std::max(worst, std::abs(result.Get(x, y) / expected - 1.0));

@@ -139,7 +139,7 @@ TEST(CoverageMedia, PointLightsShineAsTheIntegral)
     filter->SetParallelScale(random.Uniform(1.0, 8.0) * scale);
     const double b = random.Log(1e-5, 1.0) / scale;
     filter->SetScatteringCoefficient(b, b, b);
-    filter->SetPhaseFunction(i % 5);
+    filter->SetPhaseFunction(i % (vtkGodRaysLastPhaseFunction + 1));
     const double g = random.Uniform(-0.9, 0.9);
     filter->SetAsymmetry(g);
     // Not so far that only darkness comes from it.
@@ -160,7 +160,9 @@ TEST(CoverageMedia, PointLightsShineAsTheIntegral)
           : 0.28 * GetPixelSize(filter) * light.z * light.z / vtkGodRays::length(light);
         const double height =
           std::max(nearest, vtkGodRays::length(vtkGodRays::cross(light - ray.Origin, along)));
-        return b * vtkGodRays::PointAirlight({ i % 5, g }, b, foot, height, 0.0, end * length);
+        return b *
+          vtkGodRays::PointAirlight(
+            { i % (vtkGodRaysLastPhaseFunction + 1), g }, b, foot, height, 0.0, end * length);
       });
     EXPECT_LE(error, 2e-3) << i << " " << filter->GetPlan() << " light " << light.x / scale << " "
                            << light.y / scale << " " << light.z / scale << " optical depth "
@@ -238,7 +240,7 @@ TEST(CoverageMedia, PointLightsInLayersShineAsTheIntegral)
     const double g = random.Uniform(-0.9, 0.9);
     const double gasScale = random.Log(1.0, 10.0) * scale;
     filter->SetScatteringCoefficient(b, b, b);
-    filter->SetPhaseFunction(i % 5);
+    filter->SetPhaseFunction(i % (vtkGodRaysLastPhaseFunction + 1));
     filter->SetAsymmetry(g);
     filter->SetScaleHeight(scale);
     filter->SetGasScatteringCoefficient(gas, gas, gas);
@@ -247,7 +249,8 @@ TEST(CoverageMedia, PointLightsInLayersShineAsTheIntegral)
     filter->SetMediumUp(up.x, up.y, up.z);
     const double eye = random.Uniform(-1.0, 3.0) * scale;
     filter->SetGroundLevel(-eye);
-    const vtkGodRays::MediumComponent first = { b, b, scale, { i % 5, g }, {}, 0.0 };
+    const vtkGodRays::MediumComponent first = { b, b, scale,
+      { i % (vtkGodRaysLastPhaseFunction + 1), g }, {}, 0.0 };
     const vtkGodRays::MediumComponent second = { gas, gas, filter->GetGasScaleHeight(),
       { Filter::RAYLEIGH, 0.0 }, {}, 0.0 };
     Vec3 light;
@@ -607,7 +610,7 @@ TEST(CoverageMedia, IsFiniteForAnyMedium)
     filter->SetFarLimit(random.Log(1e-6, 1e9));
     filter->SetParallelProjection(i % 2 == 1);
     filter->SetParallelScale(random.Log(1e-3, 1e3));
-    filter->SetPhaseFunction(i % 5);
+    filter->SetPhaseFunction(i % (vtkGodRaysLastPhaseFunction + 1));
     filter->SetAsymmetry(i % 7 == 0 ? 0.99 : random.Uniform(-0.99, 0.99));
     const Vec3 light = random.Direction() * (i % 11 == 0 ? 0.0 : random.Log(1e-6, 1e9));
     const bool point = i % 4 < 2;

@@ -6,6 +6,8 @@
 
 #include "GodRaysMediumSingle.h"
 
+#include "vtkGodRaysPhaseFunction.h"
+
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>

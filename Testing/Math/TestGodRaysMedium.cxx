@@ -83,13 +83,13 @@ Long PrintedPhase(int kind, Long g, Long c)
   const Long d = 1 + g * g - 2 * g * c;
   switch (kind)
   {
-    case 1:
+    case PHASE_RAYLEIGH:
       return 3 / (16 * Long(pi)) * (1 + c * c);
-    case 2:
+    case PHASE_HENYEY_GREENSTEIN:
       return (1 - g * g) / (4 * Long(pi) * std::pow(d, 1.5L));
-    case 3:
+    case PHASE_CORNETTE_SHANKS:
       return 3 / (8 * Long(pi)) * (1 - g * g) / (2 + g * g) * (1 + c * c) / std::pow(d, 1.5L);
-    case 4:
+    case PHASE_SCHLICK:
       return (1 - k * k) / (4 * Long(pi) * (1 - k * c) * (1 - k * c));
     default:
       return 1 / (4 * Long(pi));
@@ -109,7 +109,8 @@ public:
   }
   PhaseFunction Phase()
   {
-    return { static_cast<int>(this->Generator() % 5), this->Uniform(-0.99, 0.99) };
+    return { static_cast<int>(this->Generator() % (vtkGodRaysLastPhaseFunction + 1)),
+      this->Uniform(-0.99, 0.99) };
   }
 
 private:
@@ -149,8 +150,16 @@ TEST(Medium, PhaseFunctionsAreThePublishedOnes)
 // One convention for all: g > 0 is light that goes on, and that is seen when looking at it.
 TEST(Medium, PositiveAsymmetryIsForwards)
 {
-  for (int kind = 2; kind <= 4; ++kind)
+  for (int kind = 0; kind <= vtkGodRaysLastPhaseFunction; ++kind)
   {
+    if (!PhaseHasAsymmetry(kind))
+    {
+      EXPECT_EQ(Phase({ kind, 0.6 }, 0.8), Phase({ kind, -0.6 }, 0.8));
+      EXPECT_EQ(PhaseForwardPeak({ kind, 0.6 }), 0.0);
+      continue;
+    }
+    EXPECT_DOUBLE_EQ(PhaseForwardPeak({ kind, 0.6 }), 0.36);
+    EXPECT_EQ(PhaseForwardPeak({ kind, -0.6 }), 0.0);
     EXPECT_GT(Phase({ kind, 0.6 }, 1.0), 2.0 * Phase({ kind, 0.6 }, 0.0));
     EXPECT_GT(Phase({ kind, 0.6 }, 0.0), Phase({ kind, 0.6 }, -1.0));
     EXPECT_DOUBLE_EQ(Phase({ kind, -0.6 }, -0.8), Phase({ kind, 0.6 }, 0.8));
@@ -180,17 +189,36 @@ TEST(Medium, PhaseFunctionsIntegrateToOne)
     ExpectRatio(static_cast<double>(integral(0)), 1, 1e-9, worst);
     mean = integral(1) - 1;
     const double g = phase.Asymmetry;
-    const double expected = phase.Kind < 2 ? 0.0
-      : phase.Kind == 2                    ? g
-      : phase.Kind == 3                    ? 3.0 * g * (4.0 + g * g) / (5.0 * (2.0 + g * g))
-                                           : mean;
+    const double expected = !PhaseHasAsymmetry(phase.Kind) ? 0.0
+      : phase.Kind == PHASE_HENYEY_GREENSTEIN              ? g
+      : phase.Kind == PHASE_CORNETTE_SHANKS ? 3.0 * g * (4.0 + g * g) / (5.0 * (2.0 + g * g))
+                                            : mean;
     EXPECT_NEAR(static_cast<double>(mean), expected, 1e-9);
-    if (phase.Kind == 4)
+    if (phase.Kind == PHASE_SCHLICK)
     {
       EXPECT_NEAR(static_cast<double>(mean), g, 0.075); // Schlick's is near to it only
     }
   }
   std::cout << "integrals, largest difference from 1: " << worst << "\n";
+}
+
+//------------------------------------------------------------------------------
+// The kinds have their formulas, and where one is not finite its poles are.
+TEST(Medium, PolesOfPhaseFunctions)
+{
+  for (int kind = 0; kind <= vtkGodRaysLastPhaseFunction; ++kind)
+  {
+    EXPECT_EQ(PhasePole({ kind, -0.6 }), 1.0);
+    const double square = -std::pow(PhasePole({ kind, 0.6 }), 2.0); // t^2
+    if (!PhaseHasAsymmetry(kind))
+    {
+      EXPECT_EQ(square, -1.0);
+      continue;
+    }
+    const Long c = (1.0L - square) / (1.0L + square);
+    EXPECT_GT(c, 1.0L);
+    EXPECT_GT(std::abs(PrintedPhase(kind, 0.6L, c - 1e-9L)), 1e6L) << kind;
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -41,7 +41,7 @@ TEST(MediumSingle, KeepsItsFigures)
     const float slope = (i % 2 == 0 ? 1 : -1) * pick(1e-7f, 1.0f);
     const float lightSlope = pick(5e-2f, 1.0f);
     const float g = (i % 3 == 0 ? 1 : -1) * pick(1e-3f, 0.9f);
-    const vtkGodRays::PhaseFunction phase = { i % 5, g };
+    const vtkGodRays::PhaseFunction phase = { i % (vtkGodRaysLastPhaseFunction + 1), g };
     // Below the smallest normal number nothing can be kept.
     const auto compare = [&](int which, float actual, double expected)
     {
@@ -54,7 +54,9 @@ TEST(MediumSingle, KeepsItsFigures)
       vtkGodRays::DirectionalAirlight(b, 0.0, end, 0.0, 0.0));
     compare(1, GodRaysMediumSingle::PointAirlight(foot, height, end),
       vtkGodRays::PointAirlight(foot, height, 0.0, end));
-    compare(2, GodRaysMediumSingle::PointAirlight(i % 5, g, b, foot, height, end),
+    compare(2,
+      GodRaysMediumSingle::PointAirlight(
+        i % (vtkGodRaysLastPhaseFunction + 1), g, b, foot, height, end),
       vtkGodRays::PointAirlight(phase, b, foot, height, 0.0, end));
     const float scaleHeight = end / pick(1e-3f, 5.0f);
     const float start = slope < 0.0f ? -slope * end : 0.0f;

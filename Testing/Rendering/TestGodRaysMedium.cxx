@@ -352,8 +352,9 @@ TEST(GodRaysHomogeneousModel, RefusesWhatIsNoMedium)
   EXPECT_EQ(model->GetScatteringCoefficient()[0], 0.02);
   model->SetAsymmetry(2.0);
   EXPECT_EQ(model->GetAsymmetry(), 0.99);
-  model->SetPhaseFunction(7);
-  EXPECT_TRUE(Says(messages.Take().at(0), "PhaseFunction must be in 0..4"));
+  model->SetPhaseFunction(vtkGodRaysLastPhaseFunction + 1);
+  EXPECT_TRUE(Says(messages.Take().at(0),
+    "PhaseFunction must be in 0.." + std::to_string(vtkGodRaysLastPhaseFunction)));
   EXPECT_FALSE(model->ApplyPreset("soup"));
   EXPECT_TRUE(Says(messages.Take().at(0), "clear-air, haze, fog, dust, sea-water"));
   for (int i = 0; i < model->GetNumberOfPresets(); ++i)
