@@ -61,6 +61,7 @@ FUNCTION Real Luminance(IN(Vec3) light)
 // [Reinhard2002] equation 4, for each colour for itself
 FUNCTION Vec3 ToneReinhard(IN(Vec3) light, Real inverseWhite)
 {
+  GODRAYS_EXPECT(min(light.x, min(light.y, light.z)) >= 0.0 && inverseWhite >= 0.0);
   return min(light * (light * (inverseWhite * inverseWhite) + Vec3(1.0)) / (light + Vec3(1.0)), Vec3(1.0));
 }
 
@@ -91,6 +92,7 @@ FUNCTION Vec3 BlendScreen(IN(Vec3) scene, IN(Vec3) rays)
 // Formula: ceil(log2 m); floor(log2 m) + 1. [no unit] [Lodato2015], [Ward1991]
 FUNCTION Real SharedExponent(IN(int) variant, IN(Real) brightest)
 {
+  GODRAYS_EXPECT(brightest > 0.0);
   Real exponent = ceil(log2(brightest));
   // The logarithm may be rounded across a whole number.
   exponent += brightest > exp2(exponent) ? 1.0 : (brightest <= exp2(exponent - 1.0) ? -1.0 : 0.0);

@@ -26,11 +26,13 @@ FUNCTION Real MeanExponential(IN(Real) k)
 // Formula: c > 0 ? min(c, maximum) : 0. [the value's unit]
 FUNCTION Real Sanitize(IN(Real) value, IN(Real) maximum)
 {
+  GODRAYS_EXPECT(maximum >= 0.0);
   return value > 0.0 ? min(value, maximum) : 0.0;
 }
 
 FUNCTION Vec3 Sanitize(IN(Vec3) value, IN(Real) maximum)
 {
+  GODRAYS_EXPECT(maximum >= 0.0);
   return Vec3(
     Sanitize(value.x, maximum), Sanitize(value.y, maximum), Sanitize(value.z, maximum));
 }

@@ -30,6 +30,23 @@ using glm::sqrt;
 using std::exp2; // GLM has them through e, inexactly
 using std::log2;
 
+// GODRAYS_EXPECT(condition) states the domain of a formula. A build with GODRAYS_CHECK_DOMAINS, such as that of
+// the tests of the formulas, stops where a condition does not hold; NaN is in no domain. It is nothing
+// otherwise, and shaders are without these lines, each of which holds the whole statement.
+#ifdef GODRAYS_CHECK_DOMAINS
+#define GODRAYS_EXPECT(condition)                                                                  \
+  do                                                                                               \
+  {                                                                                                \
+    if (!(condition))                                                                              \
+    {                                                                                              \
+      std::fprintf(stderr, "%s() is for %s\n", __func__, #condition);                              \
+      std::abort();                                                                                \
+    }                                                                                              \
+  } while (false)
+#else
+#define GODRAYS_EXPECT(condition) static_cast<void>(0)
+#endif
+
 #define vtkGodRaysPhaseKindMacro(constant, number, name, hasAsymmetry)                             \
   constexpr int PHASE_##constant = (number);
 vtkGodRaysPhaseFunctionsMacro(vtkGodRaysPhaseKindMacro)
@@ -37,7 +54,14 @@ vtkGodRaysPhaseFunctionsMacro(vtkGodRaysPhaseKindMacro)
 
 inline bool PhaseHasAsymmetry(int kind)
 {
+  GODRAYS_EXPECT(kind >= 0 && kind <= vtkGodRaysLastPhaseFunction);
   return vtkGodRaysPhaseFunctions[kind].HasAsymmetry;
+}
+
+// The cosine of an angle, apart from rounding in single precision.
+inline bool IsCosine(Real value)
+{
+  return value >= -1.00001 && value <= 1.00001;
 }
 
 #define LAYER_TEMPLATE template <typename Layer>
@@ -54,6 +78,7 @@ inline bool PhaseHasAsymmetry(int kind)
 
 #include "vtkGodRaysMediumMath.glsl"
 #include "vtkGodRaysSkyMath.glsl"
+#undef GODRAYS_EXPECT
 #undef IN
 #undef FUNCTION
 #undef LAYER_TEMPLATE

@@ -9,6 +9,7 @@
 // Formula: atan2(|a x b|, a . b). [radians]
 FUNCTION Real AngleBetween(IN(Vec3) a, IN(Vec3) b)
 {
+  GODRAYS_EXPECT(dot(a, a) > 0.0 && dot(b, b) > 0.0);
   return atan(length(cross(a, b)), dot(a, b));
 }
 
@@ -17,6 +18,7 @@ FUNCTION Real AngleBetween(IN(Vec3) a, IN(Vec3) b)
 // Formula: max(|a x right|, |a x up|)/|a|^2. [radians]
 FUNCTION Real PixelAngle(IN(Vec3) ray, IN(Vec3) right, IN(Vec3) up)
 {
+  GODRAYS_EXPECT(dot(ray, ray) > 0.0);
   Vec3 sideways = cross(ray, right);
   Vec3 upwards = cross(ray, up);
   return sqrt(max(dot(sideways, sideways), dot(upwards, upwards))) / dot(ray, ray);
@@ -30,6 +32,7 @@ FUNCTION Real PixelAngle(IN(Vec3) ray, IN(Vec3) right, IN(Vec3) up)
 // A = r^2/(R^2 + h^2/5). [no unit]
 FUNCTION Real DiscCoverage(IN(Real) separation, IN(Real) radius, IN(Real) pixel)
 {
+  GODRAYS_EXPECT(separation >= 0.0 && radius >= 0.0 && pixel >= 0.0);
   Real halfWidth = 0.75 * max(pixel, 1e-15);
   Real spread = 0.2 * halfWidth * halfWidth;
   Real edgeSquared = max(radius * radius - spread, halfWidth * halfWidth);
@@ -42,6 +45,7 @@ FUNCTION Real DiscCoverage(IN(Real) separation, IN(Real) radius, IN(Real) pixel)
 // Formula: 1 - smoothstep(radius, radius + falloff, separation). [no unit]
 FUNCTION Real GlowFalloff(IN(Real) separation, IN(Real) radius, IN(Real) falloff)
 {
+  GODRAYS_EXPECT(separation >= 0.0 && radius >= 0.0 && falloff >= 0.0);
   Real t = clamp((separation - radius) / max(falloff, 1e-30), 0.0, 1.0);
   return 1.0 - t * t * (3.0 - 2.0 * t);
 }
@@ -51,6 +55,7 @@ FUNCTION Real GlowFalloff(IN(Real) separation, IN(Real) radius, IN(Real) falloff
 // Formula: smoothstep(-0.1, 0.1, facing). [no unit]
 FUNCTION Real FacingFade(IN(Real) facing)
 {
+  GODRAYS_EXPECT(IsCosine(facing));
   Real t = clamp(5.0 * facing + 0.5, 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
 }

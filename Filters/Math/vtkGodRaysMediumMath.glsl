@@ -12,6 +12,7 @@
 // Formula: e^(-extinction distance). [no unit]
 FUNCTION Real Transmittance(IN(Real) extinction, IN(Real) distance)
 {
+  GODRAYS_EXPECT(extinction >= 0.0 && distance >= 0.0);
   return exp(-extinction * distance);
 }
 
@@ -20,6 +21,7 @@ FUNCTION Real Transmittance(IN(Real) extinction, IN(Real) distance)
 // Formula: (e^-tau - e^-(tau + k))/k. [no unit]
 FUNCTION Real MeanTransmittance(IN(Real) tau, IN(Real) k)
 {
+  GODRAYS_EXPECT(tau >= 0.0 && tau + k >= -1e-5 * (1.0 + tau));
   return k < 0.0 ? exp(-(tau + k)) * MeanExponential(-k) : exp(-tau) * MeanExponential(k);
 }
 
@@ -33,6 +35,8 @@ FUNCTION Real MeanTransmittance(IN(Real) tau, IN(Real) k)
 FUNCTION Real DirectionalAirlight(IN(Real) extinction, IN(Real) begin, IN(Real) end,
   IN(Real) lightWay, IN(Real) lightSlope)
 {
+  GODRAYS_EXPECT(extinction >= 0.0 && begin <= end);
+  GODRAYS_EXPECT(min(lightWay + lightSlope * begin, lightWay + lightSlope * end) >= -1e-5 * end);
   Real tau = extinction * (begin + lightWay + lightSlope * begin);
   return (end - begin) * MeanTransmittance(tau, extinction * (1.0 + lightSlope) * (end - begin));
 }
@@ -43,6 +47,7 @@ FUNCTION Real DirectionalAirlight(IN(Real) extinction, IN(Real) begin, IN(Real) 
 FUNCTION Real PointLightHeight(
   IN(Real) foot, IN(Real) height, IN(Real) begin, IN(Real) end)
 {
+  GODRAYS_EXPECT(height >= 0.0);
   return max(height, 1e-9 * max(abs(begin - foot), abs(end - foot)) + 1e-18);
 }
 
@@ -54,6 +59,7 @@ FUNCTION Real PointLightHeight(
 //   = atan2(h (end - begin), h^2 + (begin - foot) (end - foot))/h. [1/length] [Pegoraro2009]
 FUNCTION Real PointAirlight(IN(Real) foot, IN(Real) height, IN(Real) begin, IN(Real) end)
 {
+  GODRAYS_EXPECT(height >= 0.0 && begin <= end);
   Real h = PointLightHeight(foot, height, begin, end);
   Real opposite = h * (end - begin);
   Real adjacent = h * h + (begin - foot) * (end - foot);
@@ -67,17 +73,22 @@ FUNCTION Real PointAirlight(IN(Real) foot, IN(Real) height, IN(Real) begin, IN(R
   return atan(opposite, adjacent) / h;
 }
 
-// y = s - foot + r(s), r^2 = h^2 + (s - foot)^2, without cancellation before the foot. [length]
+// The variable of the integral below, without cancellation before the foot.
+// Formula: y = s - foot + r(s), r^2 = h^2 + (s - foot)^2. [length]
 FUNCTION Real PointLightWay(IN(Real) beyondFoot, IN(Real) h)
 {
+  GODRAYS_EXPECT(h > 0.0);
   Real r = sqrt(h * h + beyondFoot * beyondFoot);
   return beyondFoot > 0.0 ? r + beyondFoot : h * (h / (r - beyondFoot));
 }
 
-// Two points of the panel of PointAirlight, symmetric about its middle.
+// Two points of the panel of PointAirlight, symmetric about its middle, at place of its half to either side.
+// Formula: sum of phase((h^2 - y^2)/(h^2 + y^2)) e^(-extinction (y - start))/(h^2 + y^2). [1/(length^2 sr)]
 FUNCTION Real PointAirlightPair(IN(PhaseFunction) phase, IN(Real) extinction, IN(Real) h,
   IN(Real) start, IN(Real) size, IN(Real) place)
 {
+  GODRAYS_EXPECT(extinction >= 0.0 && h > 0.0);
+  GODRAYS_EXPECT(size >= 0.0 && place >= 0.0 && place <= 1.0);
   Real sum = 0.0;
   for (int i = 0; i < 2; ++i)
   {
@@ -101,6 +112,7 @@ FUNCTION Real PointAirlightPair(IN(PhaseFunction) phase, IN(Real) extinction, IN
 FUNCTION Real PointAirlight(IN(PhaseFunction) phase, IN(Real) extinction, IN(Real) foot,
   IN(Real) height, IN(Real) begin, IN(Real) end)
 {
+  GODRAYS_EXPECT(height >= 0.0 && begin <= end);
   Real h = PointLightHeight(foot, height, begin, end);
   Real y = PointLightWay(begin - foot, h);
   Real rNear = sqrt(h * h + (begin - foot) * (begin - foot));
@@ -139,6 +151,8 @@ FUNCTION Real PointAirlight(IN(PhaseFunction) phase, IN(Real) extinction, IN(Rea
 FUNCTION Real ExponentialDepth(IN(Real) extinction, IN(Real) height, IN(Real) slope,
   IN(Real) scaleHeight, IN(Real) distance)
 {
+  GODRAYS_EXPECT(extinction >= 0.0 && scaleHeight > 0.0);
+  GODRAYS_EXPECT(IsCosine(slope) && distance >= 0.0);
   Real rise = slope * distance;
   Real low = ExponentialDensity(rise < 0.0 ? height + rise : height, scaleHeight);
   return extinction * distance * low * MeanExponential(abs(rise) / scaleHeight);
@@ -149,6 +163,7 @@ FUNCTION Real ExponentialDepth(IN(Real) extinction, IN(Real) height, IN(Real) sl
 FUNCTION Real MediumHeight(
   IN(Real) planetRadius, IN(Real) height, IN(Real) slope, IN(Real) distance)
 {
+  GODRAYS_EXPECT(planetRadius >= 0.0 && IsCosine(slope) && distance >= 0.0);
   return height +
     (planetRadius > 0.0 ? SkyRise(planetRadius + height, slope, distance) : slope * distance);
 }
@@ -159,6 +174,7 @@ FUNCTION Real MediumHeight(
 FUNCTION Real MediumSlope(
   IN(Real) planetRadius, IN(Real) height, IN(Real) end, IN(Real) distance)
 {
+  GODRAYS_EXPECT(planetRadius >= 0.0 && distance > 0.0);
   if (planetRadius > 0.0)
   {
     Real rise = (end - height) * ((2.0 * planetRadius + height + end) / distance) - distance;
@@ -174,6 +190,8 @@ FUNCTION Real MediumSlope(
 FUNCTION Real MediumDepth(IN(Real) planetRadius, IN(Real) height, IN(Real) slope,
   IN(Real) scaleHeight, IN(Real) distance)
 {
+  GODRAYS_EXPECT(planetRadius >= 0.0 && IsCosine(slope));
+  GODRAYS_EXPECT(scaleHeight >= 0.0 && distance >= 0.0);
   if (scaleHeight <= 0.0)
   {
     return distance;
@@ -192,6 +210,7 @@ FUNCTION Real MediumDepth(IN(Real) planetRadius, IN(Real) height, IN(Real) slope
 FUNCTION Real MediumColumn(
   IN(Real) planetRadius, IN(Real) height, IN(Real) slope, IN(Real) scaleHeight)
 {
+  GODRAYS_EXPECT(planetRadius >= 0.0 && IsCosine(slope) && scaleHeight > 0.0);
   if (planetRadius > 0.0)
   {
     Real end = SkyBelow(planetRadius, height, slope, max(height, 0.0) + 40.0 * scaleHeight).y;
@@ -207,6 +226,7 @@ FUNCTION Real MediumColumn(
 FUNCTION Vec2 MediumStart(IN(Real) planetRadius, IN(Real) eyeHeight, IN(Vec3) up, IN(Vec3) origin,
   IN(Vec3) direction)
 {
+  GODRAYS_EXPECT(planetRadius >= 0.0);
   Real aside = length(origin);
   Real slope = dot(direction, up);
   Real height =
@@ -229,6 +249,8 @@ FUNCTION Vec2 MediumStart(IN(Real) planetRadius, IN(Real) eyeHeight, IN(Vec3) up
 FUNCTION Real ExponentialAirlight(IN(Real) extinction, IN(Real) height, IN(Real) slope,
   IN(Real) lightSlope, IN(Real) scaleHeight, IN(Real) begin, IN(Real) end)
 {
+  GODRAYS_EXPECT(extinction >= 0.0 && IsCosine(slope) && lightSlope > 0.0);
+  GODRAYS_EXPECT(scaleHeight > 0.0 && begin >= 0.0 && begin <= end);
   Real start = height + slope * begin;
   Real column = ExponentialDepth(1.0, start, slope, scaleHeight, end - begin);
   Real tau = ExponentialDepth(extinction, height, slope, scaleHeight, begin) +
@@ -244,6 +266,8 @@ FUNCTION Real ExponentialAirlight(IN(Real) extinction, IN(Real) height, IN(Real)
 FUNCTION Real AirlightPlace(
   IN(Real) extinction, IN(Real) distance, IN(Real) all, IN(Real) fraction)
 {
+  GODRAYS_EXPECT(extinction >= 0.0 && distance >= 0.0);
+  GODRAYS_EXPECT(all >= 0.0 && all <= 1.0 && fraction >= 0.0 && fraction <= 1.0);
   Real x = fraction * all;
   if (all < 0.01)
   {
@@ -302,6 +326,7 @@ struct LitRay
 // >= 0. [length]
 FUNCTION Vec2 SpotPart(IN(LitRay) ray, IN(Real) end)
 {
+  GODRAYS_EXPECT(end >= 0.0);
   if (ray.CosCone <= 0.0)
   {
     return Vec2(0.0, end);
@@ -337,6 +362,7 @@ FUNCTION Vec2 SpotPart(IN(LitRay) ray, IN(Real) end)
 // Formula: cos(angle to the axis)^SpotExponent. [no unit]
 FUNCTION Real SpotFactor(IN(LitRay) ray, IN(Real) s, IN(Real) r)
 {
+  GODRAYS_EXPECT(r > 0.0);
   Real cosine = (ray.AxisStart + ray.AxisSlope * s) / r;
   return ray.CosCone > 0.0 && ray.SpotExponent > 0.0
     ? pow(clamp(cosine, 1e-30, 1.0), ray.SpotExponent)
@@ -348,6 +374,7 @@ FUNCTION Real SpotFactor(IN(LitRay) ray, IN(Real) s, IN(Real) r)
 // [no unit]
 FUNCTION Real LightSlope(IN(LitRay) ray, IN(Real) height, IN(Real) s, IN(Real) r)
 {
+  GODRAYS_EXPECT(r > 0.0);
   if (ray.Infinite == 0)
   {
     return MediumSlope(ray.PlanetRadius, height, ray.LightHeight, r);
@@ -361,7 +388,7 @@ FUNCTION Real LightSlope(IN(LitRay) ray, IN(Real) height, IN(Real) s, IN(Real) r
 }
 
 // Whether a planet hides a point of the ray from the light. The arguments are those of LightSlope() and
-// its result; a plane hides nothing.
+// its result; a plane hides nothing. Formula: SkyGroundDistance towards the light is one, and below r.
 FUNCTION bool IsInPlanetShadow(IN(LitRay) ray, IN(Real) height, IN(Real) slope, IN(Real) r)
 {
   Real ground =
@@ -369,7 +396,8 @@ FUNCTION bool IsInPlanetShadow(IN(LitRay) ray, IN(Real) height, IN(Real) slope, 
   return ground >= 0.0 && (ray.Infinite != 0 || ground < r);
 }
 
-// Where a ray that would go on to end stops: at a planet's ground. [length]
+// Where a ray that would go on to end stops: at a planet's ground.
+// Formula: min(SkyGroundDistance, end). [length]
 FUNCTION Real MediumEnd(IN(LitRay) ray, IN(Real) end)
 {
   Real ground =
@@ -383,6 +411,7 @@ FUNCTION Real MediumEnd(IN(LitRay) ray, IN(Real) end)
 FUNCTION Real LightDepth(IN(MediumComponent) component, IN(LitRay) ray, IN(Real) height,
   IN(Real) slope, IN(Real) r)
 {
+  GODRAYS_EXPECT(component.Extinction >= 0.0 && component.ScaleHeight >= 0.0);
   if (ray.Infinite == 0)
   {
     return component.Extinction *
@@ -398,6 +427,7 @@ FUNCTION Real LightDepth(IN(MediumComponent) component, IN(LitRay) ray, IN(Real)
 FUNCTION Real ScatteredPart(
   IN(MediumComponent) component, IN(Real) height, IN(Real) cosAngle)
 {
+  GODRAYS_EXPECT(component.Scattering >= 0.0 && component.ScaleHeight >= 0.0);
   Real density =
     component.ScaleHeight > 0.0 ? ExponentialDensity(height, component.ScaleHeight) : 1.0;
   return component.Scattering * density *
@@ -412,6 +442,7 @@ FUNCTION Real ScatteredPart(
 FUNCTION Real MediumIntegrand(
   IN(MediumComponent) first, IN(MediumComponent) second, IN(LitRay) ray, IN(Real) s)
 {
+  GODRAYS_EXPECT(s >= 0.0);
   Real beyond = s - ray.Foot;
   Real r = max(sqrt(ray.Distance * ray.Distance + beyond * beyond), 1e-30);
   Real cosAngle = ray.Infinite != 0 ? ray.Foot : -beyond / r;
@@ -440,6 +471,7 @@ FUNCTION Real MediumIntegrand(
 FUNCTION Real MediumPlace(
   IN(LitRay) ray, IN(Real) begin, IN(Real) end, IN(Real) t)
 {
+  GODRAYS_EXPECT(begin <= end && t >= 0.0 && t <= 1.0);
   if (ray.Infinite != 0)
   {
     return begin + t * (end - begin);
@@ -461,6 +493,7 @@ FUNCTION Real MediumPlace(
 FUNCTION Real MediumAirlight(IN(MediumComponent) first, IN(MediumComponent) second,
   IN(LitRay) ray, IN(Real) begin, IN(Real) end)
 {
+  GODRAYS_EXPECT(begin >= 0.0 && begin <= end);
   if (ray.Infinite != 0 && first.ScaleHeight == 0.0 && second.ScaleHeight == 0.0)
   {
     return (ScatteredPart(first, 0.0, ray.Foot) + ScatteredPart(second, 0.0, ray.Foot)) *

@@ -26,6 +26,7 @@ FUNCTION Real PhaseIsotropic()
 // Formula: 3/(16 pi) (1 + c^2). [1/sr] [Chandrasekhar1960]
 FUNCTION Real PhaseRayleigh(IN(Real) cosAngle)
 {
+  GODRAYS_EXPECT(IsCosine(cosAngle));
   return 0.05968310365946075 * (1.0 + cosAngle * cosAngle);
 }
 
@@ -33,6 +34,7 @@ FUNCTION Real PhaseRayleigh(IN(Real) cosAngle)
 // Formula: (1 - |g|)^2 + 2 |g| (1 - sign(g) c). [no unit]
 FUNCTION Real PhaseDistance(IN(Real) cosAngle, IN(Real) g)
 {
+  GODRAYS_EXPECT(IsCosine(cosAngle) && abs(g) < 1.0);
   Real sharpness = 1.0 - abs(g);
   Real away = max(1.0 - (g < 0.0 ? -cosAngle : cosAngle), 0.0);
   return sharpness * sharpness + 2.0 * abs(g) * away;
@@ -41,6 +43,7 @@ FUNCTION Real PhaseDistance(IN(Real) cosAngle, IN(Real) g)
 // Formula: 1/(4 pi) (1 - g^2)/(1 - 2 g c + g^2)^(3/2). [1/sr] [HenyeyGreenstein1941]
 FUNCTION Real PhaseHenyeyGreenstein(IN(Real) cosAngle, IN(Real) g)
 {
+  GODRAYS_EXPECT(IsCosine(cosAngle) && abs(g) < 1.0);
   Real distance = PhaseDistance(cosAngle, g);
   return 0.07957747154594767 * (1.0 - g * g) / (distance * sqrt(distance));
 }
@@ -50,6 +53,7 @@ FUNCTION Real PhaseHenyeyGreenstein(IN(Real) cosAngle, IN(Real) g)
 // [CornetteShanks1992]
 FUNCTION Real PhaseCornetteShanks(IN(Real) cosAngle, IN(Real) g)
 {
+  GODRAYS_EXPECT(IsCosine(cosAngle) && abs(g) < 1.0);
   return 1.5 * (1.0 + cosAngle * cosAngle) / (2.0 + g * g) * PhaseHenyeyGreenstein(cosAngle, g);
 }
 
@@ -58,6 +62,7 @@ FUNCTION Real PhaseCornetteShanks(IN(Real) cosAngle, IN(Real) g)
 // Formula: 1.55 g - 0.55 g^3, within [-0.995, 0.995]. [no unit] [PharrHumphreys2004]
 FUNCTION Real SchlickParameter(IN(Real) g)
 {
+  GODRAYS_EXPECT(abs(g) < 1.0);
   return clamp(g * (1.55 - 0.55 * g * g), -0.995, 0.995);
 }
 
@@ -65,6 +70,7 @@ FUNCTION Real SchlickParameter(IN(Real) g)
 // Formula: 1/(4 pi) (1 - k^2)/(1 - k c)^2, k = SchlickParameter(g). [1/sr] [Blasi1993]
 FUNCTION Real PhaseSchlick(IN(Real) cosAngle, IN(Real) g)
 {
+  GODRAYS_EXPECT(IsCosine(cosAngle) && abs(g) < 1.0);
   Real k = SchlickParameter(g);
   Real away = max(1.0 - (k < 0.0 ? -cosAngle : cosAngle), 0.0);
   Real distance = (1.0 - abs(k)) + abs(k) * away;
@@ -100,6 +106,7 @@ FUNCTION Real Phase(IN(PhaseFunction) phase, IN(Real) cosAngle)
 // sqrt((1 - k)/(1 + k)), where 1 - k c = 0. [no unit]
 FUNCTION Real PhasePole(IN(PhaseFunction) phase)
 {
+  GODRAYS_EXPECT(abs(phase.Asymmetry) < 1.0);
   if (!PhaseHasAsymmetry(phase.Kind) || phase.Asymmetry < 0.0)
   {
     return 1.0;
@@ -117,6 +124,7 @@ FUNCTION Real PhasePole(IN(PhaseFunction) phase)
 // Formula: g^2 for g > 0, else 0. [no unit] [Joseph1976]
 FUNCTION Real PhaseForwardPeak(IN(PhaseFunction) phase)
 {
+  GODRAYS_EXPECT(abs(phase.Asymmetry) < 1.0);
   Real g = max(phase.Asymmetry, 0.0);
   return PhaseHasAsymmetry(phase.Kind) ? g * g : 0.0;
 }
@@ -126,5 +134,6 @@ FUNCTION Real PhaseForwardPeak(IN(PhaseFunction) phase)
 FUNCTION Real PhaseMix(IN(PhaseFunction) first, IN(PhaseFunction) second, IN(Real) weight,
   IN(Real) cosAngle)
 {
+  GODRAYS_EXPECT(weight >= 0.0 && weight <= 1.0);
   return (1.0 - weight) * Phase(first, cosAngle) + weight * Phase(second, cosAngle);
 }

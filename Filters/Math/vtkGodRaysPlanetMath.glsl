@@ -10,6 +10,7 @@
 // Formula: e^(-height/scaleHeight). [no unit]
 FUNCTION Real ExponentialDensity(IN(Real) height, IN(Real) scaleHeight)
 {
+  GODRAYS_EXPECT(scaleHeight > 0.0);
   return exp(-clamp(height / scaleHeight, -80.0, 80.0));
 }
 
@@ -17,6 +18,7 @@ FUNCTION Real ExponentialDensity(IN(Real) height, IN(Real) scaleHeight)
 // Formula: d (2 r slope + d)/(r + sqrt(r^2 + d (2 r slope + d))), r the start's radius. [length]
 FUNCTION Real SkyRise(IN(Real) radius, IN(Real) slope, IN(Real) distance)
 {
+  GODRAYS_EXPECT(radius > 0.0 && IsCosine(slope) && distance >= 0.0);
   Real more = distance * (2.0 * radius * slope + distance);
   return more / (radius + sqrt(max(radius * radius + more, 0.0)));
 }
@@ -26,6 +28,7 @@ FUNCTION Real SkyRise(IN(Real) radius, IN(Real) slope, IN(Real) distance)
 FUNCTION Vec2 SkyBelow(
   IN(Real) groundRadius, IN(Real) height, IN(Real) slope, IN(Real) topHeight)
 {
+  GODRAYS_EXPECT(groundRadius + height > 0.0 && IsCosine(slope));
   Real along = (groundRadius + height) * slope;
   Real room = (topHeight - height) * (2.0 * groundRadius + topHeight + height);
   Real square = along * along + room;
@@ -42,6 +45,7 @@ FUNCTION Vec2 SkyBelow(
 // Formula: height (2 GroundRadius + height)/(-r slope + sqrt(...)), as SkyBelow's entry. [length]
 FUNCTION Real SkyGroundDistance(IN(Real) groundRadius, IN(Real) height, IN(Real) slope)
 {
+  GODRAYS_EXPECT(groundRadius + height > 0.0 && IsCosine(slope));
   Real along = (groundRadius + height) * slope;
   Real room = max(height, 0.0) * (2.0 * groundRadius + height);
   Real square = along * along - room;
@@ -52,6 +56,7 @@ FUNCTION Real SkyGroundDistance(IN(Real) groundRadius, IN(Real) height, IN(Real)
 // Formula: t e^P(t), t = 1/(1 + z/2), P a polynomial. [no unit] [Press1992] 6.2
 FUNCTION Real ScaledErfc(IN(Real) z)
 {
+  GODRAYS_EXPECT(z >= 0.0);
   Real t = 1.0 / (1.0 + 0.5 * z);
   return t *
     exp(-1.26551223 + t * (1.00002368 + t * (0.37409196 + t * (0.09678418 +
@@ -69,6 +74,7 @@ FUNCTION Real ScaledErfc(IN(Real) z)
 // [length] [Chapman1931] for the problem; level, it is his sqrt(pi H radius/2) (1 + 3 H/(8 radius)).
 FUNCTION Real ChapmanColumn(IN(Real) radius, IN(Real) slope, IN(Real) scaleHeight)
 {
+  GODRAYS_EXPECT(radius > 0.0 && slope >= 0.0 && slope <= 1.0 && scaleHeight > 0.0);
   Real side = 1.0 + sqrt(max(1.0 - slope * slope, 0.0));
   Real z = slope * sqrt(radius / (side * scaleHeight));
   Real tail = ScaledErfc(z);
@@ -83,6 +89,8 @@ FUNCTION Real ChapmanColumn(IN(Real) radius, IN(Real) slope, IN(Real) scaleHeigh
 FUNCTION Real SkyExponentialColumn(IN(Real) groundRadius, IN(Real) scaleHeight, IN(Real) height,
   IN(Real) slope, IN(Real) distance)
 {
+  GODRAYS_EXPECT(groundRadius > 0.0 && scaleHeight > 0.0);
+  GODRAYS_EXPECT(IsCosine(slope) && distance >= 0.0);
   Real radius = groundRadius + height;
   Real rise = SkyRise(radius, slope, distance);
   Real endRadius = radius + rise;

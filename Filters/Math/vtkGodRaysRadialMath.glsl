@@ -39,6 +39,7 @@ struct TapSum
 // [ThreeGodRays], the generating shader.
 LAYER_TEMPLATE Vec3 SumTaps(IN(Layer) layer, IN(TapSum) taps, IN(Vec2) uv, IN(Vec2) march)
 {
+  GODRAYS_EXPECT(taps.Decay >= 0.0 && taps.FixedLength >= 0.0);
   Vec2 stride = taps.Step * march;
   Real lastReached = Real(taps.LastTap);
   bool bounded = taps.FixedLength > 0.0;
@@ -95,6 +96,7 @@ FUNCTION Vec2 MarchVector(IN(Vec3) lightClip, IN(Vec2) ndc, IN(Real) scale)
 // Formula: cap/max(|(X aspect, Y)|, cap |w|). [1/clip unit]
 FUNCTION Real MarchScale(IN(Vec3) lightClip, IN(Real) aspect, IN(Real) cap)
 {
+  GODRAYS_EXPECT(aspect > 0.0 && cap > 0.0);
   Real reach = length(Vec2(lightClip.x * aspect, lightClip.y));
   return cap / max(max(reach, cap * abs(lightClip.z)), 1e-30);
 }
@@ -104,6 +106,7 @@ FUNCTION Real MarchScale(IN(Vec3) lightClip, IN(Real) aspect, IN(Real) cap)
 // [no unit]
 FUNCTION Real GeometricSum(IN(Real) decay, IN(Real) n)
 {
+  GODRAYS_EXPECT(n >= 0.0);
   if (decay <= 0.0)
   {
     return 1.0;
@@ -117,6 +120,7 @@ FUNCTION Real GeometricSum(IN(Real) decay, IN(Real) n)
 // Formula: the two t at which position + t march is at an end. [fractions of the march]
 FUNCTION Vec2 ClipCoordinate(IN(Real) position, IN(Real) march, IN(Real) margin)
 {
+  GODRAYS_EXPECT(margin >= 0.0);
   Real low = -margin - position;
   Real high = 1.0 + margin - position;
   if (abs(march) < 1e-20)
@@ -143,6 +147,7 @@ FUNCTION Vec2 ClipMarch(IN(Vec2) uv, IN(Vec2) march, IN(Vec2) margin)
 LAYER_TEMPLATE Vec3 MeanAlongMarch(
   IN(Layer) layer, IN(Vec2) uv, IN(Vec2) march, IN(Real) k, IN(Vec2) part, IN(int) taps)
 {
+  GODRAYS_EXPECT(taps > 0 && part.x <= part.y);
   Real h = (part.y - part.x) / Real(taps);
   Real weight = h * exp(-k * part.x) * MeanExponential(k * h) / MeanExponential(k);
   Real decay = exp(-k * h);

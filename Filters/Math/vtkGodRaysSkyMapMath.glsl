@@ -15,6 +15,7 @@
 // Formula: kind 0 (2 x, 2 y, 1 - r^2)/(1 + r^2). [no unit] [Heidrich1998] for the paraboloid
 FUNCTION Vec3 SkyMapDirection(IN(int) kind, IN(Vec2) position)
 {
+  GODRAYS_EXPECT(kind >= 0 && kind <= 2);
   if (kind == 0)
   {
     Real square = dot(position, position);
@@ -36,6 +37,7 @@ FUNCTION Vec3 SkyMapDirection(IN(int) kind, IN(Vec2) position)
 // Formula: kind 0 (x, y)/(1 + z). [no unit]
 FUNCTION Vec2 SkyMapPosition(IN(int) kind, IN(Vec3) direction)
 {
+  GODRAYS_EXPECT(kind >= 0 && kind <= 2 && abs(dot(direction, direction) - 1.0) < 1e-4);
   Vec2 level = Vec2(direction.x, direction.y);
   Real reach = length(level);
   if (kind == 0)
@@ -55,6 +57,7 @@ FUNCTION Vec2 SkyMapPosition(IN(int) kind, IN(Vec3) direction)
 // Formula: kind 0 4/(1 + r^2)^2, kind 1 pi^2/2 cos(elevation), kind 2 pi/2 sin(angle)/r. [sr]
 FUNCTION Real SkyMapSolidAngle(IN(int) kind, IN(Vec2) position)
 {
+  GODRAYS_EXPECT(kind >= 0 && kind <= 2);
   if (kind == 0)
   {
     Real width = 1.0 + dot(position, position);
@@ -73,6 +76,7 @@ FUNCTION Real SkyMapSolidAngle(IN(int) kind, IN(Vec2) position)
 // Formula: OpenGL 3.2 specification, table 3.19. [no unit]
 FUNCTION Vec3 CubeMapDirection(IN(int) face, IN(Vec2) position)
 {
+  GODRAYS_EXPECT(face >= 0 && face <= 5);
   Real s = position.x;
   Real t = position.y;
   if (face < 2)

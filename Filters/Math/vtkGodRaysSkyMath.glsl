@@ -38,6 +38,7 @@ struct SkyAtmosphere
 FUNCTION Real SkyRampColumn(IN(Real) groundRadius, IN(Real) topHeight, IN(Real) height,
   IN(Real) slope, IN(Real) distance)
 {
+  GODRAYS_EXPECT(distance >= 0.0);
   Vec2 part = SkyBelow(groundRadius, height, slope, topHeight);
   Real middle = 0.5 * (part.x + min(part.y, distance));
   Real reach = min(part.y, distance) - middle;
@@ -55,6 +56,8 @@ FUNCTION Real SkyRampColumn(IN(Real) groundRadius, IN(Real) topHeight, IN(Real) 
 // Density of a profile at a height. Formula: see SkyProfile. [no unit]
 FUNCTION Real SkyDensity(IN(SkyProfile) profile, IN(Real) height)
 {
+  GODRAYS_EXPECT(profile.Kind != 0 || profile.Height > 0.0);
+  GODRAYS_EXPECT(profile.Kind != 2 || profile.Width > 0.0);
   if (profile.Kind == 0)
   {
     return ExponentialDensity(height, profile.Height);
@@ -71,6 +74,8 @@ FUNCTION Real SkyDensity(IN(SkyProfile) profile, IN(Real) height)
 FUNCTION Real SkyColumn(IN(SkyProfile) profile, IN(Real) groundRadius, IN(Real) height,
   IN(Real) slope, IN(Real) distance)
 {
+  GODRAYS_EXPECT(groundRadius > 0.0 && IsCosine(slope) && distance >= 0.0);
+  GODRAYS_EXPECT(profile.Kind != 2 || profile.Width > 0.0);
   if (profile.Kind == 0)
   {
     return SkyExponentialColumn(groundRadius, profile.Height, height, slope, distance);
@@ -109,6 +114,8 @@ FUNCTION Vec3 SkyDepth(
 FUNCTION Vec2 SkyShadow(IN(Real) groundRadius, IN(Real) height, IN(Real) slope,
   IN(Real) sunSlope, IN(Real) cosAngle)
 {
+  GODRAYS_EXPECT(groundRadius > 0.0);
+  GODRAYS_EXPECT(IsCosine(slope) && IsCosine(sunSlope) && IsCosine(cosAngle));
   Real radius = groundRadius + height;
   Real towards = radius * sunSlope;
   Real a = 1.0 - cosAngle * cosAngle;
@@ -155,6 +162,7 @@ FUNCTION Vec3 SkySunTransmittance(IN(SkyAtmosphere) sky, IN(Real) height, IN(Rea
 FUNCTION Vec3 SkyInscatter(IN(SkyAtmosphere) sky, IN(Real) height, IN(Real) slope,
   IN(Real) sunSlope, IN(Real) cosAngle, IN(Real) distance)
 {
+  GODRAYS_EXPECT(IsCosine(slope) && IsCosine(sunSlope) && IsCosine(cosAngle));
   Real radius = sky.GroundRadius + height;
   Real rise = SkyRise(radius, slope, distance);
   Real sunSlopeThere = clamp((radius * sunSlope + distance * cosAngle) / (radius + rise), -1.0, 1.0);
@@ -169,6 +177,7 @@ FUNCTION Vec3 SkyInscatter(IN(SkyAtmosphere) sky, IN(Real) height, IN(Real) slop
 // 1; 0 at night. Formula: albedo/pi sunSlope SkySunTransmittance. [1/sr]
 FUNCTION Vec3 SkyGround(IN(SkyAtmosphere) sky, IN(Vec3) albedo, IN(Real) sunSlope)
 {
+  GODRAYS_EXPECT(IsCosine(sunSlope));
   if (sunSlope <= 0.0)
   {
     return Vec3(0.0);
@@ -181,6 +190,7 @@ FUNCTION Vec3 SkyGround(IN(SkyAtmosphere) sky, IN(Vec3) albedo, IN(Real) sunSlop
 // Formula: (1 + sign(slope) sqrt(|slope|))/2, sqrt(height/topHeight). [no unit]
 FUNCTION Vec2 SkyMultiplePosition(IN(Real) topHeight, IN(Real) height, IN(Real) sunSlope)
 {
+  GODRAYS_EXPECT(topHeight > 0.0 && IsCosine(sunSlope));
   Real root = sqrt(abs(sunSlope));
   return Vec2(0.5 * (sunSlope < 0.0 ? 1.0 - root : 1.0 + root),
     sqrt(clamp(height / topHeight, 0.0, 1.0)));
@@ -199,9 +209,11 @@ struct SkyWay
 
 // The slope of the way at the height at which it enters the atmosphere follows from its lowest point, so
 // that single precision does for planets that are seen from far away.
+// Formula: slope -sqrt(u (2 top - u))/top, u being how far the lowest point is below the top, of radius top.
 FUNCTION SkyWay MakeSkyWay(IN(SkyAtmosphere) sky, IN(Real) height, IN(Real) slope, IN(Real) sunSlope,
   IN(Real) cosAngle)
 {
+  GODRAYS_EXPECT(IsCosine(slope) && IsCosine(sunSlope) && IsCosine(cosAngle));
   SkyWay way;
   way.Height = height;
   way.Slope = slope;
@@ -233,6 +245,7 @@ FUNCTION SkyWay MakeSkyWay(IN(SkyAtmosphere) sky, IN(Real) height, IN(Real) slop
 // Formula: height + SkyRise, (r sunSlope + distance cosAngle)/(r + SkyRise). [length, no unit]
 FUNCTION Vec2 SkyPoint(IN(SkyAtmosphere) sky, IN(SkyWay) way, IN(Real) distance)
 {
+  GODRAYS_EXPECT(distance >= 0.0);
   Real radius = sky.GroundRadius + way.Height;
   Real rise = SkyRise(radius, way.Slope, distance);
   return Vec2(max(way.Height + rise, 0.0),
@@ -243,6 +256,7 @@ FUNCTION Vec2 SkyPoint(IN(SkyAtmosphere) sky, IN(SkyWay) way, IN(Real) distance)
 // within it. Formula: -sqrt((height - h) (2 GroundRadius + height + h))/(GroundRadius + height). [no unit]
 FUNCTION Vec2 SkyEdges(IN(Real) groundRadius, IN(Real) topHeight, IN(Real) height)
 {
+  GODRAYS_EXPECT(groundRadius > 0.0 && height >= 0.0);
   Real radius = groundRadius + height;
   Real above = height - topHeight;
   return Vec2(-sqrt(height * (groundRadius + radius)) / radius,
@@ -255,6 +269,7 @@ FUNCTION Vec2 SkyEdges(IN(Real) groundRadius, IN(Real) topHeight, IN(Real) heigh
 // Formula: horizon + (edge - horizon) (1 - (1 - row^4)^2), the edge being -1 below the horizon. [no unit]
 FUNCTION Real SkyTableSlope(IN(Vec2) edges, IN(Real) row)
 {
+  GODRAYS_EXPECT(row >= -1.0 && row <= 1.0);
   Real square = row * row;
   Real fourth = square * square;
   return edges.x + (row < 0.0 ? -1.0 - edges.x : edges.y - edges.x) * (fourth * (2.0 - fourth));
@@ -262,6 +277,7 @@ FUNCTION Real SkyTableSlope(IN(Vec2) edges, IN(Real) row)
 
 FUNCTION Real SkyTableRow(IN(Vec2) edges, IN(Real) slope)
 {
+  GODRAYS_EXPECT(IsCosine(slope));
   Real away = slope - edges.x;
   Real part = clamp(away < 0.0 ? -away / (1.0 + edges.x) : away / (edges.y - edges.x), 0.0, 1.0);
   Real row = sqrt(sqrt(part / (1.0 + sqrt(1.0 - part))));
@@ -273,6 +289,7 @@ FUNCTION Real SkyTableRow(IN(Vec2) edges, IN(Real) slope)
 // Formula: (1 + a/2) (1 - part^2)^(a/2), a = 0.292 um/wavelength - 0.023. [no unit] [HestrofferMagnan1998]
 FUNCTION Vec3 SunLimb(IN(Real) part)
 {
+  GODRAYS_EXPECT(part >= 0.0);
   Vec3 a = Vec3(0.4064, 0.5079, 0.6406);
   Real square = max(1.0 - part * part, 1e-4);
   return (1.0 + 0.5 * a) *
@@ -283,5 +300,6 @@ FUNCTION Vec3 SunLimb(IN(Real) part)
 // Formula: 1/MeanExponential(tau). [no unit]
 FUNCTION Real FirstOrderStepBias(IN(Real) tau)
 {
+  GODRAYS_EXPECT(tau >= 0.0);
   return 1.0 / MeanExponential(tau);
 }

@@ -17,6 +17,8 @@
 #include <glm/vec4.hpp>
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 namespace vtkGodRaysSingle
 {

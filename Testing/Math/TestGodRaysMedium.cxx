@@ -453,7 +453,9 @@ TEST(Medium, IsFiniteForAnyMedium)
     const double foot = distance * std::cos(angle);
     const double height = distance * std::sin(angle);
     const PhaseFunction phase = random.Phase();
-    const double directional = DirectionalAirlight(b, begin, end, 0.0, random.Uniform(-1.0, 1.0));
+    const double lightSlope = random.Uniform(-1.0, 1.0);
+    const double lightWay = std::max(0.0, -lightSlope * end);
+    const double directional = DirectionalAirlight(b, begin, end, lightWay, lightSlope);
     EXPECT_TRUE(directional >= 0.0 && directional <= (end - begin) * (1.0 + 1e-12)) << directional;
     const double clear = PointAirlight(foot, height, begin, end);
     EXPECT_TRUE(clear >= 0.0 && std::isfinite(clear)) << clear;
@@ -527,7 +529,7 @@ TEST(Medium, AirlightOfPartsIsTheClosedForm)
   const MediumComponent none = { 0.0, 0.0, 0.0, { 0, 0.0 }, { 0, 0.0 }, 0.0 };
   const MediumComponent thin = { 0.04, 0.05, 4.0, { 2, 0.6 }, { 0, 0.0 }, 0.0 };
   const LitRay sun = { 1, 0.7, 0.0, 1.0, 0.2, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0 };
-  const LitRay lamp = { 0, 8.0, 0.5, 1.0, 0.2, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+  const LitRay lamp = { 0, 8.0, 0.5, 1.0, 0.2, 2.5, 0.0, 0.0, 0.0, 0.0, 0.0 };
   const auto sum = [](const MediumComponent& a, const MediumComponent& b, const LitRay& ray)
   {
     double all = 0.0;
