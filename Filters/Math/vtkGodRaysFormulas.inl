@@ -30,6 +30,17 @@ using glm::sqrt;
 using std::exp2; // GLM has them through e, inexactly
 using std::log2;
 
+// Numbers with a unit.
+using RealLength = Real;
+using RealArea = Real;
+using RealPerLength = Real;
+using RealAngle = Real;
+using RealSolidAngle = Real;
+using RealPerSolidAngle = Real;
+using RealPerLengthSolidAngle = Real;
+using RealPerAreaSolidAngle = Real;
+using Vec2Length = Vec2;
+
 // GODRAYS_EXPECT(condition) states the domain of a formula. A build with GODRAYS_CHECK_DOMAINS, such as that of
 // the tests of the formulas, stops where a condition does not hold; NaN is in no domain. It is nothing
 // otherwise, and shaders are without these lines, each of which holds the whole statement.
@@ -76,6 +87,7 @@ inline bool IsCosine(Real value)
 #include "vtkGodRaysRadialMath.glsl"
 #include "vtkGodRaysSkyMapMath.glsl"
 
+#include "vtkGodRaysAirlightMath.glsl"
 #include "vtkGodRaysMediumMath.glsl"
 #include "vtkGodRaysSkyMath.glsl"
 #undef GODRAYS_EXPECT

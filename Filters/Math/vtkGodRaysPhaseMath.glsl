@@ -18,16 +18,16 @@ struct PhaseFunction
 };
 
 // Formula: 1/(4 pi). [1/sr]
-FUNCTION Real PhaseIsotropic()
+FUNCTION RealPerSolidAngle PhaseIsotropic()
 {
-  return 0.07957747154594767;
+  return RealPerSolidAngle(0.07957747154594767);
 }
 
 // Formula: 3/(16 pi) (1 + c^2). [1/sr] [Chandrasekhar1960]
-FUNCTION Real PhaseRayleigh(IN(Real) cosAngle)
+FUNCTION RealPerSolidAngle PhaseRayleigh(IN(Real) cosAngle)
 {
   GODRAYS_EXPECT(IsCosine(cosAngle));
-  return 0.05968310365946075 * (1.0 + cosAngle * cosAngle);
+  return RealPerSolidAngle(0.05968310365946075) * (1.0 + cosAngle * cosAngle);
 }
 
 // The square of 1 - 2 g c + g^2, without cancellation near the peak.
@@ -41,17 +41,17 @@ FUNCTION Real PhaseDistance(IN(Real) cosAngle, IN(Real) g)
 }
 
 // Formula: 1/(4 pi) (1 - g^2)/(1 - 2 g c + g^2)^(3/2). [1/sr] [HenyeyGreenstein1941]
-FUNCTION Real PhaseHenyeyGreenstein(IN(Real) cosAngle, IN(Real) g)
+FUNCTION RealPerSolidAngle PhaseHenyeyGreenstein(IN(Real) cosAngle, IN(Real) g)
 {
   GODRAYS_EXPECT(IsCosine(cosAngle) && abs(g) < 1.0);
   Real distance = PhaseDistance(cosAngle, g);
-  return 0.07957747154594767 * (1.0 - g * g) / (distance * sqrt(distance));
+  return RealPerSolidAngle(0.07957747154594767) * (1.0 - g * g) / (distance * sqrt(distance));
 }
 
 // Rayleigh's for g = 0. Its mean cosine is 3 g (4 + g^2)/(5 (2 + g^2)).
 // Formula: 3/(8 pi) (1 - g^2)/(2 + g^2) (1 + c^2)/(1 - 2 g c + g^2)^(3/2). [1/sr]
 // [CornetteShanks1992]
-FUNCTION Real PhaseCornetteShanks(IN(Real) cosAngle, IN(Real) g)
+FUNCTION RealPerSolidAngle PhaseCornetteShanks(IN(Real) cosAngle, IN(Real) g)
 {
   GODRAYS_EXPECT(IsCosine(cosAngle) && abs(g) < 1.0);
   return 1.5 * (1.0 + cosAngle * cosAngle) / (2.0 + g * g) * PhaseHenyeyGreenstein(cosAngle, g);
@@ -68,17 +68,17 @@ FUNCTION Real SchlickParameter(IN(Real) g)
 
 // Near Henyey-Greenstein's of the same g, without a root.
 // Formula: 1/(4 pi) (1 - k^2)/(1 - k c)^2, k = SchlickParameter(g). [1/sr] [Blasi1993]
-FUNCTION Real PhaseSchlick(IN(Real) cosAngle, IN(Real) g)
+FUNCTION RealPerSolidAngle PhaseSchlick(IN(Real) cosAngle, IN(Real) g)
 {
   GODRAYS_EXPECT(IsCosine(cosAngle) && abs(g) < 1.0);
   Real k = SchlickParameter(g);
   Real away = max(1.0 - (k < 0.0 ? -cosAngle : cosAngle), 0.0);
   Real distance = (1.0 - abs(k)) + abs(k) * away;
-  return 0.07957747154594767 * (1.0 - k * k) / (distance * distance);
+  return RealPerSolidAngle(0.07957747154594767) * (1.0 - k * k) / (distance * distance);
 }
 
 // Formula: that of its kind. [1/sr]
-FUNCTION Real Phase(IN(PhaseFunction) phase, IN(Real) cosAngle)
+FUNCTION RealPerSolidAngle Phase(IN(PhaseFunction) phase, IN(Real) cosAngle)
 {
   if (phase.Kind == PHASE_RAYLEIGH)
   {
@@ -131,7 +131,7 @@ FUNCTION Real PhaseForwardPeak(IN(PhaseFunction) phase)
 
 // A mix of two, e.g. of a peak ahead and one to the back; weight is the second's part, in [0, 1].
 // Formula: (1 - weight) first + weight second. [1/sr]
-FUNCTION Real PhaseMix(IN(PhaseFunction) first, IN(PhaseFunction) second, IN(Real) weight,
+FUNCTION RealPerSolidAngle PhaseMix(IN(PhaseFunction) first, IN(PhaseFunction) second, IN(Real) weight,
   IN(Real) cosAngle)
 {
   GODRAYS_EXPECT(weight >= 0.0 && weight <= 1.0);

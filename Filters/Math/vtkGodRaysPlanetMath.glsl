@@ -8,7 +8,7 @@
 
 // Density at a height, of that at height 0; the height is kept within 80 scale heights of that.
 // Formula: e^(-height/scaleHeight). [no unit]
-FUNCTION Real ExponentialDensity(IN(Real) height, IN(Real) scaleHeight)
+FUNCTION Real ExponentialDensity(IN(RealLength) height, IN(RealLength) scaleHeight)
 {
   GODRAYS_EXPECT(scaleHeight > 0.0);
   return exp(-clamp(height / scaleHeight, -80.0, 80.0));
@@ -16,40 +16,41 @@ FUNCTION Real ExponentialDensity(IN(Real) height, IN(Real) scaleHeight)
 
 // How much higher the end of a way is than its start, without cancellation.
 // Formula: d (2 r slope + d)/(r + sqrt(r^2 + d (2 r slope + d))), r the start's radius. [length]
-FUNCTION Real SkyRise(IN(Real) radius, IN(Real) slope, IN(Real) distance)
+FUNCTION RealLength SkyRise(IN(RealLength) radius, IN(Real) slope, IN(RealLength) distance)
 {
   GODRAYS_EXPECT(radius > 0.0 && IsCosine(slope) && distance >= 0.0);
-  Real more = distance * (2.0 * radius * slope + distance);
+  RealArea more = distance * (2.0 * radius * slope + distance);
   return more / (radius + sqrt(max(radius * radius + more, 0.0)));
 }
 
 // The part of a way, from distance x to distance y, that is below topHeight; x above y if there is none.
 // Formula: d^2 + 2 r slope d = (top - height) (2 GroundRadius + top + height). [length]
-FUNCTION Vec2 SkyBelow(
-  IN(Real) groundRadius, IN(Real) height, IN(Real) slope, IN(Real) topHeight)
+FUNCTION Vec2Length SkyBelow(
+  IN(RealLength) groundRadius, IN(RealLength) height, IN(Real) slope, IN(RealLength) topHeight)
 {
   GODRAYS_EXPECT(groundRadius + height > 0.0 && IsCosine(slope));
-  Real along = (groundRadius + height) * slope;
-  Real room = (topHeight - height) * (2.0 * groundRadius + topHeight + height);
-  Real square = along * along + room;
+  RealLength along = (groundRadius + height) * slope;
+  RealArea room = (topHeight - height) * (2.0 * groundRadius + topHeight + height);
+  RealArea square = along * along + room;
   if (square < 0.0 || (room < 0.0 && along >= 0.0))
   {
-    return Vec2(1.0, 0.0);
+    return Vec2Length(1.0, 0.0);
   }
-  Real root = sqrt(square);
-  Real leave = along > 0.0 ? room / (along + root) : root - along;
-  return Vec2(room < 0.0 ? -room / (root - along) : 0.0, leave);
+  RealLength root = sqrt(square);
+  RealLength leave = along > 0.0 ? room / (along + root) : root - along;
+  return Vec2Length(room < 0.0 ? -room / (root - along) : RealLength(0.0), leave);
 }
 
 // The distance at which a way meets the ground; -1 if it does not.
 // Formula: height (2 GroundRadius + height)/(-r slope + sqrt(...)), as SkyBelow's entry. [length]
-FUNCTION Real SkyGroundDistance(IN(Real) groundRadius, IN(Real) height, IN(Real) slope)
+FUNCTION RealLength SkyGroundDistance(IN(RealLength) groundRadius, IN(RealLength) height,
+  IN(Real) slope)
 {
   GODRAYS_EXPECT(groundRadius + height > 0.0 && IsCosine(slope));
-  Real along = (groundRadius + height) * slope;
-  Real room = max(height, 0.0) * (2.0 * groundRadius + height);
-  Real square = along * along - room;
-  return slope < 0.0 && square >= 0.0 ? room / (sqrt(square) - along) : -1.0;
+  RealLength along = (groundRadius + height) * slope;
+  RealArea room = max(height, 0.0) * (2.0 * groundRadius + height);
+  RealArea square = along * along - room;
+  return slope < 0.0 && square >= 0.0 ? room / (sqrt(square) - along) : RealLength(-1.0);
 }
 
 // e^(z^2) erfc(z) for z from 0 on, to 1.2e-7 of itself.
@@ -72,13 +73,13 @@ FUNCTION Real ScaledErfc(IN(Real) z)
 // integral over e^(-rise/H) is sqrt(pi H radius/(1 + s)) e^(z^2) erfc(z) (1 + (m/radius) (1 - 1/(2 + 2 s))),
 // z = slope sqrt(radius/((1 + s) H)), m = H (1/2 - z^2 + z/(sqrt(pi) e^(z^2) erfc(z))) the mean rise.
 // [length] [Chapman1931] for the problem; level, it is his sqrt(pi H radius/2) (1 + 3 H/(8 radius)).
-FUNCTION Real ChapmanColumn(IN(Real) radius, IN(Real) slope, IN(Real) scaleHeight)
+FUNCTION RealLength ChapmanColumn(IN(RealLength) radius, IN(Real) slope, IN(RealLength) scaleHeight)
 {
   GODRAYS_EXPECT(radius > 0.0 && slope >= 0.0 && slope <= 1.0 && scaleHeight > 0.0);
   Real side = 1.0 + sqrt(max(1.0 - slope * slope, 0.0));
   Real z = slope * sqrt(radius / (side * scaleHeight));
   Real tail = ScaledErfc(z);
-  Real meanRise = clamp(0.5 - z * z + z * 0.5641895835477563 / tail, 0.5, 1.0) * scaleHeight;
+  RealLength meanRise = clamp(0.5 - z * z + z * 0.5641895835477563 / tail, 0.5, 1.0) * scaleHeight;
   return 1.7724538509055160 * sqrt(scaleHeight * radius / side) * tail *
     (1.0 + meanRise / radius * (1.0 - 0.5 / side));
 }
@@ -86,18 +87,18 @@ FUNCTION Real ChapmanColumn(IN(Real) radius, IN(Real) slope, IN(Real) scaleHeigh
 // Column of an exponential density along a way: what is above its lower end less what is above its upper
 // end; with the lowest point between them, twice what is above that less what is above both.
 // Formula: e^(-h/H) ChapmanColumn. [length]
-FUNCTION Real SkyExponentialColumn(IN(Real) groundRadius, IN(Real) scaleHeight, IN(Real) height,
-  IN(Real) slope, IN(Real) distance)
+FUNCTION RealLength SkyExponentialColumn(IN(RealLength) groundRadius, IN(RealLength) scaleHeight,
+  IN(RealLength) height, IN(Real) slope, IN(RealLength) distance)
 {
   GODRAYS_EXPECT(groundRadius > 0.0 && scaleHeight > 0.0);
   GODRAYS_EXPECT(IsCosine(slope) && distance >= 0.0);
-  Real radius = groundRadius + height;
-  Real rise = SkyRise(radius, slope, distance);
-  Real endRadius = radius + rise;
+  RealLength radius = groundRadius + height;
+  RealLength rise = SkyRise(radius, slope, distance);
+  RealLength endRadius = radius + rise;
   Real endSlope = (radius * slope + distance) / endRadius;
-  Real start = ExponentialDensity(height, scaleHeight) *
+  RealLength start = ExponentialDensity(height, scaleHeight) *
     ChapmanColumn(radius, min(abs(slope), 1.0), scaleHeight);
-  Real end = ExponentialDensity(height + rise, scaleHeight) *
+  RealLength end = ExponentialDensity(height + rise, scaleHeight) *
     ChapmanColumn(endRadius, min(abs(endSlope), 1.0), scaleHeight);
   if (slope >= 0.0)
   {
@@ -107,8 +108,8 @@ FUNCTION Real SkyExponentialColumn(IN(Real) groundRadius, IN(Real) scaleHeight, 
   {
     return max(end - start, 0.0);
   }
-  Real dip = SkyRise(radius, slope, -radius * slope);
-  Real lowest = ExponentialDensity(height + dip, scaleHeight) *
+  RealLength dip = SkyRise(radius, slope, -radius * slope);
+  RealLength lowest = ExponentialDensity(height + dip, scaleHeight) *
     ChapmanColumn(radius + dip, 0.0, scaleHeight);
   return max(2.0 * lowest - start - end, 0.0);
 }

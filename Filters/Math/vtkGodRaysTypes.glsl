@@ -7,6 +7,16 @@
 #define Vec2 vec2
 #define Vec3 vec3
 #define Vec4 vec4
+// Numbers with a unit, which Testing/Math/GodRaysUnits.h proves.
+#define RealLength float
+#define RealArea float
+#define RealPerLength float
+#define RealAngle float
+#define RealSolidAngle float
+#define RealPerSolidAngle float
+#define RealPerLengthSolidAngle float
+#define RealPerAreaSolidAngle float
+#define Vec2Length vec2
 #define Layer sampler2D
 #define LAYER_TEMPLATE
 #define FUNCTION

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysQuad.h"
 
+#include "vtkGodRaysAirlightMath.h"
 #include "vtkGodRaysColourMath.h"
 #include "vtkGodRaysCommonMath.h"
 #include "vtkGodRaysLightMath.h"
@@ -48,11 +49,11 @@ const char* FindTopic(const std::string& name)
 {
   static const std::string phaseFunctions = MakePhaseFunctions();
   static const std::map<std::string, const char*> topics = { { "Types", vtkGodRaysTypes },
-    { "PhaseFunctions", phaseFunctions.c_str() }, { "Colour", vtkGodRaysColourMath },
-    { "Common", vtkGodRaysCommonMath }, { "Light", vtkGodRaysLightMath },
-    { "Medium", vtkGodRaysMediumMath }, { "Phase", vtkGodRaysPhaseMath },
-    { "Planet", vtkGodRaysPlanetMath }, { "Radial", vtkGodRaysRadialMath },
-    { "Sky", vtkGodRaysSkyMath } };
+    { "PhaseFunctions", phaseFunctions.c_str() }, { "Airlight", vtkGodRaysAirlightMath },
+    { "Colour", vtkGodRaysColourMath }, { "Common", vtkGodRaysCommonMath },
+    { "Light", vtkGodRaysLightMath }, { "Medium", vtkGodRaysMediumMath },
+    { "Phase", vtkGodRaysPhaseMath }, { "Planet", vtkGodRaysPlanetMath },
+    { "Radial", vtkGodRaysRadialMath }, { "Sky", vtkGodRaysSkyMath } };
   const auto found = topics.find(name);
   return found == topics.end() ? nullptr : found->second;
 }
