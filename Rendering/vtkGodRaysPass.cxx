@@ -14,6 +14,7 @@
 #include "vtkGodRaysLightFinder.h"
 #include "vtkGodRaysOcclusionPass.h"
 #include "vtkGodRaysOpenGL.h"
+#include "vtkGodRaysPresets.h"
 #include "vtkGodRaysRadialModel.h"
 #include "vtkGodRaysRole.h"
 #include "vtkGodRaysScene.h"
@@ -283,7 +284,19 @@ vtkGodRaysCompositor* vtkGodRaysPass::GetCompositor()
 //------------------------------------------------------------------------------
 bool vtkGodRaysPass::ApplyPreset(const char* name)
 {
-  return this->Internal->Model->ApplyPreset(name);
+  const auto model = vtk::TakeSmartPointer(vtkGodRaysPresets::NewModel(name));
+  if (!model)
+  {
+    vtkErrorMacro("There is no preset \""
+      << (name ? name : "") << "\". The presets are: " << vtkGodRaysPresets::ListNames() << ".");
+    return false;
+  }
+  if (this->GetModel()->IsA(model->GetClassName()))
+  {
+    return this->GetModel()->ApplyPreset(name); // what no preset sets stays
+  }
+  this->SetModel(model);
+  return true;
 }
 
 //------------------------------------------------------------------------------

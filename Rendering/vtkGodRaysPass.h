@@ -135,9 +135,9 @@ public:
   ///@}
 
   /**
-   * Set the model's parameters to a named look, see vtkGodRaysRadialModel::ApplyPreset(), or medium, see
-   * vtkGodRaysHomogeneousModel::ApplyPreset(). Returns false, with an error that lists the names, for a
-   * name that is none of the model's.
+   * Take a look or a medium by name, one of vtkGodRaysPresets: the model's parameters are set, or, if the
+   * name belongs to another class of models, a new model of that class takes its place. Returns false, with
+   * an error that lists the names, for any other name, and changes nothing.
    */
   bool ApplyPreset(const char* name);
 
@@ -238,7 +238,7 @@ public:
   /// How rays join the picture.
   enum BlendMode
   {
-    MODEL_BLEND = 0, ///< as the model's formulation has it; ADD but for some parity formulations
+    MODEL_BLEND = 0, ///< as the model has it; ADD but for some published sums
     ADD = 1,         ///< scene + rays
     SCREEN = 2       ///< scene + rays - min(scene * rays, 1)
   };
@@ -264,8 +264,8 @@ public:
    * Set/Get how the colours of the scene and of lights stand for light, one of DisplayTransferType. Light
    * is added between decoding and encoding by it; a tone mapping that comes later must decode as was
    * encoded. A vtkToneMappingPass is known by itself if it is the renderer's pass, and this one its
-   * delegate, or the delegate of other passes of images between. Formulations that sum shown values do
-   * not depend on it. Default is AUTOMATIC_TRANSFER.
+   * delegate, or the delegate of other passes of images between. Published sums of shown values do not
+   * depend on it. Default is AUTOMATIC_TRANSFER.
    */
   void SetDisplayTransfer(int transfer);
   vtkGetMacro(DisplayTransfer, int);
@@ -326,7 +326,7 @@ public:
   ///@{
   /**
    * Copy a layer of the last frame drawn: 32-bit float RGB, linear light (display-referred for
-   * formulations that sum shown colours), one value a pixel of the viewport (the occlusion layer:
+   * published sums of shown colours), one value a pixel of the viewport (the occlusion layer:
    * of the viewport and its margin), origin at the lower left. With several lights the occlusion
    * layers are added, for which the window is rendered once more unless Output is OCCLUSION. The
    * scattering is before Intensity.

@@ -85,7 +85,7 @@ def measure(visitor, scene, preset):
     """The published sum of n samples, and ours, each against its limit of ever more samples."""
     rays = visitor.rays()
     rays.SetPrecision(rays.SINGLE)
-    ours, model = rays.GetModel(), godrays.vtkGodRaysRadialModel()
+    ours, model = rays.GetModel(), godrays.vtkGodRaysPublishedModel()
     taps = godrays.vtkGodRaysTapsIntegrator()
     converged = visitor.light()
     rays.SetIntegrator(taps)
@@ -139,7 +139,7 @@ def visit_statue(visitor):
 def visit_facade(visitor):
     rows = []
     visitor.GetRenderWindow().SetSize(400, 300)
-    ours, model = visitor.rays().GetModel(), godrays.vtkGodRaysRadialModel()
+    ours, model = visitor.rays().GetModel(), godrays.vtkGodRaysPublishedModel()
     for _ in "far", "near":
         row = []
         visitor.rays().SetModel(model)

@@ -42,6 +42,7 @@ public:
 
   vtkNew<vtkActor> Sphere;
   vtkNew<vtkLight> Light;
+  vtkNew<vtkGodRaysPass> Rays;
   StatueSliders Sliders;
   double Center[3]; // of the statue
   double Size;      // the diagonal of its bounds
@@ -54,10 +55,9 @@ private:
     this->Moves ^= key == "space";
     if (key == "g") // the sum as published, tap by tap, and back
     {
-      vtkGodRaysRadialModel* model = this->Sliders.Model;
-      const bool published = model->GetFormulation() == vtkGodRaysRadialModel::GIANASSI;
-      model->SetFormulation(
-        published ? vtkGodRaysRadialModel::INVARIANT : vtkGodRaysRadialModel::GIANASSI);
+      vtkGodRaysModel* published = this->Sliders.Published;
+      const bool isPublished = this->Rays->GetModel() == published;
+      this->Rays->SetModel(isPublished ? this->Sliders.Model.Get() : published);
       this->Interactor->Render();
     }
   }
@@ -131,15 +131,17 @@ int main(int argc, char* argv[])
   camera->SetViewAngle(36.0);
   renderer->ResetCameraClippingRange();
 
-  vtkGodRaysRadialModel* model = stage.Sliders.Model;
-  model->SetExposure(0.05); // as published, but for the decay
-  model->SetDecay(0.98);
-  model->SetDensity(0.8);
-  model->SetWeight(0.8);
-  vtkNew<vtkGodRaysPass> rays;
-  rays->SetModel(model);
-  rays->SetBackgroundGlow(0.1);
-  rays->Attach(renderer);
+  stage.Sliders.Published->ApplyPreset("gianassi");
+  for (vtkGodRaysRadialSumModel* model : stage.Sliders.GetModels())
+  {
+    model->SetExposure(0.05); // as published, but for the decay
+    model->SetDecay(0.98);
+    model->SetDensity(0.8);
+    model->SetWeight(0.8);
+  }
+  stage.Rays->SetModel(stage.Sliders.Model);
+  stage.Rays->SetBackgroundGlow(0.1);
+  stage.Rays->Attach(renderer);
 
   if (writes)
   {

@@ -75,11 +75,13 @@ camera.SetViewUp(0, 1, 0)
 camera.SetViewAngle(36)
 renderer.ResetCameraClippingRange()
 
-model = godrays.vtkGodRaysRadialModel()
-godrays.enable(
-    renderer, light=sphere, ignored=[galaxy], background_glow=0.1, model=model,
-    exposure=0.05, decay=0.98, density=0.8, weight=0.8,  # as published, but for the decay
-)  # fmt: skip
+model, published = godrays.vtkGodRaysRadialModel(), godrays.vtkGodRaysPublishedModel()
+published.ApplyPreset("gianassi")
+for each in published, model:
+    rays = godrays.enable(
+        renderer, light=sphere, ignored=[galaxy], background_glow=0.1, model=each,
+        exposure=0.05, decay=0.98, density=0.8, weight=0.8,  # as published, but for the decay
+    )  # fmt: skip
 
 if picture:
     window.SetSize(400, 300)
@@ -120,9 +122,10 @@ for number, (name, (low, high)) in enumerate(PARAMETERS.items()):
     slider.SetRepresentation(look)
     slider.SetAnimationModeToJump()
 
-    def slide(slider, event, change=getattr(model, "Set" + name)):  # the widget renders
+    def slide(slider, event, name=name):  # the widget renders
         value = slider.GetRepresentation().GetValue()
-        change(round(value) if change == model.SetNumberOfSamples else value)
+        for each in model, published:
+            getattr(each, "Set" + name)(round(value) if name == "NumberOfSamples" else value)
 
     slider.AddObserver("InteractionEvent", slide)
     slider.EnabledOn()
@@ -136,8 +139,7 @@ def press(interactor, event):
     key = interactor.GetKeySym()
     moves ^= key == "space"
     if key == "g":  # the sum as published, tap by tap, and back
-        published = model.GetFormulation() == model.GIANASSI
-        model.SetFormulation(model.INVARIANT if published else model.GIANASSI)
+        rays.SetModel(published if rays.GetModel() is model else model)
         interactor.Render()
 
 

@@ -8,6 +8,7 @@
 #define StatueSliders_h
 
 #include "vtkCommand.h"
+#include "vtkGodRaysPublishedModel.h"
 #include "vtkGodRaysRadialModel.h"
 #include "vtkNew.h"
 #include "vtkRenderWindowInteractor.h"
@@ -22,6 +23,9 @@ class StatueSliders
 {
 public:
   vtkNew<vtkGodRaysRadialModel> Model;
+  vtkNew<vtkGodRaysPublishedModel> Published; // with the same parameters
+
+  std::vector<vtkGodRaysRadialSumModel*> GetModels() { return { this->Model, this->Published }; }
 
   void Add(vtkRenderWindowInteractor* interactor)
   {
@@ -56,8 +60,8 @@ private:
   {
     const char* Name;
     double Range[2]; // of the slider; the model takes more
-    double (*Get)(vtkGodRaysRadialModel*);
-    void (*Set)(vtkGodRaysRadialModel*, double);
+    double (*Get)(vtkGodRaysRadialSumModel*);
+    void (*Set)(vtkGodRaysRadialSumModel*, double);
   };
 
   static constexpr Parameter Parameters[] = {
@@ -77,7 +81,10 @@ private:
   {
     for (size_t i = 0; i < this->Sliders.size(); ++i)
     {
-      Parameters[i].Set(this->Model, this->Sliders[i]->GetSliderRepresentation()->GetValue());
+      for (vtkGodRaysRadialSumModel* model : this->GetModels())
+      {
+        Parameters[i].Set(model, this->Sliders[i]->GetSliderRepresentation()->GetValue());
+      }
     }
   }
 

@@ -71,7 +71,7 @@ struct Session
     const ::Preset& preset =
       next == presets.end() || next + 1 == presets.end() ? presets.front() : *(next + 1);
     this->Preset = preset.Name;
-    ApplyPreset(preset, this->Rays);
+    this->Rays->ApplyPreset(preset.Name.c_str());
     this->Window->SetWindowName(("godrays: " + preset.Name).c_str());
   }
 

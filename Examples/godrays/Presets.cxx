@@ -4,24 +4,9 @@
 
 #include "Failure.h"
 
-#include "vtkGodRaysHomogeneousModel.h"
-#include "vtkGodRaysPass.h"
-#include "vtkGodRaysRadialModel.h"
-#include "vtkNew.h"
-
-#include <algorithm>
-
-namespace
-{
-template <typename Model>
-void AddPresets(std::vector<Preset>& presets, bool isMedium)
-{
-  for (int i = 0; i < Model::GetNumberOfPresets(); ++i)
-  {
-    presets.push_back({ Model::GetPresetName(i), Model::GetPresetDescription(i), isMedium });
-  }
-}
-}
+#include "vtkGodRaysMediumModel.h"
+#include "vtkGodRaysPresets.h"
+#include "vtkSmartPointer.h"
 
 //------------------------------------------------------------------------------
 const std::vector<Preset>& GetPresets()
@@ -29,8 +14,13 @@ const std::vector<Preset>& GetPresets()
   static const std::vector<Preset> presets = []
   {
     std::vector<Preset> all;
-    AddPresets<vtkGodRaysRadialModel>(all, false);
-    AddPresets<vtkGodRaysHomogeneousModel>(all, true);
+    for (int i = 0; i < vtkGodRaysPresets::GetNumberOfPresets(); ++i)
+    {
+      const char* name = vtkGodRaysPresets::GetPresetName(i);
+      const auto model = vtk::TakeSmartPointer(vtkGodRaysPresets::NewModel(name));
+      all.push_back({ name, vtkGodRaysPresets::GetPresetDescription(i),
+        vtkGodRaysMediumModel::SafeDownCast(model) != nullptr });
+    }
     return all;
   }();
   return presets;
@@ -49,20 +39,4 @@ const Preset& FindPreset(const std::string& name)
     names += (names.empty() ? "" : ", ") + preset.Name;
   }
   throw Failure("--preset: '" + name + "' should be one of " + names);
-}
-
-//------------------------------------------------------------------------------
-void ApplyPreset(const Preset& preset, vtkGodRaysPass* rays)
-{
-  const bool hasMedium = vtkGodRaysHomogeneousModel::SafeDownCast(rays->GetModel());
-  if (preset.IsMedium && !hasMedium)
-  {
-    vtkNew<vtkGodRaysHomogeneousModel> medium;
-    rays->SetModel(medium);
-  }
-  else if (!preset.IsMedium && hasMedium)
-  {
-    rays->SetModel(nullptr);
-  }
-  rays->ApplyPreset(preset.Name.c_str());
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The named looks of the radial model, and the media in which light is scattered once.
+ * The named looks, and the media in which light is scattered once.
  */
 
 #ifndef Presets_h
@@ -9,8 +9,6 @@
 
 #include <string>
 #include <vector>
-
-class vtkGodRaysPass;
 
 struct Preset
 {
@@ -28,10 +26,5 @@ const std::vector<Preset>& GetPresets();
  * The one of this name. Throws Failure if there is none.
  */
 const Preset& FindPreset(const std::string& name);
-
-/**
- * Give the rays the preset's model with its parameters.
- */
-void ApplyPreset(const Preset& preset, vtkGodRaysPass* rays);
 
 #endif

@@ -20,7 +20,7 @@
 #include "vtkGodRaysEpipolarIntegrator.h"
 #include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysPass.h"
-#include "vtkGodRaysRadialModel.h"
+#include "vtkGodRaysRadialSumModel.h"
 #include "vtkGodRaysSkyPass.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
@@ -178,7 +178,7 @@ const Preset& GetPreset(const Viewpoint& view, const Options& options)
 //------------------------------------------------------------------------------
 void SetLook(vtkGodRaysPass* rays, const Viewpoint& view, const Options& options)
 {
-  auto* model = vtkGodRaysRadialModel::SafeDownCast(rays->GetModel());
+  auto* model = vtkGodRaysRadialSumModel::SafeDownCast(rays->GetModel());
   model->SetDensity(options.Density.value_or(model->GetDensity()));
   model->SetDecay(options.Decay.value_or(model->GetDecay()));
   model->SetWeight(options.Weight.value_or(model->GetWeight()));
@@ -216,7 +216,7 @@ void SetRays(
   vtkGodRaysPass* rays, const Scene& scene, const Viewpoint& view, const Options& options)
 {
   const Preset& preset = GetPreset(view, options);
-  ApplyPreset(preset, rays);
+  rays->ApplyPreset(preset.Name.c_str());
   if (preset.IsMedium)
   {
     SetMedium(rays, scene, options);

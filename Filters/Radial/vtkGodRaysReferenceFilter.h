@@ -4,7 +4,7 @@
  * @class   vtkGodRaysReferenceFilter
  * @brief   the converged radial sum of an image, exact in double precision
  *
- * The limit of vtkGodRaysRadialModel's INVARIANT formulation for any number of taps, and so the
+ * The limit of the sum of a vtkGodRaysRadialModel for any number of taps, and so the
  * measure of everything that approximates it. With n = NumberOfSamples, d = Decay and the march
  * m(x) = vtkGodRays::MarchVector(LightClip, ndc(x), MarchScale) [uv], each pixel x of the result is
  *

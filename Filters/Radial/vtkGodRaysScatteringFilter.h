@@ -5,7 +5,7 @@
  * @brief   the converged radial sum of an image, fast, on the processor
  *
  * Evaluates what vtkGodRaysReferenceFilter evaluates, to ErrorTolerance: the limit of
- * vtkGodRaysRadialModel's INVARIANT formulation for any number of taps. With n = NumberOfSamples,
+ * the sum of a vtkGodRaysRadialModel for any number of taps. With n = NumberOfSamples,
  * d = Decay and the march m(x) = vtkGodRays::MarchVector(LightClip, ndc(x), MarchScale) [uv],
  *
  *     L(x) = G integral_0^1 K(t) s(x + t Density m(x)) dt

@@ -5,10 +5,10 @@
 #include "vtkCamera.h"
 #include "vtkCompositeRepresentation.h"
 #include "vtkGodRaysAtmosphere.h"
-#include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysIntegrator.h"
+#include "vtkGodRaysMediumModel.h"
 #include "vtkGodRaysPass.h"
-#include "vtkGodRaysRadialModel.h"
+#include "vtkGodRaysPresets.h"
 #include "vtkGodRaysSkyPass.h"
 #include "vtkGodRaysSunPosition.h"
 #include "vtkGodRaysViewCompositor.h"
@@ -45,30 +45,6 @@ vtkStandardNewMacro(vtkGodRaysRenderView);
 
 namespace
 {
-template <class Model>
-bool HasPreset(const std::string& name)
-{
-  for (int i = 0; i < Model::GetNumberOfPresets(); ++i)
-  {
-    if (name == Model::GetPresetName(i))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-template <class Model>
-std::string ListPresets()
-{
-  std::string names;
-  for (int i = 0; i < Model::GetNumberOfPresets(); ++i)
-  {
-    names += std::string(", ") + Model::GetPresetName(i);
-  }
-  return names;
-}
-
 /// Props that show axes rather than data.
 bool IsAnnotation(vtkProp* prop)
 {
@@ -140,8 +116,6 @@ struct vtkGodRaysRenderView::vtkInternals
   vtkNew<PassChain> Chain;
   vtkNew<vtkGodRaysViewCompositor> Compositor;
   vtkSmartPointer<vtkGodRaysModel> CustomModel;
-  vtkNew<vtkGodRaysRadialModel> Look;
-  vtkNew<vtkGodRaysHomogeneousModel> Medium;
   vtkSmartPointer<vtkGodRaysIntegrator> Integrator;
   std::string Preset = "default";
   vtkNew<vtkLight> Sun;
@@ -160,8 +134,8 @@ vtkGodRaysRenderView::vtkGodRaysRenderView()
   : Internals(new vtkInternals)
 {
   this->Internals->CustomModel = this->Internals->Pass->GetModel();
-  this->Internals->Look->ApplyPreset("default");
-  this->Internals->Pass->SetModel(this->Internals->Look);
+  this->Internals->Pass->SetModel(
+    vtk::TakeSmartPointer(vtkGodRaysPresets::NewModel(this->Internals->Preset.c_str())));
   this->Internals->Chain->AboutToRender = [this] { this->UpdateSky(); };
   this->Internals->Pass->SetCompositor(this->Internals->Compositor);
   this->Internals->Sky->SetCompositor(this->Internals->Compositor);
@@ -387,32 +361,21 @@ void vtkGodRaysRenderView::SetPreset(const char* name)
   {
     return;
   }
-  vtkGodRaysModel* model = nullptr;
-  if (preset == "custom")
-  {
-    model = self.CustomModel;
-  }
-  else if (HasPreset<vtkGodRaysHomogeneousModel>(preset))
-  {
-    model = self.Medium;
-  }
-  else if (HasPreset<vtkGodRaysRadialModel>(preset))
-  {
-    model = self.Look;
-  }
-  else
-  {
-    vtkErrorMacro("There is no preset \""
-      << preset << "\"; it stays " << self.Preset << ". There are: custom"
-      << ListPresets<vtkGodRaysRadialModel>() << ListPresets<vtkGodRaysHomogeneousModel>() << ".");
-    return;
-  }
-  self.Preset = preset;
+  vtkSmartPointer<vtkGodRaysModel> model = self.CustomModel;
   if (preset != "custom")
   {
-    model->ApplyPreset(name);
+    model = vtk::TakeSmartPointer(vtkGodRaysPresets::NewModel(name));
+    if (!model)
+    {
+      vtkErrorMacro("There is no preset \"" << preset << "\"; it stays " << self.Preset
+                                            << ". There are: custom, "
+                                            << vtkGodRaysPresets::ListNames() << ".");
+      return;
+    }
   }
+  self.Preset = preset;
   this->UseModel(model);
+  this->SetWorldUnitInMeters(self.Sky->GetWorldUnitInMeters());
 }
 
 //------------------------------------------------------------------------------
@@ -445,8 +408,13 @@ void vtkGodRaysRenderView::UseModel(vtkGodRaysModel* model)
 //------------------------------------------------------------------------------
 void vtkGodRaysRenderView::SetWorldUnitInMeters(double meters)
 {
-  this->Internals->Medium->SetWorldUnitInMeters(meters);
-  this->Internals->Sky->SetWorldUnitInMeters(meters);
+  vtkInternals& self = *this->Internals;
+  self.Sky->SetWorldUnitInMeters(meters);
+  auto medium = vtkGodRaysMediumModel::SafeDownCast(self.Pass->GetModel());
+  if (medium && self.Preset != "custom")
+  {
+    medium->SetWorldUnitInMeters(self.Sky->GetWorldUnitInMeters());
+  }
   this->Modified();
 }
 

@@ -172,9 +172,9 @@ public:
   ///@}
 
   /**
-   * Set the look by name, see vtkGodRaysRadialModel::ApplyPreset(), or the medium, see
-   * vtkGodRaysHomogeneousModel::ApplyPreset(), or "custom" to use the model that SetModel() got. An
-   * unknown name is an error that lists the known ones, and changes nothing. Default is "default".
+   * Set the look or the medium by name, one of vtkGodRaysPresets, or "custom" to use the model that
+   * SetModel() got. An unknown name is an error that lists the known ones, and changes nothing. Default is
+   * "default".
    */
   void SetPreset(const char* name);
 

@@ -30,8 +30,8 @@ public:
   double BackgroundGlowRadius = 0.0;  ///< [degrees]
   double BackgroundGlowFalloff = 0.0; ///< [degrees]
   vtkGodRaysTransfer Transfer = vtkGodRaysTransfer::SRGB; ///< of the colours of lights
-  bool CapsMarch = true;                                  ///< see vtkGodRaysModel
-  double Tiles = 1.0;        ///< of which the view is seen, across or up the whole picture
+  bool CapsMarch = true;                                  ///< see vtkGodRaysRadialSumModel
+  double Tiles = 1.0;        ///< of which the view is one, across or up the whole picture
   bool LightsMedium = false; ///< all emitters count, wherever it is
   vtkGodRaysCompositor* Compositor = nullptr; ///< of a scene on several processes
 

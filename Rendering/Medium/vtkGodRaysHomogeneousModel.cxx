@@ -3,6 +3,7 @@
 #include "vtkGodRaysHomogeneousModel.h"
 
 #include "vtkGodRaysMedium.h"
+#include "vtkGodRaysPresetTable.h"
 #include "vtkGodRaysSetGet.h"
 #include "vtkObjectFactory.h"
 
@@ -68,17 +69,9 @@ const char* vtkGodRaysHomogeneousModel::GetPresetDescription(int index)
 //------------------------------------------------------------------------------
 bool vtkGodRaysHomogeneousModel::ApplyPreset(const char* name)
 {
-  const std::string wanted = name ? name : "";
-  const auto found = std::find_if(std::begin(Presets), std::end(Presets),
-    [&wanted](const Preset& preset) { return wanted == preset.Name; });
-  if (found == std::end(Presets))
+  const Preset* found = vtkGodRaysFindPreset(this, Presets, name);
+  if (!found)
   {
-    std::string names;
-    for (const Preset& preset : Presets)
-    {
-      names += std::string(names.empty() ? "" : ", ") + preset.Name;
-    }
-    vtkErrorMacro("There is no preset \"" << wanted << "\". Use one of: " << names << ".");
     return false;
   }
   this->SetScatteringCoefficient(found->Scattering);

@@ -29,13 +29,6 @@ vtkStandardNewMacro(vtkGodRaysEpipolarIntegrator);
 
 namespace
 {
-vtkGodRaysRadialModel* GetInvariant(vtkGodRaysModel* model)
-{
-  auto radial = vtkGodRaysRadialModel::SafeDownCast(model);
-  const bool invariant = radial && radial->GetFormulation() == vtkGodRaysRadialModel::INVARIANT;
-  return invariant ? radial : nullptr;
-}
-
 /// Whether OpenGL runs on the processor; its context is current.
 bool IsSoftware()
 {
@@ -249,7 +242,7 @@ vtkGodRaysEpipolarIntegrator::~vtkGodRaysEpipolarIntegrator() = default;
 unsigned int vtkGodRaysEpipolarIntegrator::GetOneColorFormat(
   vtkOpenGLRenderWindow* window, vtkGodRaysModel* model, unsigned int precision)
 {
-  if (!GetInvariant(model))
+  if (!vtkGodRaysRadialModel::SafeDownCast(model))
   {
     return 0;
   }
@@ -261,7 +254,7 @@ unsigned int vtkGodRaysEpipolarIntegrator::GetOneColorFormat(
 bool vtkGodRaysEpipolarIntegrator::Integrate(const Request& request)
 {
   Internals& self = *this->Internal;
-  vtkGodRaysRadialModel* model = GetInvariant(request.Model);
+  auto model = vtkGodRaysRadialModel::SafeDownCast(request.Model);
   const bool isFirst = request.Result->IsEmpty();
   if (isFirst)
   {
@@ -295,7 +288,7 @@ bool vtkGodRaysEpipolarIntegrator::Integrate(const Request& request)
 //------------------------------------------------------------------------------
 std::string vtkGodRaysEpipolarIntegrator::Describe(vtkGodRaysModel* model)
 {
-  if (!GetInvariant(model))
+  if (!vtkGodRaysRadialModel::SafeDownCast(model))
   {
     return this->Internal->Taps->Describe(model) + ", as published";
   }

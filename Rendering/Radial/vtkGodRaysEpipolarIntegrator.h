@@ -4,8 +4,8 @@
  * @class   vtkGodRaysEpipolarIntegrator
  * @brief   the converged radial sum, at a cost that does not depend on the number of samples
  *
- * The default. Evaluates the limit that the INVARIANT formulation of vtkGodRaysRadialModel has for
- * ever more taps, along the lines through the light (epipolar lines), to the pass's ErrorTolerance:
+ * The default. Evaluates the limit that the sum of a vtkGodRaysRadialModel has for ever more taps,
+ * along the lines through the light (epipolar lines), to the pass's ErrorTolerance:
  * root mean square error over the picture, as a fraction of the brightest ray. Documentation/Accuracy.md
  * has its derivation and what was measured. Two back ends give the same numbers within the tolerance:
  *
@@ -15,8 +15,8 @@
  * - GRAPHICS: means of the layer over blocks of each line times a matrix of the kernel, in three
  *   passes of fragment shaders, OpenGL 3.2.
  *
- * The parity formulations have no limit that their authors meant: they are evaluated tap by tap, as
- * published, by a vtkGodRaysTapsIntegrator.
+ * A vtkGodRaysPublishedModel has no limit that its authors meant: it is handed to a
+ * vtkGodRaysTapsIntegrator. So an integrator that was set serves all looks.
  *
  * @sa vtkGodRaysPass vtkGodRaysTapsIntegrator vtkGodRaysScatteringFilter
  */

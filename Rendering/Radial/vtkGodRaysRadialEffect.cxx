@@ -6,7 +6,7 @@
 #include "vtkGodRaysLight.h"
 #include "vtkGodRaysLightFinder.h"
 #include "vtkGodRaysRadialIntegrator.h"
-#include "vtkGodRaysRadialModel.h"
+#include "vtkGodRaysRadialSumModel.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysTimers.h"
 #include "vtkGodRaysView.h"
@@ -14,7 +14,7 @@
 #include <algorithm>
 
 //------------------------------------------------------------------------------
-vtkGodRaysRadialEffect::vtkGodRaysRadialEffect(vtkGodRaysRadialModel* model)
+vtkGodRaysRadialEffect::vtkGodRaysRadialEffect(vtkGodRaysRadialSumModel* model)
   : Model(model)
 {
 }
@@ -107,7 +107,7 @@ bool vtkGodRaysRadialEffect::ComposeLayer(const Frame& frame, const vtkGodRaysLi
 void vtkGodRaysRadialEffect::Join(vtkGodRaysBlendPass::Request& request) const
 {
   request.SceneGain = this->Model->GetSceneGain();
-  request.Screen = this->Model->GetBlend() == vtkGodRaysRadialModel::SCREEN;
+  request.Screen = this->Model->GetBlend() == vtkGodRaysRadialSumModel::SCREEN;
 }
 
 //------------------------------------------------------------------------------

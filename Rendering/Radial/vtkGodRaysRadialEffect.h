@@ -11,13 +11,13 @@
 #include "vtkGodRaysEffect.h"
 #include "vtkGodRaysSum.h"
 
-class vtkGodRaysRadialModel;
+class vtkGodRaysRadialSumModel;
 
 class vtkGodRaysRadialEffect : public vtkGodRaysEffect
 {
 public:
   /// The model must outlive this.
-  explicit vtkGodRaysRadialEffect(vtkGodRaysRadialModel* model);
+  explicit vtkGodRaysRadialEffect(vtkGodRaysRadialSumModel* model);
 
   std::string FindObstacle(const vtkGodRaysView& view, const int size[2]) const override;
   bool SumsShownValues() const override;
@@ -37,7 +37,7 @@ public:
 private:
   bool ComposeLayer(const Frame& frame, const vtkGodRaysLight& light);
 
-  vtkGodRaysRadialModel* Model;
+  vtkGodRaysRadialSumModel* Model;
   vtkGodRaysSum Layers; // of all lights; of several only if they are asked for
   int Composed = 0;     // layers of this frame
   bool KeepsAll = false;

@@ -4,7 +4,7 @@
 
 #include "vtkGodRaysLight.h"
 #include "vtkGodRaysMarch.h"
-#include "vtkGodRaysRadialModel.h"
+#include "vtkGodRaysRadialSumModel.h"
 #include "vtkGodRaysSum.h"
 #include "vtkGodRaysTarget.h"
 
@@ -48,5 +48,5 @@ unsigned int vtkGodRaysRadialIntegrator::GetOneColorFormat(
 //------------------------------------------------------------------------------
 bool vtkGodRaysRadialIntegrator::Supports(vtkGodRaysModel* model)
 {
-  return vtkGodRaysRadialModel::SafeDownCast(model) != nullptr;
+  return vtkGodRaysRadialSumModel::SafeDownCast(model) != nullptr;
 }

@@ -4,9 +4,9 @@
  * @class   vtkGodRaysRadialIntegrator
  * @brief   how the radial sum of an occlusion layer is evaluated
  *
- * vtkGodRaysPass calls Integrate() once for each light of a frame that has a vtkGodRaysRadialModel.
+ * vtkGodRaysPass calls Integrate() once for each light of a frame that has a vtkGodRaysRadialSumModel.
  *
- * @sa vtkGodRaysEpipolarIntegrator vtkGodRaysTapsIntegrator vtkGodRaysRadialModel
+ * @sa vtkGodRaysEpipolarIntegrator vtkGodRaysTapsIntegrator vtkGodRaysRadialSumModel
  */
 
 #ifndef vtkGodRaysRadialIntegrator_h
@@ -16,7 +16,7 @@
 #include "vtkGodRaysRenderingModule.h" // For export macro
 #include "vtkWrappingHints.h"          // For VTK_WRAPEXCLUDE
 
-class vtkGodRaysRadialModel;
+class vtkGodRaysRadialSumModel;
 class vtkGodRaysSum;
 class vtkGodRaysTarget;
 class vtkOpenGLRenderWindow;
@@ -35,7 +35,7 @@ public:
   struct Request
   {
     vtkOpenGLRenderWindow* Window = nullptr; ///< its context is current
-    vtkGodRaysRadialModel* Model = nullptr;
+    vtkGodRaysRadialSumModel* Model = nullptr;
     const vtkGodRaysLight* Light = nullptr;
     vtkGodRaysTarget* Layer =
       nullptr;              ///< its occlusion layer: RGB, or of one channel over its colour

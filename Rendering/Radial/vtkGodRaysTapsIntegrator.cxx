@@ -25,7 +25,7 @@ vtkStandardNewMacro(vtkGodRaysTapsIntegrator);
 
 namespace
 {
-/// Lengths of the formulations are those of the picture, which is a part of the layer.
+/// Lengths of a model are those of the picture, which is a part of the layer.
 void SetTaps(vtkShaderProgram* program, const vtkGodRays::TapSum& taps, double viewScale)
 {
   program->SetUniformi("taps.FirstTap", taps.FirstTap);
@@ -48,8 +48,9 @@ void SetTaps(vtkShaderProgram* program, const vtkGodRays::TapSum& taps, double v
 
 void SetBorder(vtkTextureObject* texture, int border)
 {
-  const int wrap = border == vtkGodRaysRadialModel::EDGE_BORDER ? vtkTextureObject::ClampToEdge
-                                                                : vtkTextureObject::ClampToBorder;
+  const int wrap = border == vtkGodRaysRadialSumModel::EDGE_BORDER
+    ? vtkTextureObject::ClampToEdge
+    : vtkTextureObject::ClampToBorder;
   texture->SetWrapS(wrap);
   texture->SetWrapT(wrap);
 }
@@ -101,18 +102,18 @@ vtkGodRaysTapsIntegrator::vtkGodRaysTapsIntegrator()
 vtkGodRaysTapsIntegrator::~vtkGodRaysTapsIntegrator() = default;
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysTapsIntegrator::IsJittered(vtkGodRaysRadialModel* model) const
+bool vtkGodRaysTapsIntegrator::IsJittered(vtkGodRaysRadialSumModel* model) const
 {
-  return this->Jitter && model->GetFormulation() == vtkGodRaysRadialModel::INVARIANT;
+  return this->Jitter && vtkGodRaysRadialModel::SafeDownCast(model);
 }
 
 //------------------------------------------------------------------------------
 // sum_{k<m^p} w d^k s(k) = sum_{i<m} w d^i sum_{j<m} (d^m)^j s(i + m j), and so on.
 void vtkGodRaysTapsIntegrator::GetPasses(
-  vtkGodRaysRadialModel* model, std::vector<vtkGodRays::TapSum>& passes) const
+  vtkGodRaysRadialSumModel* model, std::vector<vtkGodRays::TapSum>& passes) const
 {
   const int asked = this->NumberOfTaps > 0 ? this->NumberOfTaps : model->GetNumberOfSamples();
-  if (this->NumberOfPasses == 1 || model->GetFormulation() != vtkGodRaysRadialModel::INVARIANT)
+  if (this->NumberOfPasses == 1 || !vtkGodRaysRadialModel::SafeDownCast(model))
   {
     model->GetTapSums(passes, asked);
     return;
@@ -137,7 +138,7 @@ void vtkGodRaysTapsIntegrator::GetPasses(
 //------------------------------------------------------------------------------
 bool vtkGodRaysTapsIntegrator::Integrate(const Request& request)
 {
-  vtkGodRaysRadialModel* model = request.Model;
+  vtkGodRaysRadialSumModel* model = request.Model;
   std::vector<vtkGodRays::TapSum> passes;
   this->GetPasses(model, passes);
   const bool jitter = this->IsJittered(model); // the first pass alone: its taps are the closest
@@ -166,10 +167,10 @@ bool vtkGodRaysTapsIntegrator::Integrate(const Request& request)
 //------------------------------------------------------------------------------
 std::string vtkGodRaysTapsIntegrator::Describe(vtkGodRaysModel* model)
 {
-  auto radial = vtkGodRaysRadialModel::SafeDownCast(model);
+  auto radial = vtkGodRaysRadialSumModel::SafeDownCast(model);
   if (!radial)
   {
-    return "taps: none, only a vtkGodRaysRadialModel can be evaluated";
+    return "taps: none, only a vtkGodRaysRadialSumModel can be evaluated";
   }
   std::vector<vtkGodRays::TapSum> passes;
   this->GetPasses(radial, passes);

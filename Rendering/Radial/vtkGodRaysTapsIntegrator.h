@@ -4,11 +4,12 @@
  * @class   vtkGodRaysTapsIntegrator
  * @brief   the radial sum as published: n texture taps from each pixel towards the light
  *
- * Evaluates the formulations of vtkGodRaysRadialModel exactly as their authors' shaders do,
- * [Mitchell2007] and its kin, at a cost of n texture reads a pixel. Jitter and several passes, two customary
- * approximations, are there to be compared with.
+ * Evaluates a vtkGodRaysPublishedModel exactly as its authors' shaders do, [Mitchell2007] and its kin, and
+ * a vtkGodRaysRadialModel with any number of taps, at a cost of one texture read a tap. Jitter and several
+ * passes, two customary approximations, are there to be compared with. NumberOfTaps, Jitter and
+ * NumberOfPasses are for a vtkGodRaysRadialModel: a published sum has its authors' own.
  *
- * @sa vtkGodRaysPass vtkGodRaysRadialModel
+ * @sa vtkGodRaysPass vtkGodRaysRadialModel vtkGodRaysPublishedModel
  */
 
 #ifndef vtkGodRaysTapsIntegrator_h
@@ -20,7 +21,7 @@
 #include <memory> // For std::unique_ptr
 #include <vector> // For std::vector
 
-class vtkGodRaysRadialModel;
+class vtkGodRaysRadialSumModel;
 
 namespace vtkGodRays
 {
@@ -37,8 +38,7 @@ public:
   ///@{
   /**
    * Set/Get how many taps a pixel takes [no unit]. 0 takes the model's NumberOfSamples. The
-   * brightness does not depend on it, only banding and cost do. Parity formulations always take
-   * the taps of their authors. Valid range: [0, 4096]. Default is 0.
+   * brightness does not depend on it, only banding and cost do. Valid range: [0, 4096]. Default is 0.
    */
   vtkSetClampMacro(NumberOfTaps, int, 0, 4096);
   vtkGetMacro(NumberOfTaps, int);
@@ -48,7 +48,7 @@ public:
   /**
    * Set/Get whether each pixel's taps are moved by up to half their distance either way, by a fixed
    * noise: [Jimenez2014], the customary way to turn banding into grain, which is then left to a blur.
-   * It is there for comparison. Parity formulations are never jittered. Default is off.
+   * It is there for comparison. Default is off.
    */
   vtkSetMacro(Jitter, bool);
   vtkGetMacro(Jitter, bool);
@@ -62,8 +62,7 @@ public:
    * for m^p of them: each pass strides m times as far as the one before. This is the customary
    * shortcut, there for comparison: exact where all shafts are parallel, but for repeated
    * interpolation; elsewhere each pass starts from where the one before has led, so that marches come
-   * short of the light. Parity formulations always take the passes of
-   * their authors. Valid range: [1, 4]. Default is 1.
+   * short of the light. Valid range: [1, 4]. Default is 1.
    */
   vtkSetClampMacro(NumberOfPasses, int, 1, 4);
   vtkGetMacro(NumberOfPasses, int);
@@ -84,8 +83,8 @@ private:
   struct Internals;
   std::unique_ptr<Internals> Internal;
 
-  bool IsJittered(vtkGodRaysRadialModel* model) const;
-  void GetPasses(vtkGodRaysRadialModel* model, std::vector<vtkGodRays::TapSum>& passes) const;
+  bool IsJittered(vtkGodRaysRadialSumModel* model) const;
+  void GetPasses(vtkGodRaysRadialSumModel* model, std::vector<vtkGodRays::TapSum>& passes) const;
 
   int NumberOfTaps = 0;
   bool Jitter = false;

@@ -7,6 +7,7 @@
 
 #include "ExampleUser.h"
 
+#include "vtkGodRaysPublishedModel.h"
 #include "vtkGodRaysRadialModel.h"
 #include "vtkOBJWriter.h"
 #include "vtkPLYWriter.h"
@@ -157,7 +158,10 @@ TEST(Statue, LightMovesAndSumIsChanged)
       user->InvokeEvent(vtkCommand::TimerEvent);
       EXPECT_EQ(user->GetLight(), first) << "the light stands still at first";
       user->Press("g");
-      EXPECT_EQ(GetModel(user)->GetFormulation(), vtkGodRaysRadialModel::GIANASSI);
+      auto published = vtkGodRaysPublishedModel::SafeDownCast(user->GetRays()->GetModel());
+      ASSERT_TRUE(published);
+      EXPECT_EQ(published->GetFormulation(), vtkGodRaysPublishedModel::GIANASSI);
+      EXPECT_EQ(published->GetDecay(), 0.98) << "the parameters are those of the sliders";
       EXPECT_NE(user->GetLight(), first);
       user->Press("g");
       EXPECT_EQ(user->GetLight(), first);

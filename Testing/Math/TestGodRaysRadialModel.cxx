@@ -1,24 +1,28 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The radial model against published numbers and closed forms; its parameters, errors and presets.
+// The models of radial sums against published numbers and closed forms; their parameters, errors and
+// presets.
 // Without OpenGL.
 
 #include "GodRaysMathTesting.h"
 
 #include "vtkGodRaysMath.h"
+#include "vtkGodRaysPublishedModel.h"
 #include "vtkGodRaysRadialModel.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -42,7 +46,7 @@ const FunctionLayer constantLayer = { [](const Vec2&) { return 1.0; } };
 const FunctionLayer rampLayer = { [](const Vec2& uv) { return uv.x; } };
 
 // The model's only pass.
-TapSum GetTapSum(vtkGodRaysRadialModel* model, int taps = 0)
+TapSum GetTapSum(vtkGodRaysRadialSumModel* model, int taps = 0)
 {
   std::vector<TapSum> passes;
   model->GetTapSums(passes, taps);
@@ -73,68 +77,6 @@ public:
 private:
   vtkNew<vtkCallbackCommand> Command;
 };
-}
-
-//------------------------------------------------------------------------------
-TEST(RadialModel, MatchesPublishedNumbers)
-{
-  // Flat: a constant layer of 1. Ramp: s = u, pixel at u = 0.75, light at u = 0.25.
-  struct Row
-  {
-    const char* Preset;
-    int NumberOfSamples; // 0: the preset's
-    double Flat;
-    double Ramp; // 0: not tabulated
-    double Tolerance;
-  };
-  const Row rows[] = {
-    { "gianassi", 0, 2.545870634907081, 1.4908499507942736, 1e-12 },
-    { "mitchell", 0, 2.585870634907081, 1.510706468254647, 1e-12 },
-    { "equation", 0, 0.0255051192855801, 0.014884744035720992, 1e-12 },
-    { "layers", 50, 1.03192, 0.0, 1e-5 },
-    { "layers", 0, 1.65624, 1.0531855067689746, 1e-5 },
-    { "layers", 200, 2.26248, 0.0, 1e-5 },
-    { "layers", 300, 2.48438, 1.6742834590531153, 1e-5 },
-    { "postprocessing", 0, 2.395687175280205, 1.6071805633032388, 1e-12 },
-    { "babylon", 0, 2.2471510912228267, 1.4164181291978513, 1e-12 },
-    { "erkaman", 0, 1.0, 0.0, 1e-12 },
-    { "araujo", 0, 2.0, 0.0, 1e-12 },
-  };
-  for (const Row& row : rows)
-  {
-    SCOPED_TRACE(row.Preset);
-    vtkNew<vtkGodRaysRadialModel> model;
-    ASSERT_TRUE(model->ApplyPreset(row.Preset));
-    if (row.NumberOfSamples > 0)
-    {
-      model->SetNumberOfSamples(row.NumberOfSamples);
-    }
-    TapSum taps = GetTapSum(model);
-    taps.Maximum = 0.0; // the numbers are those before the clamp
-    const Vec2 uv(0.75, 0.5);
-    const Vec2 light(0.25, 0.5);
-    EXPECT_NEAR(SumOver(constantLayer, taps, uv, light) / row.Flat, 1.0, row.Tolerance);
-    EXPECT_NEAR(model->GetFlatGain() / row.Flat, 1.0, row.Tolerance);
-    if (row.Ramp > 0.0)
-    {
-      EXPECT_NEAR(SumOver(rampLayer, taps, uv, light) / row.Ramp, 1.0, 1e-12);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-TEST(RadialModel, ClampsWhereTheAuthorsDo)
-{
-  vtkNew<vtkGodRaysRadialModel> model;
-  for (const char* preset : { "layers", "layers-as-published", "postprocessing" })
-  {
-    ASSERT_TRUE(model->ApplyPreset(preset));
-    EXPECT_EQ(SumOver(constantLayer, GetTapSum(model), Vec2(0.5), Vec2(0.1)), 1.0);
-    model->SetClampMaximum(0.25);
-    EXPECT_EQ(SumOver(constantLayer, GetTapSum(model), Vec2(0.5), Vec2(0.1)), 0.25);
-  }
-  ASSERT_TRUE(model->ApplyPreset("mitchell"));
-  EXPECT_GT(SumOver(constantLayer, GetTapSum(model), Vec2(0.5), Vec2(0.1)), 2.0);
 }
 
 //------------------------------------------------------------------------------
@@ -169,8 +111,11 @@ TEST(RadialModel, ConvergesOnARamp)
 {
   // The ramp with the numbers of postprocessing; its limit is 1.616932.
   vtkNew<vtkGodRaysRadialModel> model;
-  ASSERT_TRUE(model->ApplyPreset("postprocessing"));
-  model->SetFormulation(vtkGodRaysRadialModel::INVARIANT);
+  model->SetDensity(0.96);
+  model->SetDecay(0.9);
+  model->SetWeight(0.4);
+  model->SetExposure(0.6);
+  model->SetNumberOfSamples(60);
   const int taps[] = { 15, 30, 60, 120, 240 };
   const double midpoint[] = { 1.614247, 1.616259, 1.616763, 1.616889, 1.616921 };
   const double rightEnd[] = { 1.57592, 1.59709, 1.60718, 1.61210, 1.61453 };
@@ -260,10 +205,6 @@ TEST(RadialModel, ScattersNothingAtZero)
     set(1.0);
     EXPECT_TRUE(model->CanScatter());
   }
-  model->SetClampMaximum(0.0);
-  EXPECT_TRUE(model->CanScatter());
-  model->SetFormulation(vtkGodRaysRadialModel::POSTPROCESSING);
-  EXPECT_FALSE(model->CanScatter());
 }
 
 //------------------------------------------------------------------------------
@@ -274,10 +215,18 @@ TEST(RadialModel, IsFiniteForExtremeParameters)
   MakeImage(layer, 8, 8);
   const double light[3] = { 0.125, 0.125, 1.0 }; // the centre of a pixel
   const int size[2] = { 8, 8 };
-  vtkNew<vtkGodRaysRadialModel> model;
-  for (int formulation = 0; formulation <= vtkGodRaysRadialModel::ARAUJO; ++formulation)
+  std::vector<vtkSmartPointer<vtkGodRaysRadialSumModel>> models;
+  models.push_back(vtkSmartPointer<vtkGodRaysRadialModel>::New());
+  for (int formulation = 0; formulation <= vtkGodRaysPublishedModel::ARAUJO; ++formulation)
   {
-    model->SetFormulation(formulation);
+    auto published = vtkSmartPointer<vtkGodRaysPublishedModel>::New();
+    published->SetFormulation(formulation);
+    published->SetWeight(models[0]->GetWeight());
+    published->SetExposure(models[0]->GetExposure());
+    models.push_back(published);
+  }
+  for (const auto& model : models)
+  {
     for (double decay : { 0.0, 1e-300, 1.0, 1.05 })
     {
       for (int samples : { 1, 2, 1024 })
@@ -346,7 +295,6 @@ TEST(RadialModel, ParametersAreClampedAndNeverNaN)
     { "Decay", &Model::SetDecay, &Model::GetDecay, 0.98, 1.05 },
     { "Weight", &Model::SetWeight, &Model::GetWeight, 0.03, 100.0 },
     { "Exposure", &Model::SetExposure, &Model::GetExposure, 1.0, 100.0 },
-    { "ClampMaximum", &Model::SetClampMaximum, &Model::GetClampMaximum, 1.0, 65504.0 },
   };
   std::size_t count = 0;
   for (const Row& row : rows)
@@ -382,39 +330,14 @@ TEST(RadialModel, ParametersAreClampedAndNeverNaN)
   EXPECT_EQ(model->GetNumberOfSamples(), 1);
   model->SetNumberOfSamples(100000);
   EXPECT_EQ(model->GetNumberOfSamples(), 10000);
-  const vtkMTimeType before = model->GetMTime();
-  model->SetFormulation(vtkGodRaysRadialModel::BABYLON);
-  EXPECT_GT(model->GetMTime(), before);
-  for (int formulation : { -1, vtkGodRaysRadialModel::ARAUJO + 1 })
-  {
-    model->SetFormulation(formulation);
-    EXPECT_EQ(model->GetFormulation(), vtkGodRaysRadialModel::BABYLON);
-    EXPECT_EQ(errors.Texts.size(), ++count);
-  }
 }
 
 //------------------------------------------------------------------------------
-TEST(RadialModel, PrintsEveryParameter)
+// What any model with presets does; applied is called after each.
+template <typename Model>
+void CheckPresets(const char* usual, const std::function<void(Model*, const char*)>& applied)
 {
-  vtkNew<vtkGodRaysRadialModel> model;
-  ASSERT_TRUE(model->ApplyPreset("babylon"));
-  model->SetClampMaximum(0.375);
-  std::ostringstream text;
-  model->Print(text);
-  for (const char* line : { "Density: 0.926\n", "Decay: 0.96815\n", "Weight: 0.58767\n",
-         "Exposure: 0.3\n", "NumberOfSamples: 100\n", "ClampMaximum: 0.375\n",
-         "Formulation: babylon\n", "SceneGain: 1.1\n" })
-  {
-    EXPECT_NE(text.str().find(line), std::string::npos) << line;
-  }
-}
-
-//------------------------------------------------------------------------------
-TEST(RadialModel, HasPresets)
-{
-  using Model = vtkGodRaysRadialModel;
   std::set<std::string> names;
-  std::set<int> formulations;
   vtkNew<Model> model;
   ErrorListener errors(model);
   for (int i = 0; i < Model::GetNumberOfPresets(); ++i)
@@ -424,34 +347,167 @@ TEST(RadialModel, HasPresets)
     EXPECT_FALSE(std::string(Model::GetPresetDescription(i)).empty());
     ASSERT_TRUE(model->ApplyPreset(Model::GetPresetName(i)));
     EXPECT_TRUE(model->CanScatter());
-    formulations.insert(model->GetFormulation());
-    if (model->GetFormulation() != Model::INVARIANT)
-    {
-      EXPECT_STREQ(model->GetFormulationAsString(), Model::GetPresetName(i));
-    }
+    applied(model, Model::GetPresetName(i));
   }
   EXPECT_EQ(names.size(), static_cast<std::size_t>(Model::GetNumberOfPresets()));
-  EXPECT_EQ(formulations.size(), Model::ARAUJO + 1u);
-  EXPECT_GE(Model::GetNumberOfPresets(), Model::ARAUJO + 7);
   EXPECT_EQ(Model::GetPresetName(-1), nullptr);
   EXPECT_EQ(Model::GetPresetDescription(Model::GetNumberOfPresets()), nullptr);
 
-  // "default" is what a new model has.
-  ASSERT_TRUE(model->ApplyPreset("default"));
+  // the usual one is what a new model has
+  const std::string before = model->Describe();
+  ASSERT_TRUE(model->ApplyPreset(usual));
   vtkNew<Model> fresh;
   EXPECT_EQ(model->Describe(), fresh->Describe());
-  EXPECT_EQ(model->GetClampMaximum(), fresh->GetClampMaximum());
+  EXPECT_NE(model->Describe(), before);
   EXPECT_TRUE(errors.Texts.empty());
 
-  ASSERT_TRUE(model->ApplyPreset("underwater"));
-  const std::string before = model->Describe();
   EXPECT_FALSE(model->ApplyPreset("no-such-look"));
   EXPECT_FALSE(model->ApplyPreset(nullptr));
-  EXPECT_EQ(model->Describe(), before);
+  EXPECT_EQ(model->Describe(), fresh->Describe());
   ASSERT_EQ(errors.Texts.size(), 2u);
   EXPECT_NE(errors.Texts[0].find("\"no-such-look\""), std::string::npos);
   for (const std::string& name : names)
   {
     EXPECT_NE(errors.Texts[0].find(name), std::string::npos);
+  }
+}
+
+TEST(RadialModel, HasPresets)
+{
+  CheckPresets<vtkGodRaysRadialModel>("default", [](vtkGodRaysRadialModel*, const char*) {});
+  EXPECT_GE(vtkGodRaysRadialModel::GetNumberOfPresets(), 7);
+}
+
+TEST(PublishedModel, HasAPresetForEachFormulation)
+{
+  std::set<int> formulations;
+  CheckPresets<vtkGodRaysPublishedModel>("mitchell",
+    [&](vtkGodRaysPublishedModel* model, const char* name)
+    {
+      formulations.insert(model->GetFormulation());
+      EXPECT_STREQ(model->GetFormulationAsString(), name);
+      EXPECT_EQ(model->GetClampMaximum(), 1.0);
+    });
+  EXPECT_EQ(formulations.size(), vtkGodRaysPublishedModel::ARAUJO + 1u);
+}
+
+//------------------------------------------------------------------------------
+TEST(PublishedModel, MatchesPublishedNumbers)
+{
+  // Flat: a constant layer of 1. Ramp: s = u, pixel at u = 0.75, light at u = 0.25.
+  struct Row
+  {
+    const char* Preset;
+    int NumberOfSamples; // 0: the preset's
+    double Flat;
+    double Ramp; // 0: not tabulated
+    double Tolerance;
+  };
+  const Row rows[] = {
+    { "gianassi", 0, 2.545870634907081, 1.4908499507942736, 1e-12 },
+    { "mitchell", 0, 2.585870634907081, 1.510706468254647, 1e-12 },
+    { "equation", 0, 0.0255051192855801, 0.014884744035720992, 1e-12 },
+    { "layers", 50, 1.03192, 0.0, 1e-5 },
+    { "layers", 0, 1.65624, 1.0531855067689746, 1e-5 },
+    { "layers", 200, 2.26248, 0.0, 1e-5 },
+    { "layers", 300, 2.48438, 1.6742834590531153, 1e-5 },
+    { "postprocessing", 0, 2.395687175280205, 1.6071805633032388, 1e-12 },
+    { "babylon", 0, 2.2471510912228267, 1.4164181291978513, 1e-12 },
+    { "erkaman", 0, 1.0, 0.0, 1e-12 },
+    { "araujo", 0, 2.0, 0.0, 1e-12 },
+  };
+  for (const Row& row : rows)
+  {
+    SCOPED_TRACE(row.Preset);
+    vtkNew<vtkGodRaysPublishedModel> model;
+    ASSERT_TRUE(model->ApplyPreset(row.Preset));
+    if (row.NumberOfSamples > 0)
+    {
+      model->SetNumberOfSamples(row.NumberOfSamples);
+    }
+    TapSum taps = GetTapSum(model);
+    taps.Maximum = 0.0; // the numbers are those before the clamp
+    const Vec2 uv(0.75, 0.5);
+    const Vec2 light(0.25, 0.5);
+    EXPECT_NEAR(SumOver(constantLayer, taps, uv, light) / row.Flat, 1.0, row.Tolerance);
+    EXPECT_NEAR(model->GetFlatGain() / row.Flat, 1.0, row.Tolerance);
+    if (row.Ramp > 0.0)
+    {
+      EXPECT_NEAR(SumOver(rampLayer, taps, uv, light) / row.Ramp, 1.0, 1e-12);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(PublishedModel, ClampsWhereTheAuthorsDo)
+{
+  vtkNew<vtkGodRaysPublishedModel> model;
+  for (const char* preset : { "layers", "layers-as-published", "postprocessing" })
+  {
+    ASSERT_TRUE(model->ApplyPreset(preset));
+    EXPECT_EQ(SumOver(constantLayer, GetTapSum(model), Vec2(0.5), Vec2(0.1)), 1.0);
+    model->SetClampMaximum(0.25);
+    EXPECT_EQ(SumOver(constantLayer, GetTapSum(model), Vec2(0.5), Vec2(0.1)), 0.25);
+  }
+  ASSERT_TRUE(model->ApplyPreset("mitchell"));
+  EXPECT_GT(SumOver(constantLayer, GetTapSum(model), Vec2(0.5), Vec2(0.1)), 2.0);
+}
+
+//------------------------------------------------------------------------------
+TEST(PublishedModel, ScattersNothingWhereItIsClampedToZero)
+{
+  vtkNew<vtkGodRaysPublishedModel> model;
+  model->SetClampMaximum(0.0);
+  EXPECT_TRUE(model->CanScatter());
+  model->SetFormulation(vtkGodRaysPublishedModel::POSTPROCESSING);
+  EXPECT_FALSE(model->CanScatter());
+  model->SetClampMaximum(1.0);
+  EXPECT_TRUE(model->CanScatter());
+  model->SetWeight(0.0);
+  EXPECT_FALSE(model->CanScatter());
+}
+
+//------------------------------------------------------------------------------
+TEST(PublishedModel, ParametersAreClampedAndNeverNaN)
+{
+  vtkNew<vtkGodRaysPublishedModel> model;
+  ErrorListener errors(model);
+  for (double value : { std::nan(""), HUGE_VAL, -HUGE_VAL })
+  {
+    model->SetClampMaximum(value);
+    EXPECT_EQ(model->GetClampMaximum(), 1.0);
+  }
+  ASSERT_EQ(errors.Texts.size(), 3u);
+  EXPECT_NE(errors.Texts[0].find("ClampMaximum"), std::string::npos);
+  model->SetClampMaximum(-1.0);
+  EXPECT_EQ(model->GetClampMaximum(), 0.0);
+  model->SetClampMaximum(1e30);
+  EXPECT_EQ(model->GetClampMaximum(), 65504.0);
+
+  const vtkMTimeType before = model->GetMTime();
+  model->SetFormulation(vtkGodRaysPublishedModel::BABYLON);
+  EXPECT_GT(model->GetMTime(), before);
+  std::size_t count = errors.Texts.size();
+  for (int formulation : { -1, vtkGodRaysPublishedModel::ARAUJO + 1 })
+  {
+    model->SetFormulation(formulation);
+    EXPECT_EQ(model->GetFormulation(), vtkGodRaysPublishedModel::BABYLON);
+    EXPECT_EQ(errors.Texts.size(), ++count);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(PublishedModel, PrintsEveryParameter)
+{
+  vtkNew<vtkGodRaysPublishedModel> model;
+  ASSERT_TRUE(model->ApplyPreset("babylon"));
+  model->SetClampMaximum(0.375);
+  std::ostringstream text;
+  model->Print(text);
+  for (const char* line : { "Density: 0.926\n", "Decay: 0.96815\n", "Weight: 0.58767\n",
+         "Exposure: 0.3\n", "NumberOfSamples: 100\n", "ClampMaximum: 0.375\n",
+         "Formulation: babylon\n", "SceneGain: 1.1\n" })
+  {
+    EXPECT_NE(text.str().find(line), std::string::npos) << line;
   }
 }

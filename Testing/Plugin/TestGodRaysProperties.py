@@ -227,18 +227,18 @@ class Properties(Case):
     def test_presets(self):
         view = make_view(WorldUnitInMeters=3.0)
         offered = ["custom"]
-        for model in (godrays.vtkGodRaysRadialModel, godrays.vtkGodRaysHomogeneousModel):
-            for i in range(model.GetNumberOfPresets()):
-                name = model.GetPresetName(i)
-                offered.append(name)
-                view.Preset = name
-                expected = model()
-                expected.ApplyPreset(name)
-                if hasattr(expected, "SetWorldUnitInMeters"):
-                    expected.SetWorldUnitInMeters(3.0)
-                for each in parameters(expected):
-                    actual = getattr(rays(view).GetModel(), "Get" + each)()
-                    self.assertEqual(actual, getattr(expected, "Get" + each)(), f"{name}: {each}")
+        presets = godrays.vtkGodRaysPresets
+        for i in range(presets.GetNumberOfPresets()):
+            name = presets.GetPresetName(i)
+            offered.append(name)
+            view.Preset = name
+            expected = presets.NewModel(name)
+            self.assertEqual(rays(view).GetModel().GetClassName(), expected.GetClassName())
+            if hasattr(expected, "SetWorldUnitInMeters"):
+                expected.SetWorldUnitInMeters(3.0)
+            for each in parameters(expected):
+                actual = getattr(rays(view).GetModel(), "Get" + each)()
+                self.assertEqual(actual, getattr(expected, "Get" + each)(), f"{name}: {each}")
         self.assertEqual(list(view.GetProperty("Preset").Available), offered)
 
     def test_what_the_view_adds(self):

@@ -198,15 +198,15 @@ class Parameters(unittest.TestCase):
         self.assertEqual(rays.GetModel().GetNumberOfSamples(), 9)
 
     def test_constants_by_name(self):
-        rays = self.enable(output="scattering", formulation="mitchell")
+        rays = self.enable(output="scattering", model="published", formulation="babylon")
         self.assertEqual(rays.GetOutput(), vtkGodRaysPass.SCATTERING)
-        self.assertEqual(rays.GetModel().GetFormulation(), rays.GetModel().MITCHELL)
+        self.assertEqual(rays.GetModel().GetFormulation(), rays.GetModel().BABYLON)
 
     def test_an_unknown_constant_changes_nothing(self):
         with self.assertRaisesRegex(ValueError, "output='bogus'.*vtkGodRaysPass.*scattering"):
             self.enable(output="bogus")
-        with self.assertRaisesRegex(ValueError, "formulation='nobody'.*RadialModel.*three_js"):
-            self.enable(formulation="nobody")
+        with self.assertRaisesRegex(ValueError, "formulation='nobody'.*PublishedModel.*three_js"):
+            self.enable(model="published", formulation="nobody")
         self.assertIsNone(self.renderer.GetPass())
 
     def test_a_model_of_ones_own(self):
@@ -236,14 +236,44 @@ class Parameters(unittest.TestCase):
         godrays.enable(renderer, model="atmosphere", mie_scattering=(0.01, 0.01, 0.01))
         self.assertEqual(rays.GetModel().GetClassName(), "vtkGodRaysAtmosphereModel")
         godrays.enable(renderer, preset="mitchell")
-        self.assertEqual(rays.GetModel().GetClassName(), "vtkGodRaysRadialModel")
+        self.assertEqual(rays.GetModel().GetClassName(), "vtkGodRaysPublishedModel")
         self.assertNotEqual(foggy, pixels(window))
+        godrays.enable(renderer, preset="low-sun")
+        self.assertEqual(rays.GetModel().GetClassName(), "vtkGodRaysRadialModel")
         for wrong, words in (
             ({"model": "soup"}, "no model 'soup'; there are: radial"),
             ({"model": "radial", "preset": "fog"}, "'fog' is one of vtkGodRaysHomogeneousModel"),
         ):
             with self.assertRaisesRegex(ValueError, words):
                 godrays.enable(renderer, **wrong)
+
+    def test_a_preset_belongs_to_the_class_that_lists_it(self):
+        presets = godrays.vtkGodRaysPresets
+        names = []
+        for model in (
+            godrays.vtkGodRaysRadialModel,
+            godrays.vtkGodRaysPublishedModel,
+            godrays.vtkGodRaysHomogeneousModel,
+        ):
+            for i in range(model.GetNumberOfPresets()):
+                name = model.GetPresetName(i)
+                self.assertEqual(presets.GetPresetDescription(len(names)), model.GetPresetDescription(i))
+                names.append(name)
+                expected = model()
+                expected.ApplyPreset(name)
+                made = presets.NewModel(name)
+                self.assertEqual(made.GetReferenceCount(), 1)  # nobody else's
+                self.assertEqual(made.GetClassName(), model.__name__)
+                self.assertEqual(made.Describe(), expected.Describe())
+                rays = vtkGodRaysPass()
+                self.assertTrue(rays.ApplyPreset(name))
+                self.assertEqual(rays.GetModel().Describe(), expected.Describe())
+        count = presets.GetNumberOfPresets()
+        self.assertEqual([presets.GetPresetName(i) for i in range(-1, count + 1)], [None, *names, None])
+        self.assertEqual(presets.ListNames(), ", ".join(names))
+        self.assertEqual(len(set(names)), count)
+        for wrong in ("nonesuch", "", None):
+            self.assertIsNone(presets.NewModel(wrong))
 
     def test_an_unknown_preset_changes_nothing(self):
         with self.assertRaisesRegex(ValueError, "no preset 'nonesuch'; there are: "):

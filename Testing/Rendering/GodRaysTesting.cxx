@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GodRaysTesting.h"
 
-#include "vtkGodRaysRadialModel.h"
+#include "vtkGodRaysRadialSumModel.h"
 #include "vtkGodRaysTapsIntegrator.h"
 
 #include "vtkCamera.h"
@@ -311,7 +311,7 @@ struct Error
 
 Error GetError(vtkGodRaysPass* rays, vtkRenderer* renderer, std::array<double, 3> clip, int taps)
 {
-  auto model = vtkGodRaysRadialModel::SafeDownCast(rays->GetModel());
+  auto model = vtkGodRaysRadialSumModel::SafeDownCast(rays->GetModel());
   vtkNew<vtkImageData> layer;
   vtkNew<vtkImageData> result;
   vtkNew<vtkImageData> reference;

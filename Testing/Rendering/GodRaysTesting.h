@@ -95,7 +95,7 @@ double GetMean(vtkImageData* image);
 /// camera's parameters rather than by the pass.
 std::array<double, 3> GetClip(vtkRenderer* renderer, std::array<double, 4> world);
 
-/// Sum the taps of the model, as vtkGodRaysRadialModel::Evaluate() does, rather than their limit.
+/// Sum the taps of the model, as vtkGodRaysRadialSumModel::Evaluate() does, rather than their limit.
 void SumTaps(vtkGodRaysPass* rays);
 
 /// Largest difference between the light scattered on the graphics card in the last frame and the

@@ -172,6 +172,34 @@ TEST(GodRaysPassParameters, DefaultObjectsComeBackWithNull)
   EXPECT_TRUE(rays->GetIntegrator()->IsA("vtkGodRaysEpipolarIntegrator"));
 }
 
+TEST(GodRaysPassParameters, APresetBringsItsModelAndKeepsOneOfItsClass)
+{
+  Messages messages;
+  vtkNew<vtkGodRaysPass> rays;
+  vtkSmartPointer<vtkGodRaysIntegrator> integrator = rays->GetIntegrator();
+  vtkNew<vtkGodRaysRadialModel> model;
+  rays->SetModel(model);
+  ASSERT_TRUE(rays->ApplyPreset("low-sun"));
+  EXPECT_EQ(rays->GetModel(), model);
+  EXPECT_EQ(model->GetWeight(), 0.028);
+  ASSERT_TRUE(rays->ApplyPreset("mitchell"));
+  EXPECT_TRUE(rays->GetModel()->IsA("vtkGodRaysPublishedModel"));
+  EXPECT_EQ(model->GetWeight(), 0.028) << "the former model";
+  EXPECT_EQ(rays->GetIntegrator(), integrator) << "which evaluates both";
+  vtkSmartPointer<vtkGodRaysModel> published = rays->GetModel();
+  ASSERT_TRUE(rays->ApplyPreset("babylon"));
+  EXPECT_EQ(rays->GetModel(), published);
+
+  ASSERT_TRUE(rays->ApplyPreset("fog"));
+  auto medium = vtkGodRaysHomogeneousModel::SafeDownCast(rays->GetModel());
+  ASSERT_TRUE(medium);
+  EXPECT_TRUE(rays->GetIntegrator()->Supports(medium));
+  medium->SetWorldUnitInMeters(100.0);
+  ASSERT_TRUE(rays->ApplyPreset("haze"));
+  EXPECT_EQ(rays->GetModel(), medium);
+  EXPECT_EQ(medium->GetWorldUnitInMeters(), 100.0);
+}
+
 /// Frames without rays have the bytes of frames without the pass, and the plan gives the reason.
 class GodRaysPassStraightThrough : public ::testing::Test
 {
@@ -308,8 +336,11 @@ TEST(GodRaysPassErrors, AnUnsupportedModelIsToldOnceAndDrawnWithoutRays)
     EXPECT_FALSE(integrator->Supports(unsupported));
     EXPECT_TRUE(Says(integrator->Describe(unsupported), "taps: none"));
   }
-  EXPECT_FALSE(scene.Rays->ApplyPreset("mitchell"));
-  EXPECT_EQ(messages.Take().size(), 1u);
+  EXPECT_FALSE(scene.Rays->ApplyPreset("mitchel"));
+  const auto refused = messages.Take();
+  ASSERT_EQ(refused.size(), 1u);
+  EXPECT_TRUE(Says(refused[0], "\"mitchel\"") && Says(refused[0], "default, ")) << refused[0];
+  EXPECT_EQ(scene.Rays->GetModel(), model.Get());
   scene.Rays->Detach(scene.Renderer);
   EXPECT_EQ(with, GetPixels(scene.Window));
 }

@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The looks: every preset of vtkGodRaysRadialModel on one scene, against its picture in
+// The looks: every radial preset on one scene, against its picture in
 // Testing/Baseline and against the sum in double precision; and the same tests without rays, which
 // must fail.
 
 #include "GodRaysTesting.h"
 
 #include "vtkGodRaysModel.h"
+#include "vtkGodRaysPresets.h"
+#include "vtkGodRaysPublishedModel.h"
 #include "vtkGodRaysRadialModel.h"
 
 #include "vtkCamera.h"
@@ -161,7 +163,7 @@ protected:
 std::string GetTestName(const ::testing::TestParamInfo<int>& info)
 {
   std::string name;
-  for (const char* c = vtkGodRaysRadialModel::GetPresetName(info.param); *c; ++c)
+  for (const char* c = vtkGodRaysPresets::GetPresetName(info.param); *c; ++c)
   {
     name += std::isalnum(*c) ? std::string(1, *c) : "_";
   }
@@ -171,7 +173,7 @@ std::string GetTestName(const ::testing::TestParamInfo<int>& info)
 
 TEST_P(GodRaysPresets, LookAsTheyShould)
 {
-  const std::string preset = vtkGodRaysRadialModel::GetPresetName(this->GetParam());
+  const std::string preset = vtkGodRaysPresets::GetPresetName(this->GetParam());
   const std::string baseline = "Preset-" + preset;
   vtkGodRaysPass* rays = this->Scene.Rays;
   SumTaps(rays);
@@ -213,4 +215,6 @@ TEST_P(GodRaysPresets, LookAsTheyShould)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, GodRaysPresets,
-  ::testing::Range(0, vtkGodRaysRadialModel::GetNumberOfPresets()), GetTestName);
+  ::testing::Range(0,
+    vtkGodRaysRadialModel::GetNumberOfPresets() + vtkGodRaysPublishedModel::GetNumberOfPresets()),
+  GetTestName);

@@ -10,7 +10,8 @@
 #include "vtkGodRaysEpipolarCoverageIntegrator.h"
 #include "vtkGodRaysEpipolarIntegrator.h"
 #include "vtkGodRaysHomogeneousModel.h"
-#include "vtkGodRaysRadialModel.h"
+#include "vtkGodRaysPublishedModel.h"
+#include "vtkGodRaysRadialSumModel.h"
 #include "vtkGodRaysShadowMapIntegrator.h"
 #include "vtkGodRaysSkyPass.h"
 
@@ -277,7 +278,8 @@ TEST_P(GodRaysSteadyFrame, NeedsNoShaderForANumber)
   scene.Window->Render();
 
   vtkGodRaysPass* rays = scene.Rays;
-  auto model = vtkGodRaysRadialModel::SafeDownCast(rays->GetModel());
+  auto model = vtkGodRaysRadialSumModel::SafeDownCast(rays->GetModel());
+  auto published = vtkGodRaysPublishedModel::SafeDownCast(model);
   vtkLight* sun = rays->GetLight(0);
   const std::pair<const char*, std::function<void()>> changes[] = {
     { "Intensity", [=] { rays->SetIntensity(0.7); } },
@@ -292,7 +294,14 @@ TEST_P(GodRaysSteadyFrame, NeedsNoShaderForANumber)
     { "Weight", [=] { model->SetWeight(0.05); } },
     { "Exposure", [=] { model->SetExposure(0.5); } },
     { "NumberOfSamples", [=] { model->SetNumberOfSamples(60); } },
-    { "ClampMaximum", [=] { model->SetClampMaximum(2.0); } },
+    { "ClampMaximum",
+      [=]
+      {
+        if (published)
+        {
+          published->SetClampMaximum(2.0);
+        }
+      } },
     { "the light's place", [=] { sun->SetPosition(0.1, -0.2, -1.0); } },
     { "the light's colour", [=] { sun->SetDiffuseColor(0.5, 0.6, 0.7); } },
   };
@@ -311,7 +320,7 @@ TEST_P(GodRaysSteadyFrame, NeedsNoShaderForANumber)
   }
   const std::pair<const char*, std::function<void()>> objects[] = {
     { "Blend", [=] { rays->SetBlend(vtkGodRaysPass::SCREEN); } },
-    { "Formulation", [=] { model->SetFormulation(vtkGodRaysRadialModel::BABYLON); } },
+    { "Formulation", [=] { rays->ApplyPreset("babylon"); } },
     { "Output", [=] { rays->SetOutput(vtkGodRaysPass::SCATTERING); } },
     { "Precision", [=] { rays->SetPrecision(vtkGodRaysPass::SINGLE); } },
   };
@@ -319,7 +328,7 @@ TEST_P(GodRaysSteadyFrame, NeedsNoShaderForANumber)
   for (bool isFirst : { true, false })
   {
     rays->SetBlend(vtkGodRaysPass::ADD);
-    model->SetFormulation(vtkGodRaysRadialModel::INVARIANT);
+    rays->ApplyPreset("default");
     rays->SetLayerMargin(0.0);
     rays->SetOutput(vtkGodRaysPass::COMPOSITE);
     rays->SetPrecision(vtkGodRaysPass::HALF);

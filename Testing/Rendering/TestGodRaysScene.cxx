@@ -6,6 +6,7 @@
 
 #include "GodRaysTesting.h"
 
+#include "vtkGodRaysPublishedModel.h"
 #include "vtkGodRaysRadialModel.h"
 
 #include "vtkActorCollection.h"
@@ -419,7 +420,6 @@ TEST(GodRaysSceneBlend, IsTheFormula)
   AddPillarsAndLamp(scene);
   const auto without = GetPixels(scene.Window);
   scene.Rays->Attach(scene.Renderer);
-  auto model = vtkGodRaysRadialModel::SafeDownCast(scene.Rays->GetModel());
 
   const auto add = [](double shown, double rays) { return Encode(Decode(shown) + rays); };
   const auto screen = [](double shown, double rays)
@@ -448,7 +448,9 @@ TEST(GodRaysSceneBlend, IsTheFormula)
     scene, without, 1.0, [](double shown, double rays) { return shown + rays; }, "MITCHELL");
   ASSERT_TRUE(scene.Rays->ApplyPreset("postprocessing"));
   ExpectBlend(scene, without, 1.0, screen, "POSTPROCESSING");
-  EXPECT_EQ(model->GetBlend(), vtkGodRaysRadialModel::SCREEN);
+  auto model = vtkGodRaysPublishedModel::SafeDownCast(scene.Rays->GetModel());
+  ASSERT_TRUE(model);
+  EXPECT_EQ(model->GetBlend(), vtkGodRaysPublishedModel::SCREEN);
 }
 
 TEST(GodRaysSceneOutput, ShowsTheLayersAndLeavesAlphaAndDepth)

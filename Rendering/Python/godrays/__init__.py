@@ -52,16 +52,10 @@ _ROLES = {
 
 _MODELS = {
     "radial": vtkGodRaysRadialModel,
+    "published": vtkGodRaysPublishedModel,
     "homogeneous": vtkGodRaysHomogeneousModel,
     "atmosphere": vtkGodRaysAtmosphereModel,
 }
-
-
-def _preset_names(model):
-    """The presets that a class of models has."""
-    if not hasattr(model, "GetNumberOfPresets"):
-        return []
-    return [model.GetPresetName(i) for i in range(model.GetNumberOfPresets())]
 
 
 def enable(
@@ -83,12 +77,12 @@ def enable(
         takes the props tagged "light", or else the renderer's own lights that stand in the scene.
     occluders, ignored: props to tag. Props without a tag block light unless
         untagged_props_occlude=False.
-    preset: the name of a look or of a medium, see vtkGodRaysRadialModel.GetPresetName and
-        vtkGodRaysHomogeneousModel.GetPresetName. It chooses the model that has it, unless one is given.
+    preset: the name of a look or of a medium, see vtkGodRaysPresets.ListNames. It chooses the model that
+        has it, unless one is given.
     parameters: every property of the pass, its model and its integrator, in the spelling
         ``sun_angular_radius`` or ``SunAngularRadius``. Constants can be given by name:
         output="occlusion". They come after the preset. model is an object, or one of "radial",
-        "homogeneous" and "atmosphere".
+        "published", "homogeneous" and "atmosphere".
 
     Enabling a renderer again changes the pass that it has; a light given then replaces the lights
     and the tagged props that shone before.
@@ -413,16 +407,18 @@ def _with_model(rays, preset, parameters):
             raise ValueError(f"there is no model {model!r}; there are: {', '.join(_MODELS)}")
         model = _MODELS[model]()
         parameters = {**parameters, names["model"]: model}
-    if preset is None or preset in _preset_names(type(model or rays.GetModel())):
+    if preset is None:
         return parameters
-    known = {name: each for each in _MODELS.values() for name in _preset_names(each)}
-    if preset not in known:
-        raise ValueError(f"there is no preset {preset!r}; there are: {', '.join(known)}")
+    has = vtkGodRaysPresets.NewModel(preset)
+    if has is None:
+        raise ValueError(f"there is no preset {preset!r}; there are: {vtkGodRaysPresets.ListNames()}")
+    if (model or rays.GetModel()).IsA(has.GetClassName()):
+        return parameters
     if model is not None:
         raise ValueError(
-            f"the preset {preset!r} is one of {known[preset].__name__}, not of {type(model).__name__}"
+            f"the preset {preset!r} is one of {has.GetClassName()}, not of {model.GetClassName()}"
         )
-    return {**parameters, "model": known[preset]()}
+    return {**parameters, "model": has}
 
 
 def _named(parameters, properties):
