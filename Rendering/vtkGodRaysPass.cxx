@@ -3,7 +3,6 @@
 #include "vtkGodRaysPass.h"
 
 #include "vtkCamera.h"
-#include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysAttachment.h"
 #include "vtkGodRaysBlendPass.h"
 #include "vtkGodRaysCompositor.h"
@@ -21,6 +20,7 @@
 #include "vtkGodRaysSceneCopy.h"
 #include "vtkGodRaysSetGet.h"
 #include "vtkGodRaysSum.h"
+#include "vtkGodRaysSun.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysTimers.h"
 #include "vtkGodRaysTransfer.h"
@@ -67,6 +67,7 @@ bool IsDisabledByEnvironment()
 struct vtkGodRaysPass::Internals
 {
   std::vector<vtkSmartPointer<vtkLight>> Lights;
+  vtkSmartPointer<vtkGodRaysSun> Sun = vtkSmartPointer<vtkGodRaysSun>::New();
   vtkSmartPointer<vtkGodRaysModel> Model;
   std::unique_ptr<vtkGodRaysEffect> Effect; // the model's
   vtkSmartPointer<vtkGodRaysIntegrator> Integrator;
@@ -125,7 +126,6 @@ struct vtkGodRaysPass::Internals
 vtkGodRaysPass::vtkGodRaysPass()
   : Internal(new Internals)
 {
-  this->SunAngularRadius = vtkNew<vtkGodRaysAtmosphere>()->GetSunAngularRadius();
   this->SetModel(nullptr);
   this->SetIntegrator(nullptr);
 }
@@ -202,6 +202,38 @@ vtkLight* vtkGodRaysPass::GetLight(int index)
 {
   const auto& lights = this->Internal->Lights;
   return index >= 0 && index < static_cast<int>(lights.size()) ? lights[index].Get() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysPass::SetSun(vtkGodRaysSun* sun)
+{
+  if (!sun || sun != this->Internal->Sun)
+  {
+    this->Internal->Sun = sun;
+    if (!sun)
+    {
+      this->Internal->Sun = vtkSmartPointer<vtkGodRaysSun>::New();
+    }
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysSun* vtkGodRaysPass::GetSun()
+{
+  return this->Internal->Sun;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysPass::SetSunAngularRadius(double degrees)
+{
+  this->Internal->Sun->SetAngularRadius(degrees);
+}
+
+//------------------------------------------------------------------------------
+double vtkGodRaysPass::GetSunAngularRadius()
+{
+  return this->Internal->Sun->GetAngularRadius();
 }
 
 //------------------------------------------------------------------------------
@@ -304,7 +336,6 @@ vtkGodRaysSetFiniteMacro(vtkGodRaysPass, Intensity, 0.0, 1e4);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, ErrorTolerance, 1e-6, 0.1);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, InteractiveErrorTolerance, 1e-6, 0.1);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, SourceRadius, 0.0, 1e30);
-vtkGodRaysSetFiniteMacro(vtkGodRaysPass, SunAngularRadius, 0.01, 90.0);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, BackgroundGlow, 0.0, 1.0);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, BackgroundGlowRadius, 0.0, 180.0);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, BackgroundGlowFalloff, 0.0, 180.0);
@@ -587,7 +618,7 @@ std::vector<vtkGodRaysLight> vtkGodRaysPass::FindLights(
   vtkGodRaysLightFinder finder;
   finder.Renderer = renderer;
   finder.SourceRadius = this->SourceRadius;
-  finder.SunAngularRadius = this->SunAngularRadius;
+  finder.SunAngularRadius = this->GetSunAngularRadius();
   finder.BackgroundGlow = this->BackgroundGlow;
   finder.BackgroundGlowRadius = this->BackgroundGlowRadius;
   finder.BackgroundGlowFalloff = this->BackgroundGlowFalloff;
@@ -814,6 +845,7 @@ vtkMTimeType vtkGodRaysPass::GetMTime()
   vtkMTimeType time = this->Superclass::GetMTime();
   time = std::max(time, this->Internal->Model->GetMTime());
   time = std::max(time, this->Internal->Integrator->GetMTime());
+  time = std::max(time, this->Internal->Sun->GetMTime());
   for (const auto& light : this->Internal->Lights)
   {
     time = std::max(time, light->GetMTime());
@@ -831,7 +863,7 @@ void vtkGodRaysPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InteractiveErrorTolerance: " << this->InteractiveErrorTolerance << "\n";
   os << indent << "UntaggedPropsOcclude: " << (this->UntaggedPropsOcclude ? "on" : "off") << "\n";
   os << indent << "SourceRadius: " << this->SourceRadius << "\n";
-  os << indent << "SunAngularRadius: " << this->SunAngularRadius << "\n";
+  os << indent << "SunAngularRadius: " << this->GetSunAngularRadius() << "\n";
   os << indent << "BackgroundGlow: " << this->BackgroundGlow << "\n";
   os << indent << "BackgroundGlowRadius: " << this->BackgroundGlowRadius << "\n";
   os << indent << "BackgroundGlowFalloff: " << this->BackgroundGlowFalloff << "\n";

@@ -49,6 +49,7 @@
 class vtkGodRaysCompositor;
 class vtkGodRaysIntegrator;
 class vtkGodRaysModel;
+class vtkGodRaysSun;
 class vtkImageData;
 class vtkInformationIntegerKey;
 class vtkLight;
@@ -191,11 +192,13 @@ public:
 
   ///@{
   /**
-   * Set/Get the angular radius of a directional light [degrees].
-   * Valid range: [0.01, 90]. Default is 0.2678, the sun from the earth.
+   * Set/Get the sun whose AngularRadius directional lights have; SetSunAngularRadius() is forwarded to it.
+   * To have its light, too, AddLight() one that its UpdateLight() was given. Null makes a new one.
    */
+  void SetSun(vtkGodRaysSun* sun);
+  vtkGodRaysSun* GetSun();
   void SetSunAngularRadius(double degrees);
-  vtkGetMacro(SunAngularRadius, double);
+  double GetSunAngularRadius();
   ///@}
 
   ///@{
@@ -404,7 +407,6 @@ private:
   double InteractiveErrorTolerance = 0.01;
   bool UntaggedPropsOcclude = true;
   double SourceRadius = 0.0;
-  double SunAngularRadius = 0.0;
   double BackgroundGlow = 0.4;
   double BackgroundGlowRadius = 2.0;
   double BackgroundGlowFalloff = 18.0;

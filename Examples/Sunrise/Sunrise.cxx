@@ -137,6 +137,7 @@ int main(int argc, char* argv[])
   vtkGodRaysSkyPass* sky = vtkGodRaysSkyPass::Attach(renderer);
   sky->SetOrigin(center[0], center[1], bounds[4]);
   vtkNew<vtkGodRaysSkySource> zenith;
+  zenith->SetSun(sky->GetSun());
   vtkNew<vtkGodRaysPass> rays;
   rays->AddLight(sun);
   rays->ApplyPreset("low-sun");
@@ -157,7 +158,6 @@ int main(int argc, char* argv[])
     const double elevation = day->GetElevation();
     sky->SetSunElevation(elevation);
     sky->SetSunAzimuth(day->GetAzimuth());
-    zenith->SetSunElevation(elevation);
     // As for a camera or an eye, less light is needed of a higher sun.
     const double height = std::max(std::sin(vtkMath::RadiansFromDegrees(elevation)), 0.0);
     sky->SetExposure(3.0 / (1.0 + 1.5 * height));

@@ -72,6 +72,7 @@ renderer.AddLight(shade)
 sky = godrays.vtkGodRaysSkyPass.Attach(renderer)
 sky.SetOrigin((west + east) / 2, (south + north) / 2, low)
 zenith = godrays.vtkGodRaysSkySource()
+zenith.SetSun(sky.GetSun())
 rays = godrays.enable(
     renderer, light=sun, preset="low-sun", intensity=2, background_glow_falloff=10
 )
@@ -88,7 +89,6 @@ def set_time(hours):
     day.SetTimeOfDay(hours)
     sky.SetSunElevation(day.GetElevation())
     sky.SetSunAzimuth(day.GetAzimuth())
-    zenith.SetSunElevation(day.GetElevation())
     # As for a camera or an eye, less light is needed of a higher sun.
     sky.SetExposure(3 / (1 + 1.5 * max(math.sin(math.radians(day.GetElevation())), 0)))
     sky.UpdateLight(sun)

@@ -32,12 +32,11 @@ Vector3 Scene::GetDirection(double azimuth, double elevation) const
 //------------------------------------------------------------------------------
 void Scene::GetAngles(const Vector3& direction, double& azimuth, double& elevation) const
 {
-  const double east = vtkMath::Dot(direction.data(), this->East.data());
-  const double north = vtkMath::Dot(direction.data(), this->North.data());
-  const double up = vtkMath::Dot(direction.data(), this->Up.data());
-  azimuth = vtkMath::DegreesFromRadians(std::atan2(east, north));
-  azimuth += azimuth < 0.0 ? 360.0 : 0.0;
-  elevation = vtkMath::DegreesFromRadians(std::atan2(up, std::hypot(east, north)));
+  double angles[2];
+  vtkGodRaysSunPosition::ComputeAngles(
+    direction.data(), this->Up.data(), this->North.data(), angles);
+  azimuth = angles[0] + (angles[0] < 0.0 ? 360.0 : 0.0);
+  elevation = angles[1];
 }
 
 //------------------------------------------------------------------------------

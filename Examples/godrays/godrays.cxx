@@ -37,7 +37,8 @@
 
 namespace
 {
-constexpr double SunRadius = 0.6; // [degrees] somewhat larger than the real one, to be seen
+// [degrees] a look: larger than the real sun, which vtkGodRaysSun and the sky of --sky have, to be seen
+constexpr double SunRadius = 0.6;
 // brighter and narrower than the pass has it: shafts with more contrast
 constexpr double Glow = 0.6;
 constexpr double GlowRadius = 1.0;

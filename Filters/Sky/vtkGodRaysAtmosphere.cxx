@@ -20,7 +20,7 @@ vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphere, MieWidth, 1.0, 1e8);
 vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphere, OzoneHeight, 1.0, 1e8);
 vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphere, OzoneWidth, 1.0, 1e8);
 vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphere, MieAsymmetry, -0.99, 0.99);
-vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphere, SunAngularRadius, 1e-3, 45.0);
+vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphere, SunDistance, 0.01, 1e3);
 
 namespace
 {
@@ -68,7 +68,7 @@ void vtkGodRaysAtmosphere::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MiePhaseFunction: " << this->MiePhaseFunction << "\n";
   os << indent << "MieAsymmetry: " << this->MieAsymmetry << "\n";
   PrintColor(os, indent, "SunIrradiance", this->SunIrradiance);
-  os << indent << "SunAngularRadius: " << this->SunAngularRadius << "\n";
+  os << indent << "SunDistance: " << this->SunDistance << "\n";
   PrintColor(os, indent, "GroundAlbedo", this->GroundAlbedo);
 }
 
@@ -113,7 +113,7 @@ void vtkGodRaysAtmosphere::LoadPreset(int preset)
   this->OzoneWidth = 15e3;
   this->MiePhaseFunction = CORNETTE_SHANKS;
   this->MieAsymmetry = 0.8;
-  this->SunAngularRadius = 0.2678;
+  this->SunDistance = 1.0;
   const double ozone[3] = { 0.650e-6, 1.881e-6, 0.085e-6 };
   const double sun[3] = { 1.474, 1.8504, 1.91198 };
   for (int i = 0; i < 3; ++i)
@@ -139,6 +139,7 @@ void vtkGodRaysAtmosphere::LoadPreset(int preset)
     {
       this->GroundRadius = 3389.5e3;
       this->TopHeight = 100e3;
+      this->SunDistance = 1.5237;
       this->RayleighHeight = this->MieHeight = 11.1e3;
       const double air[3] = { 9.91e-8, 2.32e-7, 5.65e-7 };
       const double scattered[3] = { 0.97, 0.92, 0.75 }; // of what dust takes away
@@ -150,10 +151,9 @@ void vtkGodRaysAtmosphere::LoadPreset(int preset)
         this->MieAbsorption[i] = (1.0 - scattered[i]) * 0.5 / this->MieHeight;
         this->OzoneAbsorption[i] = 0.0;
         this->GroundAlbedo[i] = soil[i];
-        this->SunIrradiance[i] = sun[i] / (1.5237 * 1.5237); // astronomical units
+        this->SunIrradiance[i] = sun[i] / (this->SunDistance * this->SunDistance);
       }
       this->MieAsymmetry = 0.7;
-      this->SunAngularRadius = 0.2678 / 1.5237;
       break;
     }
     case BRUNETON_2008:

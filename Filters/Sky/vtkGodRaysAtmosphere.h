@@ -11,7 +11,7 @@
  *
  * Vectors are looked at where the atmosphere is used: FindFault() tells what cannot be used.
  *
- * @sa vtkGodRaysSkySource
+ * @sa vtkGodRaysSkySource vtkGodRaysSun
  */
 
 #ifndef vtkGodRaysAtmosphere_h
@@ -161,11 +161,12 @@ public:
 
   ///@{
   /**
-   * Set/Get the radius of the sun's disc as it is seen [degrees]. Valid range: [1e-3, 45]. Default is
-   * 0.2678. It matters for the disc alone: as a source of scattered light the sun is a point.
+   * Set/Get how far away the sun is [astronomical units]: its disc has the AngularRadius of a vtkGodRaysSun
+   * divided by that. Valid range: [0.01, 1000]. Default is 1. It matters for the disc alone: SunIrradiance
+   * is that at the planet, and as a source of scattered light the sun is a point.
    */
-  void SetSunAngularRadius(double degrees);
-  vtkGetMacro(SunAngularRadius, double);
+  void SetSunDistance(double distance);
+  vtkGetMacro(SunDistance, double);
   ///@}
 
   ///@{
@@ -204,7 +205,7 @@ protected:
   int MiePhaseFunction = CORNETTE_SHANKS;
   double MieAsymmetry = 0.0;
   double SunIrradiance[3] = { 0.0, 0.0, 0.0 };
-  double SunAngularRadius = 0.0;
+  double SunDistance = 1.0;
   double GroundAlbedo[3] = { 0.0, 0.0, 0.0 };
 
 private:

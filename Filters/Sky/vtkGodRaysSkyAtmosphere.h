@@ -10,6 +10,9 @@
 
 #include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysMath.h"
+#include "vtkGodRaysSun.h"
+
+#include "vtkMath.h"
 
 namespace vtkGodRays
 {
@@ -33,6 +36,13 @@ inline SkyAtmosphere MakeSkyAtmosphere(vtkGodRaysAtmosphere* from)
   sky.AirPhase = { vtkGodRaysAtmosphere::RAYLEIGH, 0.0 };
   sky.AerosolPhase = { from->GetMiePhaseFunction(), from->GetMieAsymmetry() };
   return sky;
+}
+
+/// The radius of the sun's disc, where the planet is [radians].
+inline double GetDiscRadius(vtkGodRaysSun* sun, vtkGodRaysAtmosphere* atmosphere)
+{
+  return vtkMath::RadiansFromDegrees(
+    std::min(sun->GetAngularRadius() / atmosphere->GetSunDistance(), 90.0));
 }
 
 // The part of what an aerosol scatters that goes on nearly straight, and so is taken to be no scattering

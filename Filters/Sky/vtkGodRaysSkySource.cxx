@@ -8,6 +8,7 @@
 #include "vtkGodRaysSetGet.h"
 #include "vtkGodRaysSkyAtmosphere.h"
 #include "vtkGodRaysSkyIntegrator.h"
+#include "vtkGodRaysSun.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -23,8 +24,6 @@
 vtkStandardNewMacro(vtkGodRaysSkySource);
 
 vtkGodRaysSetFiniteMacro(vtkGodRaysSkySource, ObserverHeight, 0.0, 1e12);
-vtkGodRaysSetFiniteMacro(vtkGodRaysSkySource, SunElevation, -90.0, 90.0);
-vtkGodRaysSetFiniteMacro(vtkGodRaysSkySource, SunAzimuth, -360.0, 360.0);
 vtkGodRaysSetFiniteMacro(vtkGodRaysSkySource, Tolerance, 1e-10, 0.1);
 
 using vtkGodRays::Vec2;
@@ -38,8 +37,9 @@ public:
   void Prepare(vtkGodRaysSkySource* source)
   {
     this->PrepareAtmosphere(source->Atmosphere);
-    const double elevation = vtkMath::RadiansFromDegrees(source->SunElevation);
-    const double azimuth = vtkMath::RadiansFromDegrees(source->SunAzimuth);
+    const double* angles = source->Sun->GetAngles();
+    const double elevation = vtkMath::RadiansFromDegrees(angles[1]);
+    const double azimuth = vtkMath::RadiansFromDegrees(angles[0]);
     this->Sun = Vec3(std::cos(elevation) * std::sin(azimuth),
       std::cos(elevation) * std::cos(azimuth), std::sin(elevation));
     this->Integrator.SetView(source->ObserverHeight, this->Sun, source->Tolerance);
@@ -50,7 +50,7 @@ public:
       this->Integrator.PrepareMultipleScattering();
     }
     GetSize(source, this->Size);
-    const double radius = vtkMath::RadiansFromDegrees(source->Atmosphere->GetSunAngularRadius());
+    const double radius = vtkGodRays::GetDiscRadius(source->Sun, source->Atmosphere);
     this->DiscRadius = source->SunDisc ? radius : 0.0;
     this->DiscRadiance = vtkGodRays::ToVec3(source->Atmosphere->GetSunIrradiance()) /
       (2.0 * vtkMath::Pi() * (1.0 - std::cos(radius)));
@@ -177,6 +177,7 @@ vtkGodRaysSkySource::vtkGodRaysSkySource()
   : Internals(new vtkInternals)
   , Atmosphere(vtkSmartPointer<vtkGodRaysAtmosphere>::New())
 {
+  this->SetSun(nullptr);
   this->SetNumberOfInputPorts(0);
 }
 
@@ -191,8 +192,8 @@ void vtkGodRaysSkySource::PrintSelf(ostream& os, vtkIndent indent)
   this->Atmosphere->PrintSelf(os, indent.GetNextIndent());
   os << indent << "AtmospherePreset: " << this->AtmospherePreset << "\n";
   os << indent << "ObserverHeight: " << this->ObserverHeight << "\n";
-  os << indent << "SunElevation: " << this->SunElevation << "\n";
-  os << indent << "SunAzimuth: " << this->SunAzimuth << "\n";
+  os << indent << "Sun:\n";
+  this->Sun->PrintSelf(os, indent.GetNextIndent());
   os << indent << "SunDisc: " << this->SunDisc << "\n";
   os << indent << "MultipleScattering: " << this->MultipleScattering << "\n";
   os << indent << "Method: " << this->Method << "\n";
@@ -222,6 +223,54 @@ void vtkGodRaysSkySource::SetAtmosphere(vtkGodRaysAtmosphere* atmosphere)
 vtkGodRaysAtmosphere* vtkGodRaysSkySource::GetAtmosphere()
 {
   return this->Atmosphere;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSkySource::SetSun(vtkGodRaysSun* sun)
+{
+  if (sun && sun == this->Sun)
+  {
+    return;
+  }
+  this->Sun = sun;
+  if (!sun)
+  {
+    this->Sun = vtkSmartPointer<vtkGodRaysSun>::New();
+    this->Sun->SetFrame(vtkGodRaysSun::UP_AND_NORTH);
+    this->Sun->SetElevation(45.0);
+    this->Sun->SetAzimuth(180.0);
+  }
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysSun* vtkGodRaysSkySource::GetSun()
+{
+  return this->Sun;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSkySource::SetSunElevation(double degrees)
+{
+  this->Sun->SetElevation(degrees);
+}
+
+//------------------------------------------------------------------------------
+double vtkGodRaysSkySource::GetSunElevation()
+{
+  return this->Sun->GetElevation();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSkySource::SetSunAzimuth(double degrees)
+{
+  this->Sun->SetAzimuth(degrees);
+}
+
+//------------------------------------------------------------------------------
+double vtkGodRaysSkySource::GetSunAzimuth()
+{
+  return this->Sun->GetAzimuth();
 }
 
 //------------------------------------------------------------------------------
@@ -320,7 +369,8 @@ bool vtkGodRaysSkySource::GetMultipleScattering(vtkImageData* table)
 //------------------------------------------------------------------------------
 vtkMTimeType vtkGodRaysSkySource::GetMTime()
 {
-  return std::max(this->Superclass::GetMTime(), this->Atmosphere->GetMTime());
+  return std::max(
+    { this->Superclass::GetMTime(), this->Atmosphere->GetMTime(), this->Sun->GetMTime() });
 }
 
 //------------------------------------------------------------------------------

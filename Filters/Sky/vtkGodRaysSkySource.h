@@ -22,7 +22,7 @@
  * can be asked for. What cannot be used is one error that says what to do, and the output is empty; so it
  * is after AbortExecute, which is looked at some 20 times.
  *
- * @sa vtkGodRaysAtmosphere vtkGodRaysSunPosition vtkGodRaysHDRWriter
+ * @sa vtkGodRaysAtmosphere vtkGodRaysSun vtkGodRaysHDRWriter
  */
 
 #ifndef vtkGodRaysSkySource_h
@@ -35,6 +35,7 @@
 #include <memory> // For std::unique_ptr
 
 class vtkGodRaysAtmosphere;
+class vtkGodRaysSun;
 class vtkImageData;
 
 class VTKGODRAYSFILTERS_EXPORT vtkGodRaysSkySource : public vtkImageAlgorithm
@@ -71,13 +72,21 @@ public:
 
   ///@{
   /**
-   * Set/Get where the sun stands: its height above the horizontal plane and its azimuth from north by
-   * east [degrees]. Valid ranges: [-90, 90] and [-360, 360]. Default is 45 and 180.
+   * Set/Get the sun, which can also be changed in place: its angles count, and its AngularRadius for the
+   * disc. Null makes a new one, at an elevation of 45 and an azimuth of 180 degrees.
+   */
+  void SetSun(vtkGodRaysSun* sun);
+  vtkGodRaysSun* GetSun();
+  ///@}
+
+  ///@{
+  /**
+   * Forwarded to the sun; see vtkGodRaysSun.
    */
   void SetSunElevation(double degrees);
-  vtkGetMacro(SunElevation, double);
+  double GetSunElevation();
   void SetSunAzimuth(double degrees);
-  vtkGetMacro(SunAzimuth, double);
+  double GetSunAzimuth();
   ///@}
 
   ///@{
@@ -193,7 +202,7 @@ public:
   bool GetMultipleScattering(vtkImageData* table);
 
   /**
-   * The atmosphere's changes count.
+   * Changes of the atmosphere and of the sun count.
    */
   vtkMTimeType GetMTime() override;
 
@@ -218,10 +227,9 @@ private:
   std::unique_ptr<vtkInternals> Internals;
 
   vtkSmartPointer<vtkGodRaysAtmosphere> Atmosphere;
+  vtkSmartPointer<vtkGodRaysSun> Sun;
   int AtmospherePreset = 0;
   double ObserverHeight = 2.0;
-  double SunElevation = 45.0;
-  double SunAzimuth = 180.0;
   bool SunDisc = false;
   bool MultipleScattering = false;
   int Method = ADAPTIVE;

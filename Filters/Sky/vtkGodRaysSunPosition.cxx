@@ -41,6 +41,25 @@ double Direction(double y, double x)
   return vtkMath::DegreesFromRadians(std::atan2(y, x));
 }
 
+/// The axes of an observer, of length 1, and false if there are none: then zenith is up or (0, 0, 1).
+bool GetFrame(
+  const double up[3], const double north[3], double zenith[3], double ahead[3], double east[3])
+{
+  vtkMath::Assign(up, zenith);
+  vtkMath::Assign(north, ahead);
+  const bool hasZenith = vtkMath::Normalize(zenith) > 0.0 && std::isfinite(vtkMath::Norm(zenith));
+  vtkMath::Normalize(ahead);
+  vtkMath::Cross(ahead, zenith, east);
+  if (!hasZenith || !(vtkMath::Normalize(east) > 1e-9))
+  {
+    const double fallback[3] = { 0.0, 0.0, 1.0 };
+    vtkMath::Assign(hasZenith ? zenith : fallback, zenith);
+    return false;
+  }
+  vtkMath::Cross(zenith, east, ahead);
+  return true;
+}
+
 double Wrap(double degrees, double low)
 {
   return degrees - 360.0 * std::floor((degrees - low) / 360.0);
@@ -363,25 +382,31 @@ bool vtkGodRaysSunPosition::GetDirection(
 bool vtkGodRaysSunPosition::ComputeDirection(
   double azimuth, double elevation, const double up[3], const double north[3], double direction[3])
 {
-  double zenith[3] = { up[0], up[1], up[2] };
-  double east[3];
-  const bool hasZenith = vtkMath::Normalize(zenith) > 0.0 && std::isfinite(vtkMath::Norm(zenith));
-  double ahead[3] = { north[0], north[1], north[2] };
-  vtkMath::Normalize(ahead);
-  vtkMath::Cross(ahead, zenith, east);
-  if (!hasZenith || !(vtkMath::Normalize(east) > 1e-9))
+  double zenith[3], ahead[3], east[3];
+  if (!GetFrame(up, north, zenith, ahead, east))
   {
-    const double fallback[3] = { 0.0, 0.0, 1.0 };
-    vtkMath::Assign(hasZenith ? zenith : fallback, direction);
+    vtkMath::Assign(zenith, direction);
     return false;
   }
-  vtkMath::Cross(zenith, east, ahead);
   for (int i = 0; i < 3; ++i)
   {
     direction[i] = Sine(elevation) * zenith[i] +
       Cosine(elevation) * (Cosine(azimuth) * ahead[i] + Sine(azimuth) * east[i]);
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSunPosition::ComputeAngles(
+  const double direction[3], const double up[3], const double north[3], double angles[2])
+{
+  double zenith[3], ahead[3], east[3];
+  const bool found = GetFrame(up, north, zenith, ahead, east);
+  const double level[2] = { vtkMath::Dot(direction, ahead), vtkMath::Dot(direction, east) };
+  angles[0] = found ? Direction(level[1], level[0]) : 0.0;
+  angles[1] =
+    found ? Direction(vtkMath::Dot(direction, zenith), std::hypot(level[0], level[1])) : 0.0;
+  return found;
 }
 
 //------------------------------------------------------------------------------

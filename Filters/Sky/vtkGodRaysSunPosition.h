@@ -144,6 +144,13 @@ public:
     const double north[3], double direction[3]);
   ///@}
 
+  /**
+   * The inverse of ComputeDirection(): azimuth, from -180 to 180, and elevation [degrees] of a direction of any
+   * length but 0. Returns false, with 0, where that does.
+   */
+  static bool ComputeAngles(
+    const double direction[3], const double up[3], const double north[3], double angles[2]);
+
   ///@{
   /**
    * When the sun passes the meridian on this date, when it rises before that, and when it sets after:

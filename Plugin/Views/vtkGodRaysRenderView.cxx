@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysRenderView.h"
 
-#include "vtkCamera.h"
 #include "vtkCompositeRepresentation.h"
 #include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysIntegrator.h"
@@ -10,14 +9,13 @@
 #include "vtkGodRaysPass.h"
 #include "vtkGodRaysPresets.h"
 #include "vtkGodRaysSkyPass.h"
+#include "vtkGodRaysSun.h"
 #include "vtkGodRaysSunPosition.h"
 #include "vtkGodRaysViewCompositor.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
-#include "vtkMath.h"
-#include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -35,8 +33,6 @@
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -80,7 +76,6 @@ public:
 
   void Render(const vtkRenderState* s) override
   {
-    this->AboutToRender();
     vtkRenderPass* scene = this->UsesDelegate ? this->DelegatePass : nullptr;
     for (vtkImageProcessingPass* pass : this->Passes)
     {
@@ -101,8 +96,7 @@ public:
   }
 
   std::vector<vtkSmartPointer<vtkImageProcessingPass>> Passes; // each draws over the one before
-  std::function<void()> AboutToRender; // the camera is that of the frame on all processes
-  bool UsesDelegate = true;            // or the first pass draws the scene by itself
+  bool UsesDelegate = true; // or the first pass draws the scene by itself
 };
 vtkStandardNewMacro(PassChain);
 }
@@ -118,8 +112,8 @@ struct vtkGodRaysRenderView::vtkInternals
   vtkSmartPointer<vtkGodRaysModel> CustomModel;
   vtkSmartPointer<vtkGodRaysIntegrator> Integrator;
   std::string Preset = "default";
-  vtkNew<vtkLight> Sun;
-  vtkNew<vtkGodRaysSunPosition> SunPosition;
+  vtkNew<vtkGodRaysSun> Sun;
+  vtkNew<vtkLight> SunLight;
   std::string Plan;
   bool IsRayTraced = false;
 
@@ -136,7 +130,8 @@ vtkGodRaysRenderView::vtkGodRaysRenderView()
   this->Internals->CustomModel = this->Internals->Pass->GetModel();
   this->Internals->Pass->SetModel(
     vtk::TakeSmartPointer(vtkGodRaysPresets::NewModel(this->Internals->Preset.c_str())));
-  this->Internals->Chain->AboutToRender = [this] { this->UpdateSky(); };
+  this->Internals->Pass->SetSun(this->Internals->Sun);
+  this->Internals->Sky->SetSun(this->Internals->Sun);
   this->Internals->Pass->SetCompositor(this->Internals->Compositor);
   this->Internals->Sky->SetCompositor(this->Internals->Compositor);
   this->UpdatePasses();
@@ -251,105 +246,37 @@ void vtkGodRaysRenderView::SetLightSource(int mode)
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysRenderView::SetSunFrame(int frame)
-{
-  this->SetMode("SunFrame", this->SunFrame, frame, UP_AND_NORTH);
-}
-
-//------------------------------------------------------------------------------
-void vtkGodRaysRenderView::SetSunAzimuth(double degrees)
-{
-  if (!vtkMath::IsFinite(degrees))
-  {
-    vtkErrorMacro("SunAzimuth must be a finite number, not " << degrees << "; it stays "
-                                                             << this->SunAzimuth << ".");
-    return;
-  }
-  this->SunAzimuth = degrees;
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkGodRaysRenderView::SetSunElevation(double degrees)
-{
-  if (!vtkMath::IsFinite(degrees))
-  {
-    vtkErrorMacro("SunElevation must be a finite number in [-90, 90], not "
-      << degrees << "; it stays " << this->SunElevation << ".");
-    return;
-  }
-  this->SunElevation = vtkMath::ClampValue(degrees, -90.0, 90.0);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkGodRaysRenderView::SetSunUp(double x, double y, double z)
-{
-  const double up[3] = { x, y, z };
-  vtkMath::Assign(up, this->SunUp);
-  this->SunErrorTold = false;
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkGodRaysRenderView::SetSunNorth(double x, double y, double z)
-{
-  const double north[3] = { x, y, z };
-  vtkMath::Assign(north, this->SunNorth);
-  this->SunErrorTold = false;
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkGodRaysRenderView::SetSunPosition(int mode)
-{
-  this->SetMode("SunPosition", this->SunPosition, mode, DATE_AND_PLACE);
-}
-
-//------------------------------------------------------------------------------
-void vtkGodRaysRenderView::SetSunDate(int year, int month, int day)
-{
-  this->Internals->SunPosition->SetDate(year, month, day);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-#define vtkGodRaysForwardSunMacro(name)                                                            \
-  void vtkGodRaysRenderView::SetSun##name(double value)                                            \
+#define vtkGodRaysForwardSunMacro(name, object, setter, type)                                      \
+  void vtkGodRaysRenderView::SetSun##name(type value)                                              \
   {                                                                                                \
-    this->Internals->SunPosition->Set##name(value);                                                \
+    this->Internals->object->setter(value);                                                        \
     this->Modified();                                                                              \
   }
-vtkGodRaysForwardSunMacro(TimeOfDay);
-vtkGodRaysForwardSunMacro(TimeZone);
-vtkGodRaysForwardSunMacro(Latitude);
-vtkGodRaysForwardSunMacro(Longitude);
+vtkGodRaysForwardSunMacro(Frame, Sun, SetFrame, int);
+vtkGodRaysForwardSunMacro(Position, Sun, SetPosition, int);
+vtkGodRaysForwardSunMacro(Azimuth, Sun, SetAzimuth, double);
+vtkGodRaysForwardSunMacro(Elevation, Sun, SetElevation, double);
+vtkGodRaysForwardSunMacro(TimeOfDay, Sun->GetEphemeris(), SetTimeOfDay, double);
+vtkGodRaysForwardSunMacro(TimeZone, Sun->GetEphemeris(), SetTimeZone, double);
+vtkGodRaysForwardSunMacro(Latitude, Sun->GetEphemeris(), SetLatitude, double);
+vtkGodRaysForwardSunMacro(Longitude, Sun->GetEphemeris(), SetLongitude, double);
+
+//------------------------------------------------------------------------------
+#define vtkGodRaysForwardSun3Macro(name, object, setter, type)                                     \
+  void vtkGodRaysRenderView::SetSun##name(type first, type second, type third)                     \
+  {                                                                                                \
+    this->Internals->object->setter(first, second, third);                                         \
+    this->Modified();                                                                              \
+  }
+vtkGodRaysForwardSun3Macro(Up, Sun, SetUp, double);
+vtkGodRaysForwardSun3Macro(North, Sun, SetNorth, double);
+vtkGodRaysForwardSun3Macro(Color, Sun, SetColor, double);
+vtkGodRaysForwardSun3Macro(Date, Sun->GetEphemeris(), SetDate, int);
 
 //------------------------------------------------------------------------------
 double* vtkGodRaysRenderView::GetSunAngles()
 {
-  const bool angles = this->SunPosition == AZIMUTH_AND_ELEVATION;
-  this->SunAngles[0] = angles ? this->SunAzimuth : this->Internals->SunPosition->GetAzimuth();
-  this->SunAngles[1] = angles ? this->SunElevation : this->Internals->SunPosition->GetElevation();
-  return this->SunAngles;
-}
-
-//------------------------------------------------------------------------------
-void vtkGodRaysRenderView::SetSunColor(double red, double green, double blue)
-{
-  double color[3] = { red, green, blue };
-  for (double& each : color)
-  {
-    if (!vtkMath::IsFinite(each))
-    {
-      vtkErrorMacro("SunColor must be three numbers in [0, 1], not ("
-        << red << ", " << green << ", " << blue << "); it stays as it is.");
-      return;
-    }
-    each = vtkMath::ClampValue(each, 0.0, 1.0);
-  }
-  vtkMath::Assign(color, this->SunColor);
-  this->Modified();
+  return this->Internals->Sun->GetAngles();
 }
 
 //------------------------------------------------------------------------------
@@ -476,15 +403,7 @@ vtkGodRaysForwardSkyMacro(MultipleScattering, bool);
 //------------------------------------------------------------------------------
 void vtkGodRaysRenderView::SetSkyOrigin(double x, double y, double z)
 {
-  const double origin[3] = { x, y, z };
-  if (!vtkMath::IsFinite(x) || !vtkMath::IsFinite(y) || !vtkMath::IsFinite(z))
-  {
-    vtkErrorMacro("SkyOrigin must be three finite numbers, not (" << x << ", " << y << ", " << z
-                                                                  << "); it stays as it is.");
-    return;
-  }
-  vtkMath::Assign(origin, this->SkyOrigin);
-  this->Modified();
+  this->Internals->Sky->SetOrigin(x, y, z);
 }
 
 //------------------------------------------------------------------------------
@@ -619,93 +538,12 @@ void vtkGodRaysRenderView::UpdateRoles()
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysRenderView::GetSunAxes(double up[3], double north[3]) const
-{
-  static const double axes[][2][3] = { // by SunFrame
-    { { 0.0, 1.0, 0.0 }, { 0.0, 0.0, -1.0 } }, { { 1.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 } },
-    { { 0.0, 1.0, 0.0 }, { 0.0, 0.0, -1.0 } }, { { 0.0, 0.0, 1.0 }, { 0.0, 1.0, 0.0 } }
-  };
-  const bool given = this->SunFrame == UP_AND_NORTH;
-  vtkMath::Assign(given ? this->SunUp : axes[this->SunFrame][0], up);
-  vtkMath::Assign(given ? this->SunNorth : axes[this->SunFrame][1], north);
-}
-
-//------------------------------------------------------------------------------
-void vtkGodRaysRenderView::UpdateSky()
-{
-  if (!this->UseSky)
-  {
-    return;
-  }
-  vtkInternals& self = *this->Internals;
-  double up[3], north[3], origin[3];
-  this->GetSunAxes(up, north);
-  vtkMath::Assign(this->SkyOrigin, origin);
-  if (this->SunFrame == CAMERA)
-  {
-    // The eye stands on the ground, and looks to the north.
-    vtkCamera* camera = this->GetActiveCamera();
-    vtkMatrix4x4* view = camera->GetModelViewTransformMatrix();
-    for (int i = 0; i < 3; ++i)
-    {
-      up[i] = view->GetElement(1, i);
-      north[i] = -view->GetElement(2, i);
-    }
-    camera->GetPosition(origin);
-  }
-  double direction[3];
-  if (!this->FindSun(up, north, direction))
-  {
-    self.Sky->SetUp(0.0, 0.0, 0.0); // it says that there is no sky, and draws none
-    return;
-  }
-  const double* angles = this->GetSunAngles();
-  self.Sky->SetUp(up);
-  self.Sky->SetNorth(north);
-  self.Sky->SetOrigin(origin);
-  self.Sky->SetSunAzimuth(std::fmod(angles[0], 360.0));
-  self.Sky->SetSunElevation(angles[1]);
-  self.Sky->UpdateLight(self.Sun); // it has the colour that the air leaves
-}
-
-//------------------------------------------------------------------------------
-// The direction to the sun; without one, an error that is told once.
-bool vtkGodRaysRenderView::FindSun(const double up[3], const double north[3], double direction[3])
-{
-  const double* angles = this->GetSunAngles();
-  const bool found =
-    vtkGodRaysSunPosition::ComputeDirection(angles[0], angles[1], up, north, direction);
-  if (!found && !this->SunErrorTold)
-  {
-    vtkErrorMacro("There is no sun: SunUp and SunNorth must be finite, not 0 and not parallel.");
-    this->SunErrorTold = true;
-  }
-  return found;
-}
-
-//------------------------------------------------------------------------------
+// Whether it shines. With a sky it has the colour that the air leaves, and sets.
 bool vtkGodRaysRenderView::UpdateSun()
 {
-  double up[3], north[3];
-  this->GetSunAxes(up, north);
   vtkInternals& self = *this->Internals;
-  double direction[3];
-  if (!this->FindSun(up, north, direction))
-  {
-    return false;
-  }
-  if (!this->UseSky) // which makes the sun its own
-  {
-    self.Sun->SetLightType(
-      this->SunFrame == CAMERA ? VTK_LIGHT_TYPE_CAMERA_LIGHT : VTK_LIGHT_TYPE_SCENE_LIGHT);
-    self.Sun->SetFocalPoint(0.0, 0.0, 0.0);
-    self.Sun->SetPosition(direction);
-    self.Sun->SetColor(this->SunColor);
-    self.Sun->SetIntensity(1.0);
-  }
-  // At night it does not shine; a sun by its angles may well stand below a scene without a sky.
-  return (this->SunPosition == AZIMUTH_AND_ELEVATION && !this->UseSky) ||
-    this->GetSunAngles()[1] > -self.Pass->GetSunAngularRadius();
+  return this->UseSky ? self.Sky->UpdateLight(self.SunLight) && self.Sun->IsAboveHorizon()
+                      : self.Sun->UpdateLight(self.SunLight) && self.Sun->Shines();
 }
 
 //------------------------------------------------------------------------------
@@ -717,7 +555,7 @@ void vtkGodRaysRenderView::UpdateLights()
   {
     if (this->UpdateSun())
     {
-      lights.push_back(self.Sun);
+      lights.push_back(self.SunLight);
     }
   }
   else if (this->LightSource == VIEW_LIGHTS)
@@ -756,20 +594,9 @@ void vtkGodRaysRenderView::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "UseGodRays: " << (this->UseGodRays ? "on" : "off") << "\n";
   os << indent << "LightSource: " << this->LightSource << "\n";
-  os << indent << "SunFrame: " << this->SunFrame << "\n";
-  os << indent << "SunAzimuth: " << this->SunAzimuth << "\n";
-  os << indent << "SunElevation: " << this->SunElevation << "\n";
-  os << indent << "SunUp: (" << this->SunUp[0] << ", " << this->SunUp[1] << ", " << this->SunUp[2]
-     << ")\n";
-  os << indent << "SunNorth: (" << this->SunNorth[0] << ", " << this->SunNorth[1] << ", "
-     << this->SunNorth[2] << ")\n";
-  os << indent << "SunPosition: " << this->SunPosition << "\n";
-  this->Internals->SunPosition->PrintSelf(os, indent.GetNextIndent());
-  os << indent << "SunColor: (" << this->SunColor[0] << ", " << this->SunColor[1] << ", "
-     << this->SunColor[2] << ")\n";
+  os << indent << "Sun:\n";
+  this->Internals->Sun->PrintSelf(os, indent.GetNextIndent());
   os << indent << "UseSky: " << (this->UseSky ? "on" : "off") << "\n";
-  os << indent << "SkyOrigin: (" << this->SkyOrigin[0] << ", " << this->SkyOrigin[1] << ", "
-     << this->SkyOrigin[2] << ")\n";
   os << indent << "Sky:\n";
   this->Internals->Sky->PrintSelf(os, indent.GetNextIndent());
   os << indent << "Preset: " << this->Internals->Preset << "\n";

@@ -5,8 +5,8 @@
  * @brief   ParaView's render view with god rays
  *
  * The view "Render View (God Rays)" of the ParaView plugin. It holds a vtkGodRaysPass and a
- * vtkGodRaysSkyPass and forwards to them; what it adds is ParaView's: a sun by azimuth and elevation or by
- * date and place, presets by name, and roles by representation.
+ * vtkGodRaysSkyPass that share a vtkGodRaysSun, and forwards to them; what it adds is ParaView's: presets by
+ * name, and roles by representation.
  *
  * What data do to light is the property God Rays Role of their representation, whatever its type: see
  * vtkSIGodRaysRoleProperty. Axes, grids and the like never block light or shine.
@@ -56,7 +56,7 @@ public:
   /// Where the light comes from, besides what is tagged as a light.
   enum LightSourceMode
   {
-    SUN = 0,         ///< a sun, see SetSunAzimuth()
+    SUN = 0,         ///< the sun
     VIEW_LIGHTS = 1, ///< the lights that the view has in ParaView's light inspector
     TAGGED_ONLY = 2  ///< nothing else
   };
@@ -67,80 +67,24 @@ public:
    */
   void SetLightSource(int mode);
 
-  /// What azimuth and elevation of the sun refer to.
-  enum SunFrameType
-  {
-    CAMERA = 0,      ///< azimuth 0 is the direction of view, elevation is up in the picture
-    X_UP = 1,        ///< north is +z, east +y
-    Y_UP = 2,        ///< north is -z, east +x
-    Z_UP = 3,        ///< north is +y, east +x, as on a map
-    UP_AND_NORTH = 4 ///< as SetSunUp() and SetSunNorth() say
-  };
-
+  ///@{
   /**
-   * Set what azimuth and elevation refer to, one of SunFrameType. Any other number is an error and
-   * changes nothing. Default is CAMERA.
+   * Forwarded to the sun; see vtkGodRaysSun, and vtkGodRaysSunPosition for date and place.
    */
   void SetSunFrame(int frame);
-
-  ///@{
-  /**
-   * Set where up and north are for UP_AND_NORTH [no unit]: directions of any length. Only the part of
-   * north that is at right angles to up counts. While they are not finite, 0 or parallel, it is an error
-   * to draw, and there is no sun. Defaults are (0, 0, 1) and (0, 1, 0).
-   */
   void SetSunUp(double x, double y, double z);
   void SetSunNorth(double x, double y, double z);
-  ///@}
-
-  /// What says where the sun stands.
-  enum SunPositionMode
-  {
-    AZIMUTH_AND_ELEVATION = 0,
-    DATE_AND_PLACE = 1
-  };
-
-  /**
-   * Set what says where the sun stands, one of SunPositionMode. Any other number is an error and changes
-   * nothing. Default is AZIMUTH_AND_ELEVATION.
-   */
   void SetSunPosition(int mode);
-
-  /**
-   * Set the sun's azimuth, clockwise from north seen from above [degrees]; north is 0, east 90. Any
-   * finite number is valid. Default is 0.
-   */
   void SetSunAzimuth(double degrees);
-
-  /**
-   * Set the sun's elevation above the horizon [degrees]. Valid range: [-90, 90]; numbers beyond are
-   * clamped. Default is 10.
-   */
   void SetSunElevation(double degrees);
-
-  ///@{
-  /**
-   * Set when and where, for DATE_AND_PLACE; see vtkGodRaysSunPosition for ranges and errors. The defaults
-   * are noon of 2000-06-21 at latitude and longitude 0. While the sun is below the horizon it does not
-   * shine.
-   */
   void SetSunDate(int year, int month, int day);
   void SetSunTimeOfDay(double hours);
   void SetSunTimeZone(double hours);
   void SetSunLatitude(double degrees);
   void SetSunLongitude(double degrees);
-  ///@}
-
-  /**
-   * Azimuth and elevation of the sun [degrees], however they are set.
-   */
-  double* GetSunAngles() VTK_SIZEHINT(2);
-
-  /**
-   * Set the sun's colour, as shown on the display [no unit]. Valid range: [0, 1] each. With a sky, it is
-   * that which the air leaves instead. Default is (1, 1, 1).
-   */
   void SetSunColor(double red, double green, double blue);
+  double* GetSunAngles() VTK_SIZEHINT(2);
+  ///@}
 
   /**
    * Set whether the sky is drawn behind the scene, in the light of the sun, whatever the source of the rays
@@ -155,16 +99,11 @@ public:
    */
   void SetSkyAtmosphere(int preset);
 
-  /**
-   * Set a point on the planet's ground, unless SunFrame is CAMERA [scene units]. Valid range: [-1e30, 1e30].
-   * Numbers that are not finite are an error and change nothing. Default is (0, 0, 0).
-   */
-  void SetSkyOrigin(double x, double y, double z);
-
   ///@{
   /**
    * Forwarded to the sky's pass; see vtkGodRaysSkyPass.
    */
+  void SetSkyOrigin(double x, double y, double z);
   void SetSkyExposure(double exposure);
   void SetSkySunDisc(bool draw);
   void SetSkyAerialPerspective(bool draw);
@@ -240,9 +179,6 @@ private:
   bool SetMode(const char* name, int& mode, int value, int last);
   void UseModel(vtkGodRaysModel* model);
   void UpdatePasses();
-  void GetSunAxes(double up[3], double north[3]) const;
-  void UpdateSky();
-  bool FindSun(const double up[3], const double north[3], double direction[3]);
   bool UpdateSun();
   void UpdateLights();
   void UpdateRayTracing();
@@ -253,17 +189,7 @@ private:
 
   bool UseGodRays = true;
   int LightSource = SUN;
-  int SunFrame = CAMERA;
-  double SunAzimuth = 0.0;
-  double SunElevation = 10.0;
-  int SunPosition = AZIMUTH_AND_ELEVATION;
-  double SunUp[3] = { 0.0, 0.0, 1.0 };
-  double SunNorth[3] = { 0.0, 1.0, 0.0 };
-  bool SunErrorTold = false;
-  double SunColor[3] = { 1.0, 1.0, 1.0 };
   bool UseSky = false;
-  double SkyOrigin[3] = { 0.0, 0.0, 0.0 };
-  double SunAngles[2] = { 0.0, 0.0 };
 };
 
 #endif

@@ -20,7 +20,7 @@
 #include "vtkGodRaysSkyObserver.h"
 #include "vtkGodRaysSkySource.h"
 #include "vtkGodRaysSkyTable.h"
-#include "vtkGodRaysSunPosition.h"
+#include "vtkGodRaysSun.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysTransfer.h"
 #include "vtkGodRaysView.h"
@@ -45,10 +45,6 @@
 
 vtkStandardNewMacro(vtkGodRaysSkyPass);
 
-vtkGodRaysSetFiniteMacro(vtkGodRaysSkyPass, SunElevation, -90.0, 90.0);
-vtkGodRaysSetFiniteMacro(vtkGodRaysSkyPass, SunAzimuth, -360.0, 360.0);
-vtkGodRaysSetFinite3Macro(vtkGodRaysSkyPass, Up, -1e30, 1e30);
-vtkGodRaysSetFinite3Macro(vtkGodRaysSkyPass, North, -1e30, 1e30);
 vtkGodRaysSetFinite3Macro(vtkGodRaysSkyPass, Origin, -1e30, 1e30);
 vtkGodRaysSetFiniteMacro(vtkGodRaysSkyPass, WorldUnitInMeters, 1e-12, 1e12);
 vtkGodRaysSetFiniteMacro(vtkGodRaysSkyPass, Exposure, 0.0, 1e30);
@@ -208,19 +204,57 @@ vtkGodRaysCompositor* vtkGodRaysSkyPass::GetCompositor()
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysSkyPass::GetSunDirection(double direction[3])
+void vtkGodRaysSkyPass::SetSun(vtkGodRaysSun* sun)
 {
-  return vtkGodRaysSunPosition::ComputeDirection(
-    this->SunAzimuth, this->SunElevation, this->Up, this->North, direction);
+  if (!sun || sun != this->GetSun())
+  {
+    this->Internal->Source->SetSun(sun);
+    this->Modified();
+  }
 }
+
+//------------------------------------------------------------------------------
+vtkGodRaysSun* vtkGodRaysSkyPass::GetSun()
+{
+  return this->Internal->Source->GetSun();
+}
+
+//------------------------------------------------------------------------------
+#define vtkGodRaysForwardAngleMacro(name)                                                          \
+  void vtkGodRaysSkyPass::SetSun##name(double degrees)                                             \
+  {                                                                                                \
+    this->GetSun()->Set##name(degrees);                                                            \
+  }                                                                                                \
+  double vtkGodRaysSkyPass::GetSun##name()                                                         \
+  {                                                                                                \
+    return this->GetSun()->Get##name();                                                            \
+  }
+vtkGodRaysForwardAngleMacro(Elevation);
+vtkGodRaysForwardAngleMacro(Azimuth);
+
+//------------------------------------------------------------------------------
+#define vtkGodRaysForwardAxisMacro(name)                                                           \
+  void vtkGodRaysSkyPass::Set##name(const double direction[3])                                     \
+  {                                                                                                \
+    this->GetSun()->SetFrame(vtkGodRaysSun::UP_AND_NORTH);                                         \
+    this->GetSun()->Set##name(direction);                                                          \
+  }                                                                                                \
+  void vtkGodRaysSkyPass::Set##name(double x, double y, double z)                                  \
+  {                                                                                                \
+    const double direction[3] = { x, y, z };                                                       \
+    this->Set##name(direction);                                                                    \
+  }                                                                                                \
+  double* vtkGodRaysSkyPass::Get##name()                                                           \
+  {                                                                                                \
+    return this->GetSun()->Get##name();                                                            \
+  }
+vtkGodRaysForwardAxisMacro(Up);
+vtkGodRaysForwardAxisMacro(North);
 
 //------------------------------------------------------------------------------
 void vtkGodRaysSkyPass::PrepareSource()
 {
-  vtkGodRaysSkySource* source = this->Internal->Source;
-  source->SetSunElevation(this->SunElevation);
-  source->SetSunAzimuth(this->SunAzimuth);
-  source->SetMultipleScattering(this->MultipleScattering);
+  this->Internal->Source->SetMultipleScattering(this->MultipleScattering);
 }
 
 //------------------------------------------------------------------------------
@@ -231,15 +265,11 @@ void vtkGodRaysSkyPass::GetSunColor(double irradiance[3])
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysSkyPass::UpdateLight(vtkLight* light)
+bool vtkGodRaysSkyPass::UpdateLight(vtkLight* light)
 {
-  double direction[3];
-  if (!light || !this->GetSunDirection(direction))
+  if (!this->GetSun()->UpdateLight(light))
   {
-    vtkErrorMacro(
-      "UpdateLight needs a vtkLight, not null, and directions Up and North that are not "
-      "parallel nor 0.");
-    return;
+    return false;
   }
   double color[3];
   this->GetSunColor(color);
@@ -248,13 +278,9 @@ void vtkGodRaysSkyPass::UpdateLight(vtkLight* light)
   {
     channel = vtkGodRays::EncodeDisplay(brightest > 0.0 ? channel / brightest : 0.0);
   }
-  light->SetLightTypeToSceneLight();
-  light->SetPositional(false);
-  light->SetTransformMatrix(nullptr);
-  light->SetFocalPoint(0.0, 0.0, 0.0);
-  light->SetPosition(direction);
   light->SetColor(color);
   light->SetIntensity(brightest * this->Exposure / vtkMath::Pi());
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -320,7 +346,7 @@ const char* vtkGodRaysSkyPass::FindReasonForNoSky(
     return "the atmosphere cannot be used";
   }
   double sun[3];
-  if (!this->GetSunDirection(sun))
+  if (!this->GetSun()->GetDirection(s->GetRenderer()->GetActiveCamera(), sun))
   {
     this->Complain(
       "sky", "Up and North are parallel, or one of them is 0. Set directions that are not");
@@ -334,11 +360,15 @@ const char* vtkGodRaysSkyPass::FindReasonForNoSky(
 void vtkGodRaysSkyPass::SetObserver(const vtkRenderState* s)
 {
   Internals& self = *this->Internal;
+  vtkCamera* camera = s->GetRenderer()->GetActiveCamera();
   double sun[4] = { 0.0, 0.0, 0.0, 0.0 };
-  this->GetSunDirection(sun);
+  this->GetSun()->GetDirection(camera, sun);
+  double up[3], north[3];
+  this->GetSun()->GetAxes(camera, up, north);
+  const bool isOfCamera = this->GetSun()->GetFrame() == vtkGodRaysSun::CAMERA;
   vtkGodRaysPlanet planet;
-  planet.Origin = ToVec3(this->Origin);
-  planet.Up = normalize(ToVec3(this->Up));
+  planet.Origin = ToVec3(isOfCamera ? camera->GetPosition() : this->Origin);
+  planet.Up = normalize(ToVec3(up));
   planet.Sun = ToVec3(sun);
   planet.GroundRadius = this->GetAtmosphere()->GetGroundRadius();
   planet.WorldUnitInMeters = this->WorldUnitInMeters;
@@ -349,8 +379,7 @@ void vtkGodRaysSkyPass::SetObserver(const vtkRenderState* s)
   vtkGodRaysScene::UpdateStereo(s->GetRenderer());
   self.View.Set(s->GetRenderer(), viewport + 2, 0.0);
   self.Observer.Set(self.View, planet);
-  self.Sun.Place(
-    self.View, sun, vtkMath::RadiansFromDegrees(this->GetAtmosphere()->GetSunAngularRadius()));
+  self.Sun.Place(self.View, sun, vtkGodRays::GetDiscRadius(this->GetSun(), this->GetAtmosphere()));
 }
 
 //------------------------------------------------------------------------------
@@ -583,7 +612,7 @@ bool vtkGodRaysSkyPass::Draw(const int viewport[4], const int part[4], Stage sta
     const float pixelSize[2] = { 2.0f / static_cast<float>(viewport[2]),
       2.0f / static_cast<float>(viewport[3]) };
     program->SetUniform2f("pixelSize", pixelSize);
-    const double radius = vtkMath::RadiansFromDegrees(atmosphere->GetSunAngularRadius());
+    const double radius = vtkGodRays::GetDiscRadius(this->GetSun(), atmosphere);
     program->SetUniformf("discRadius", static_cast<float>(radius));
     const double solidAngle = 2.0 * vtkMath::Pi() * (1.0 - std::cos(radius));
     SetVector(program, "discRadiance", irradiance / solidAngle);
@@ -636,18 +665,14 @@ void vtkGodRaysSkyPass::ReleaseGraphicsResources(vtkWindow* window)
 //------------------------------------------------------------------------------
 vtkMTimeType vtkGodRaysSkyPass::GetMTime()
 {
-  return std::max(this->Superclass::GetMTime(), this->GetAtmosphere()->GetMTime());
+  return std::max({ this->Superclass::GetMTime(), this->GetAtmosphere()->GetMTime(),
+    this->GetSun()->GetMTime() });
 }
 
 //------------------------------------------------------------------------------
 void vtkGodRaysSkyPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SunElevation: " << this->SunElevation << "\n";
-  os << indent << "SunAzimuth: " << this->SunAzimuth << "\n";
-  os << indent << "Up: " << this->Up[0] << " " << this->Up[1] << " " << this->Up[2] << "\n";
-  os << indent << "North: " << this->North[0] << " " << this->North[1] << " " << this->North[2]
-     << "\n";
   os << indent << "Origin: " << this->Origin[0] << " " << this->Origin[1] << " " << this->Origin[2]
      << "\n";
   os << indent << "WorldUnitInMeters: " << this->WorldUnitInMeters << "\n";
@@ -657,6 +682,8 @@ void vtkGodRaysSkyPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AerialPerspective: " << (this->AerialPerspective ? "on" : "off") << "\n";
   os << indent << "MultipleScattering: " << (this->MultipleScattering ? "on" : "off") << "\n";
   os << indent << "NumberOfTables: " << this->NumberOfTables << "\n";
+  os << indent << "Sun:\n";
+  this->GetSun()->PrintSelf(os, indent.GetNextIndent());
   os << indent << "Atmosphere:\n";
   this->GetAtmosphere()->PrintSelf(os, indent.GetNextIndent());
 }

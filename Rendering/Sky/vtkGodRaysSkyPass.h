@@ -19,7 +19,8 @@
  * @endcode
  *
  * Lengths in the scene are in its units, of WorldUnitInMeters. The planet's ground touches the scene at
- * Origin; Up and North are directions there. Everything is computed relative to the camera, so scenes may
+ * Origin; the sun's Up and North are directions there. With the sun's frame CAMERA, the eye stands on the
+ * ground instead, and looks to the north. Everything is computed relative to the camera, so scenes may
  * be as large as the planet. A camera below the ground counts as one on it. In a parallel projection all
  * view rays have the same direction, so that the sky has one colour.
  *
@@ -37,7 +38,7 @@
  * Numbers beyond a valid range are clamped to it. NaN and infinities are errors and change nothing. An
  * atmosphere that cannot be used is told once, and the scene is drawn without sky.
  *
- * @sa vtkGodRaysSkySource vtkGodRaysAtmosphere vtkGodRaysSunPosition vtkGodRaysPass
+ * @sa vtkGodRaysSkySource vtkGodRaysAtmosphere vtkGodRaysSun vtkGodRaysPass
  */
 
 #ifndef vtkGodRaysSkyPass_h
@@ -52,6 +53,7 @@
 class vtkGodRaysAtmosphere;
 class vtkGodRaysCompositor;
 class vtkGodRaysSkyTable;
+class vtkGodRaysSun;
 class vtkLight;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
@@ -88,28 +90,27 @@ public:
 
   ///@{
   /**
-   * Set/Get where the sun stands at Origin: its height above the horizontal plane and its azimuth from
-   * North by east [degrees]; see vtkGodRaysSunPosition. Valid ranges: [-90, 90] and [-360, 360]. Default is
-   * 45 and 180.
+   * Set/Get the sun, which can be changed in place. Its Color does not count: the air gives it one. Null
+   * makes a new one, of frame UP_AND_NORTH as on a map, at an elevation of 45 and an azimuth of 180 degrees.
    */
-  void SetSunElevation(double degrees);
-  vtkGetMacro(SunElevation, double);
-  void SetSunAzimuth(double degrees);
-  vtkGetMacro(SunAzimuth, double);
+  void SetSun(vtkGodRaysSun* sun);
+  vtkGodRaysSun* GetSun();
   ///@}
 
   ///@{
   /**
-   * Set/Get which way is up, and north, at Origin: directions of the world of any length but 0; of north
-   * the horizontal part counts. That they are parallel is an error when the scene is drawn. Default is
-   * (0, 0, 1) and (0, 1, 0), those of a map.
+   * Forwarded to the sun; see vtkGodRaysSun. SetUp() and SetNorth() also set its frame UP_AND_NORTH.
    */
+  void SetSunElevation(double degrees);
+  double GetSunElevation();
+  void SetSunAzimuth(double degrees);
+  double GetSunAzimuth();
   void SetUp(double x, double y, double z);
   void SetUp(const double direction[3]) VTK_SIZEHINT(3);
-  vtkGetVector3Macro(Up, double);
+  double* GetUp() VTK_SIZEHINT(3);
   void SetNorth(double x, double y, double z);
   void SetNorth(const double direction[3]) VTK_SIZEHINT(3);
-  vtkGetVector3Macro(North, double);
+  double* GetNorth() VTK_SIZEHINT(3);
   ///@}
 
   ///@{
@@ -151,8 +152,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the sun's disc is drawn, darker towards its limb. Its size is the atmosphere's
-   * SunAngularRadius. Default is on.
+   * Set/Get whether the sun's disc is drawn, darker towards its limb. Its size is the sun's AngularRadius
+   * at the atmosphere's SunDistance. Default is on.
    */
   vtkSetMacro(SunDisc, bool);
   vtkGetMacro(SunDisc, bool);
@@ -199,11 +200,11 @@ public:
   void GetSunColor(double irradiance[3]);
 
   /**
-   * Make a light that of the sun: a directional scene light from where it stands. In linear light, its
-   * colour times its intensity is irradiance times Exposure/pi, the radiance that a white surface across
-   * it has; so scene, sky and shafts belong together. The brightest colour is 1. Null is an error.
+   * Make a light that of the sun, as vtkGodRaysSun::UpdateLight() does, in the colour that the air leaves it.
+   * In linear light, its colour times its intensity is irradiance times Exposure/pi, the radiance that a
+   * white surface across it has; so scene, sky and shafts belong together. The brightest colour is 1.
    */
-  void UpdateLight(vtkLight* light);
+  bool UpdateLight(vtkLight* light);
 
   /**
    * The light of the sky and the ground about Origin, as linear light, for image-based lighting: a texture
@@ -242,7 +243,6 @@ private:
   const char* FindReasonForNoAir(const vtkRenderState* s);
   void SetObserver(const vtkRenderState* s);
   void RenderScene(const vtkRenderState* s);
-  bool GetSunDirection(double direction[3]);
   void PrepareSource();
   bool UpdateTable(vtkGodRaysSkyTable& table, const char* name);
   bool JoinsPictures() const;
@@ -260,10 +260,6 @@ private:
   struct Internals;
   std::unique_ptr<Internals> Internal;
 
-  double SunElevation = 45.0;
-  double SunAzimuth = 180.0;
-  double Up[3] = { 0.0, 0.0, 1.0 };
-  double North[3] = { 0.0, 1.0, 0.0 };
   double Origin[3] = { 0.0, 0.0, 0.0 };
   double WorldUnitInMeters = 1.0;
   double Exposure = 4.0;

@@ -8,6 +8,7 @@
 #include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysSkySource.h"
+#include "vtkGodRaysSun.h"
 
 #include "vtkMath.h"
 
@@ -452,8 +453,10 @@ TEST(SkySource, SaysWhatCannotBeUsed)
   double radiance[3] = { 1.0, 1.0, 1.0 };
   EXPECT_FALSE(source->GetRadiance(nowhere, radiance));
   EXPECT_EQ(radiance[0], 0.0);
+  EXPECT_EQ(errors.Texts.size(), 2u);
+  const ErrorListener errorsOfSun(source->GetSun());
   source->SetSunElevation(std::numeric_limits<double>::quiet_NaN());
-  EXPECT_EQ(errors.Texts.size(), 3u);
+  EXPECT_EQ(errorsOfSun.Texts.size(), 1u);
 }
 
 //------------------------------------------------------------------------------

@@ -10,10 +10,10 @@ from plugin_testing import *
 ELSEWHERE = {
     # the view knows by itself how colours stand for light
     "vtkGodRaysPass": {
-        "Model", "Integrator", "Role", "DelegatePass", "Compositor", "DisplayTransfer"},  # fmt: skip
+        "Model", "Integrator", "Role", "DelegatePass", "Compositor", "DisplayTransfer", "Sun"},  # fmt: skip
     "vtkGodRaysReferenceFilter": set(),
     "vtkGodRaysScatteringFilter": set(),
-    "vtkGodRaysSkySource": {"Atmosphere"},
+    "vtkGodRaysSkySource": {"Atmosphere", "Sun"},
 }
 
 # What is no filter or source, but writes a file.
@@ -131,6 +131,8 @@ class Properties(Case):
                 value = end if count == 1 else (end,) * count
                 push(value)
                 self.assertEqual(get(), value, "the class does not take the end of the range")
+                if name.endswith("Azimuth"):
+                    continue  # any number is one
                 step = max(1.0, abs(end)) * beyond
                 further = end + (step if isinstance(end, float) else int(step))
                 if isinstance(end, int) and abs(further) >= 2**31:

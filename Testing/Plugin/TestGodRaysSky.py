@@ -20,14 +20,16 @@ class Sky(Case):
         view.WorldUnitInMeters = 5.0
         simple.Render(view)
         for name, value in {
-            "SunAzimuth": 10.0,
+            "SunAzimuth": 370.0,
             "SunElevation": -3.0,
-            "Up": (0.0, 1.0, 0.0),
-            "North": (0.0, 0.0, -1.0),
             "Origin": (1.0, -2.0, 3.0),
             "WorldUnitInMeters": 5.0,
         }.items():
             self.assertEqual(getattr(sky(view), "Get" + name)(), value, name)
+        self.assertIs(sky(view).GetSun(), rays(view).GetSun())
+        up, north = [0.0] * 3, [0.0] * 3
+        sky(view).GetSun().GetAxes(None, up, north)
+        self.assertEqual((up, north), ([0.0, 1.0, 0.0], [0.0, 0.0, -1.0]))
 
         with Messages() as messages:
             view.GetClientSideObject().SetSkyOrigin(float("nan"), 0.0, 0.0)

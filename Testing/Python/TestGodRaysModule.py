@@ -315,6 +315,14 @@ class Sky(unittest.TestCase):
             self.assertAlmostEqual(sky.GetSunAzimuth(), azimuth, 6)
             self.assertAlmostEqual(sky.GetSunElevation(), elevation, 6)
 
+        sun = godrays.vtkGodRaysSun()
+        self.assertIs(godrays.sky(renderer, sun=sun).GetSun(), sun)
+        renderer.GetActiveCamera().SetPosition(5, 0, 0)  # in its frame, it looks to the north
+        renderer.GetActiveCamera().SetFocalPoint(0, 0, 0)
+        godrays.sky(renderer, sun=(-1, 1, 0))
+        self.assertAlmostEqual(sun.GetAzimuth(), 0, 6)
+        self.assertAlmostEqual(sun.GetElevation(), 45, 6)
+
     def test_errors_change_nothing(self):
         _, renderer, _ = make_scene()
         for error, words, wrong in (

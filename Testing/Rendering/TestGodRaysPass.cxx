@@ -7,6 +7,7 @@
 
 #include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysRadialModel.h"
+#include "vtkGodRaysSun.h"
 #include "vtkGodRaysTapsIntegrator.h"
 
 #include "vtkAssembly.h"
@@ -125,12 +126,14 @@ TEST(GodRaysPassParameters, AreClampedAndRefuseNaN)
   CHECK(ErrorTolerance, 1e-6, 0.1, 1.0 / 255.0);
   CHECK(InteractiveErrorTolerance, 1e-6, 0.1, 0.01);
   CHECK(SourceRadius, 0.0, 1e30, 0.0);
-  CHECK(SunAngularRadius, 0.01, 90.0, 0.2678);
   CHECK(BackgroundGlow, 0.0, 1.0, 0.4);
   CHECK(BackgroundGlowRadius, 0.0, 180.0, 2.0);
   CHECK(BackgroundGlowFalloff, 0.0, 180.0, 18.0);
   CHECK(LayerMargin, 0.0, 1.0, 0.0);
 #undef CHECK
+  check(
+    "AngularRadius", [&](double v) { rays->SetSunAngularRadius(v); }, // the sun's
+    [&] { return rays->GetSun()->GetAngularRadius(); }, 0.01, 90.0, 0.2678);
 
   rays->SetOutput(3);
   rays->SetBlend(-1);

@@ -15,7 +15,6 @@ from __future__ import annotations
 
 import math
 import numbers
-import operator
 import sys
 from typing import TYPE_CHECKING, Any
 
@@ -142,7 +141,7 @@ def enable(
 
 def sky(
     target: Target,
-    sun: Sequence[float] | None = None,
+    sun: vtkGodRaysSun | Sequence[float] | None = None,
     light: vtkLight | None = None,
     atmosphere: vtkGodRaysAtmosphere | str | None = None,
     **parameters: Any,
@@ -150,8 +149,8 @@ def sky(
     """Put the physical sky behind a scene and return its vtkGodRaysSkyPass, attached to the renderer.
 
     target: as of enable(). God rays and sky can be put on in any order.
-    sun: where it stands, two numbers, (azimuth from north by east, elevation) [degrees], or three, the
-        direction from which its light comes, such as sun() gives. None leaves it.
+    sun: a vtkGodRaysSun; or where it stands, two numbers, (azimuth from north by east, elevation)
+        [degrees], or three, the direction from which its light comes, such as sun() gives. None leaves it.
     light: a vtkLight that is given the sun's direction and colour, e.g. that of enable(). It is so once:
         call its UpdateLight() after a change of the sun.
     atmosphere: a vtkGodRaysAtmosphere, or the name of one, such as "earth-hazy"; see its LoadPreset().
@@ -161,9 +160,9 @@ def sky(
     A renderer that has a sky keeps it, changed. vtkGodRaysSkyPass.Detach(renderer) takes it off.
     """
     renderer = _renderer(target)
-    own = {"Atmosphere", "SunElevation", "SunAzimuth"}
+    own = {"Atmosphere", "Sun", "SunElevation", "SunAzimuth"}
     settings = _named(parameters, _properties(vtkGodRaysSkyPass()) - own)
-    if sun is not None:
+    if sun is not None and not isinstance(sun, vtkGodRaysSun):
         sun = [float(number) for number in sun]
         if len(sun) not in (2, 3) or len(sun) == 3 and not any(sun):
             raise ValueError(f"sun={sun} should be (azimuth, elevation) or a direction (x, y, z)")
@@ -180,13 +179,12 @@ def sky(
         getattr(found, "Set" + name)(value)
     if atmosphere is not None:
         found.SetAtmosphere(atmosphere)
-    if sun is not None:
-        try:
-            azimuth, elevation = sun if len(sun) == 2 else _angles(sun, found.GetUp(), found.GetNorth())
-        except ZeroDivisionError as error:
-            raise ValueError("up and north should be directions that are not parallel") from error
-        found.SetSunAzimuth(azimuth)
-        found.SetSunElevation(elevation)
+    if isinstance(sun, vtkGodRaysSun):
+        found.SetSun(sun)
+    elif sun is not None:
+        angles = sun if len(sun) == 2 else _angles(sun, found.GetSun(), renderer)
+        found.SetSunAzimuth(angles[0])
+        found.SetSunElevation(angles[1])
     if light is not None:
         found.UpdateLight(light)
     return found
@@ -378,14 +376,14 @@ def _sun(direction):
     return sun
 
 
-def _angles(direction, up, north):
-    """Azimuth and elevation of a direction [degrees]."""
-    z = [value / math.hypot(*up) for value in up]
-    east = [north[i - 2] * z[i - 1] - north[i - 1] * z[i - 2] for i in range(3)]
-    east = [value / math.hypot(*east) for value in east]
-    level = [z[i - 2] * east[i - 1] - z[i - 1] * east[i - 2] for i in range(3)]
-    x, y, height = (sum(map(operator.mul, axis, direction)) for axis in (east, level, z))
-    return math.degrees(math.atan2(x, y)), math.degrees(math.atan2(height, math.hypot(x, y)))
+def _angles(direction, sun, renderer):
+    """Azimuth and elevation of a direction in the frame of a vtkGodRaysSun [degrees]."""
+    camera = renderer.GetActiveCamera() if sun.GetFrame() == vtkGodRaysSun.CAMERA else None
+    up, north, angles = [0.0] * 3, [0.0] * 3, [0.0] * 2
+    sun.GetAxes(camera, up, north)
+    if not vtkGodRaysSunPosition.ComputeAngles(direction, up, north, angles):
+        raise ValueError("up and north should be directions that are not parallel")
+    return angles
 
 
 def _properties(owner):
