@@ -3,14 +3,12 @@
 #include "vtkGodRaysRenderView.h"
 
 #include "vtkCompositeRepresentation.h"
-#include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysIntegrator.h"
 #include "vtkGodRaysMediumModel.h"
 #include "vtkGodRaysPass.h"
 #include "vtkGodRaysPresets.h"
 #include "vtkGodRaysSkyPass.h"
 #include "vtkGodRaysSun.h"
-#include "vtkGodRaysSunPosition.h"
 #include "vtkGodRaysViewCompositor.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
@@ -104,15 +102,15 @@ vtkStandardNewMacro(PassChain);
 //------------------------------------------------------------------------------
 struct vtkGodRaysRenderView::vtkInternals
 {
-  vtkNew<vtkGodRaysPass> Pass;
-  vtkNew<vtkGodRaysSkyPass> Sky;
+  vtkSmartPointer<vtkGodRaysSun> Sun = vtkSmartPointer<vtkGodRaysSun>::New();
+  vtkSmartPointer<vtkGodRaysSkyPass> Sky = vtkSmartPointer<vtkGodRaysSkyPass>::New();
+  vtkSmartPointer<vtkGodRaysPass> Pass = vtkSmartPointer<vtkGodRaysPass>::New();
   vtkSmartPointer<vtkImageProcessingPass> ToneMapping; // ParaView's
   vtkNew<PassChain> Chain;
   vtkNew<vtkGodRaysViewCompositor> Compositor;
   vtkSmartPointer<vtkGodRaysModel> CustomModel;
   vtkSmartPointer<vtkGodRaysIntegrator> Integrator;
   std::string Preset = "default";
-  vtkNew<vtkGodRaysSun> Sun;
   vtkNew<vtkLight> SunLight;
   std::string Plan;
   bool IsRayTraced = false;
@@ -130,10 +128,6 @@ vtkGodRaysRenderView::vtkGodRaysRenderView()
   this->Internals->CustomModel = this->Internals->Pass->GetModel();
   this->Internals->Pass->SetModel(
     vtk::TakeSmartPointer(vtkGodRaysPresets::NewModel(this->Internals->Preset.c_str())));
-  this->Internals->Pass->SetSun(this->Internals->Sun);
-  this->Internals->Sky->SetSun(this->Internals->Sun);
-  this->Internals->Pass->SetCompositor(this->Internals->Compositor);
-  this->Internals->Sky->SetCompositor(this->Internals->Compositor);
   this->UpdatePasses();
 }
 
@@ -145,9 +139,50 @@ vtkGodRaysRenderView::~vtkGodRaysRenderView()
 }
 
 //------------------------------------------------------------------------------
+void vtkGodRaysRenderView::SetSun(vtkGodRaysSun* sun)
+{
+  if (sun)
+  {
+    this->Internals->Sun = sun;
+    this->UpdatePasses();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysSun* vtkGodRaysRenderView::GetSun()
+{
+  return this->Internals->Sun;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::SetGodRaysPass(vtkGodRaysPass* pass)
+{
+  if (pass)
+  {
+    const vtkSmartPointer<vtkGodRaysModel> model = this->Internals->Pass->GetModel();
+    this->Internals->Pass = pass;
+    this->UseModel(model);
+    this->UpdatePasses();
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkGodRaysPass* vtkGodRaysRenderView::GetGodRaysPass()
 {
   return this->Internals->Pass;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::SetSkyPass(vtkGodRaysSkyPass* pass)
+{
+  if (pass)
+  {
+    pass->SetWorldUnitInMeters(this->Internals->Sky->GetWorldUnitInMeters());
+    this->Internals->Sky = pass;
+    this->UpdatePasses();
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -179,13 +214,6 @@ void vtkGodRaysRenderView::SetUseSky(bool use)
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysRenderView::SetSkyAtmosphere(int preset)
-{
-  this->Internals->Sky->GetAtmosphere()->LoadPreset(preset);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::SetUseToneMapping(bool use)
 {
   if ((this->Internals->ToneMapping != nullptr) != use)
@@ -207,7 +235,11 @@ void vtkGodRaysRenderView::UpdatePasses()
   const int transfer =
     self.ToneMapping ? vtkGodRaysPass::POWER_TRANSFER : vtkGodRaysPass::SRGB_TRANSFER;
   self.Pass->SetDisplayTransfer(transfer);
+  self.Pass->SetCompositor(self.Compositor);
+  self.Pass->SetSun(self.Sun);
   self.Sky->SetDisplayTransfer(transfer);
+  self.Sky->SetCompositor(self.Compositor);
+  self.Sky->SetSun(self.Sun);
   auto& passes = self.Chain->Passes;
   passes.clear();
   if (this->UseSky && !self.IsRayTraced)
@@ -226,57 +258,16 @@ void vtkGodRaysRenderView::UpdatePasses()
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysRenderView::SetMode(const char* name, int& mode, int value, int last)
-{
-  if (value < 0 || value > last)
-  {
-    vtkErrorMacro(<< name << " must be in 0.." << last << ", not " << value << "; it stays " << mode
-                  << ".");
-    return false;
-  }
-  mode = value;
-  this->Modified();
-  return true;
-}
-
-//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::SetLightSource(int mode)
 {
-  this->SetMode("LightSource", this->LightSource, mode, TAGGED_ONLY);
-}
-
-//------------------------------------------------------------------------------
-#define vtkGodRaysForwardSunMacro(name, object, setter, type)                                      \
-  void vtkGodRaysRenderView::SetSun##name(type value)                                              \
-  {                                                                                                \
-    this->Internals->object->setter(value);                                                        \
-    this->Modified();                                                                              \
+  if (mode < SUN || mode > TAGGED_ONLY)
+  {
+    vtkErrorMacro("LightSource must be in 0.." << TAGGED_ONLY << ", not " << mode << "; it stays "
+                                               << this->LightSource << ".");
+    return;
   }
-vtkGodRaysForwardSunMacro(Frame, Sun, SetFrame, int);
-vtkGodRaysForwardSunMacro(Position, Sun, SetPosition, int);
-vtkGodRaysForwardSunMacro(Azimuth, Sun, SetAzimuth, double);
-vtkGodRaysForwardSunMacro(Elevation, Sun, SetElevation, double);
-vtkGodRaysForwardSunMacro(TimeOfDay, Sun->GetEphemeris(), SetTimeOfDay, double);
-vtkGodRaysForwardSunMacro(TimeZone, Sun->GetEphemeris(), SetTimeZone, double);
-vtkGodRaysForwardSunMacro(Latitude, Sun->GetEphemeris(), SetLatitude, double);
-vtkGodRaysForwardSunMacro(Longitude, Sun->GetEphemeris(), SetLongitude, double);
-
-//------------------------------------------------------------------------------
-#define vtkGodRaysForwardSun3Macro(name, object, setter, type)                                     \
-  void vtkGodRaysRenderView::SetSun##name(type first, type second, type third)                     \
-  {                                                                                                \
-    this->Internals->object->setter(first, second, third);                                         \
-    this->Modified();                                                                              \
-  }
-vtkGodRaysForwardSun3Macro(Up, Sun, SetUp, double);
-vtkGodRaysForwardSun3Macro(North, Sun, SetNorth, double);
-vtkGodRaysForwardSun3Macro(Color, Sun, SetColor, double);
-vtkGodRaysForwardSun3Macro(Date, Sun->GetEphemeris(), SetDate, int);
-
-//------------------------------------------------------------------------------
-double* vtkGodRaysRenderView::GetSunAngles()
-{
-  return this->Internals->Sun->GetAngles();
+  this->LightSource = mode;
+  this->Modified();
 }
 
 //------------------------------------------------------------------------------
@@ -366,44 +357,6 @@ void vtkGodRaysRenderView::RemoveChosenLight(vtkLight* light)
     lights.erase(found);
     this->Modified();
   }
-}
-
-//------------------------------------------------------------------------------
-#define vtkGodRaysForwardMacro(name, type)                                                         \
-  void vtkGodRaysRenderView::Set##name(type value)                                                 \
-  {                                                                                                \
-    this->Internals->Pass->Set##name(value);                                                       \
-  }
-vtkGodRaysForwardMacro(Intensity, double);
-vtkGodRaysForwardMacro(ErrorTolerance, double);
-vtkGodRaysForwardMacro(InteractiveErrorTolerance, double);
-vtkGodRaysForwardMacro(UntaggedPropsOcclude, bool);
-vtkGodRaysForwardMacro(SourceRadius, double);
-vtkGodRaysForwardMacro(SunAngularRadius, double);
-vtkGodRaysForwardMacro(BackgroundGlow, double);
-vtkGodRaysForwardMacro(BackgroundGlowRadius, double);
-vtkGodRaysForwardMacro(BackgroundGlowFalloff, double);
-vtkGodRaysForwardMacro(LayerMargin, double);
-vtkGodRaysForwardMacro(Blend, int);
-vtkGodRaysForwardMacro(Output, int);
-vtkGodRaysForwardMacro(Precision, int);
-vtkGodRaysForwardMacro(MeasureTimes, bool);
-
-//------------------------------------------------------------------------------
-#define vtkGodRaysForwardSkyMacro(name, type)                                                      \
-  void vtkGodRaysRenderView::SetSky##name(type value)                                              \
-  {                                                                                                \
-    this->Internals->Sky->Set##name(value);                                                        \
-  }
-vtkGodRaysForwardSkyMacro(Exposure, double);
-vtkGodRaysForwardSkyMacro(SunDisc, bool);
-vtkGodRaysForwardSkyMacro(AerialPerspective, bool);
-vtkGodRaysForwardSkyMacro(MultipleScattering, bool);
-
-//------------------------------------------------------------------------------
-void vtkGodRaysRenderView::SetSkyOrigin(double x, double y, double z)
-{
-  this->Internals->Sky->SetOrigin(x, y, z);
 }
 
 //------------------------------------------------------------------------------

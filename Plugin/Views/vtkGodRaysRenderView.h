@@ -4,17 +4,14 @@
  * @class   vtkGodRaysRenderView
  * @brief   ParaView's render view with god rays
  *
- * The view "Render View (God Rays)" of the ParaView plugin. It holds a vtkGodRaysPass and a
- * vtkGodRaysSkyPass that share a vtkGodRaysSun, and forwards to them; what it adds is ParaView's: presets by
- * name, and roles by representation.
+ * The view "Render View (God Rays)" of the ParaView plugin. It puts a vtkGodRaysPass and a vtkGodRaysSkyPass,
+ * which share a vtkGodRaysSun, into ParaView's chain of passes. Their properties are theirs; what the view adds
+ * is ParaView's: presets by name, lights of the light inspector, roles by representation, several processes.
  *
  * What data do to light is the property God Rays Role of their representation, whatever its type: see
  * vtkSIGodRaysRoleProperty. Axes, grids and the like never block light or shine.
  *
- * Real numbers and modes are checked by the pass: beyond a valid range they are clamped, NaN and
- * unknown modes are an error and change nothing.
- *
- * @sa vtkGodRaysPass vtkSIGodRaysRoleProperty
+ * @sa vtkGodRaysPass vtkGodRaysSkyPass vtkGodRaysSun vtkSIGodRaysRoleProperty
  */
 
 #ifndef vtkGodRaysRenderView_h
@@ -29,6 +26,7 @@ class vtkGodRaysIntegrator;
 class vtkGodRaysModel;
 class vtkGodRaysPass;
 class vtkGodRaysSkyPass;
+class vtkGodRaysSun;
 class vtkLight;
 
 class VTKGODRAYSVIEWS_EXPORT vtkGodRaysRenderView : public vtkPVRenderView
@@ -38,15 +36,18 @@ public:
   vtkTypeMacro(vtkGodRaysRenderView, vtkPVRenderView);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
   /**
-   * The pass that draws the rays.
+   * Set/Get the sun, which the passes share, the pass that draws the rays, and the pass that draws the sky, over
+   * which they are. ParaView makes them as parts of the view, with their properties. Null changes nothing.
    */
+  void SetSun(vtkGodRaysSun* sun);
+  vtkGodRaysSun* GetSun();
+  void SetGodRaysPass(vtkGodRaysPass* pass);
   vtkGodRaysPass* GetGodRaysPass();
-
-  /**
-   * The pass that draws the sky, over which the rays are.
-   */
+  void SetSkyPass(vtkGodRaysSkyPass* pass);
   vtkGodRaysSkyPass* GetSkyPass();
+  ///@}
 
   /**
    * Set whether there are rays at all; without, the view is an ordinary render view. Default is on.
@@ -67,48 +68,12 @@ public:
    */
   void SetLightSource(int mode);
 
-  ///@{
-  /**
-   * Forwarded to the sun; see vtkGodRaysSun, and vtkGodRaysSunPosition for date and place.
-   */
-  void SetSunFrame(int frame);
-  void SetSunUp(double x, double y, double z);
-  void SetSunNorth(double x, double y, double z);
-  void SetSunPosition(int mode);
-  void SetSunAzimuth(double degrees);
-  void SetSunElevation(double degrees);
-  void SetSunDate(int year, int month, int day);
-  void SetSunTimeOfDay(double hours);
-  void SetSunTimeZone(double hours);
-  void SetSunLatitude(double degrees);
-  void SetSunLongitude(double degrees);
-  void SetSunColor(double red, double green, double blue);
-  double* GetSunAngles() VTK_SIZEHINT(2);
-  ///@}
-
   /**
    * Set whether the sky is drawn behind the scene, in the light of the sun, whatever the source of the rays
    * is. With SunFrame CAMERA, the eye stands on the ground and the horizon is straight ahead. Default is
    * off.
    */
   void SetUseSky(bool use);
-
-  /**
-   * Set the air, one of vtkGodRaysAtmosphere::PresetType. Any other number is an error and changes nothing.
-   * Default is EARTH_CLEAR.
-   */
-  void SetSkyAtmosphere(int preset);
-
-  ///@{
-  /**
-   * Forwarded to the sky's pass; see vtkGodRaysSkyPass.
-   */
-  void SetSkyOrigin(double x, double y, double z);
-  void SetSkyExposure(double exposure);
-  void SetSkySunDisc(bool draw);
-  void SetSkyAerialPerspective(bool draw);
-  void SetSkyMultipleScattering(bool add);
-  ///@}
 
   /**
    * Set the look or the medium by name, one of vtkGodRaysPresets, or "custom" to use the model that
@@ -137,27 +102,15 @@ public:
   void RemoveChosenLight(vtkLight* light);
   ///@}
 
-  ///@{
   /**
-   * Forwarded to the pass; see vtkGodRaysPass.
+   * Set the model of the preset "custom".
    */
   void SetModel(vtkGodRaysModel* model);
-  void SetIntensity(double intensity);
-  void SetErrorTolerance(double tolerance);
-  void SetInteractiveErrorTolerance(double tolerance);
-  void SetUntaggedPropsOcclude(bool occlude);
-  void SetSourceRadius(double radius);
-  void SetSunAngularRadius(double degrees);
-  void SetBackgroundGlow(double glow);
-  void SetBackgroundGlowRadius(double degrees);
-  void SetBackgroundGlowFalloff(double degrees);
-  void SetLayerMargin(double margin);
-  void SetBlend(int mode);
-  void SetOutput(int output);
-  void SetPrecision(int precision);
-  void SetMeasureTimes(bool measure);
+
+  /**
+   * What the last frame needed, as text: that of the sky, if there is one, and that of the rays.
+   */
   const char* GetPlan();
-  ///@}
 
   /**
    * Overridden: the rays are added before colours are mapped.
@@ -176,7 +129,6 @@ private:
   vtkGodRaysRenderView(const vtkGodRaysRenderView&) = delete;
   void operator=(const vtkGodRaysRenderView&) = delete;
 
-  bool SetMode(const char* name, int& mode, int value, int last);
   void UseModel(vtkGodRaysModel* model);
   void UpdatePasses();
   bool UpdateSun();
