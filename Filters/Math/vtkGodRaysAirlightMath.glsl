@@ -193,15 +193,15 @@ FUNCTION Real MediumSlope(
   return (end - height) / distance;
 }
 
-// Length of a way times the mean density along it; a scale height of 0 stands for a homogeneous medium.
+// Length of a way times the mean density along it; a scale height of 0 stands for a homogeneous medium, where
+// slope may be anything.
 // The ground bends away by distance^2/(2 planetRadius): where that is little of the scale height, a
 // plane of the same rise is exact to 1e-5, without the differences of SkyExponentialColumn().
 // Formula: distance, ExponentialColumn, or SkyExponentialColumn. [length]
 FUNCTION RealLength MediumDepth(IN(RealLength) planetRadius, IN(RealLength) height, IN(Real) slope,
   IN(RealLength) scaleHeight, IN(RealLength) distance)
 {
-  GODRAYS_EXPECT(planetRadius >= 0.0 && IsCosine(slope));
-  GODRAYS_EXPECT(scaleHeight >= 0.0 && distance >= 0.0);
+  GODRAYS_EXPECT(planetRadius >= 0.0 && scaleHeight >= 0.0 && distance >= 0.0);
   if (scaleHeight <= 0.0)
   {
     return distance;
@@ -214,8 +214,8 @@ FUNCTION RealLength MediumDepth(IN(RealLength) planetRadius, IN(RealLength) heig
   return ExponentialColumn(height, rise / max(distance, RealLength(1e-30)), scaleHeight, distance);
 }
 
-// The same of a way to where nothing is any more, of a medium of exponential density: up over a plane, else to
-// 40 scale heights above.
+// The same of a way to where nothing is any more, of a medium of exponential density: up over a plane,
+// else to 40 scale heights above.
 // Formula: scaleHeight density/slope, or SkyExponentialColumn. [length]
 FUNCTION RealLength MediumColumn(
   IN(RealLength) planetRadius, IN(RealLength) height, IN(Real) slope, IN(RealLength) scaleHeight)

@@ -41,9 +41,9 @@ using RealPerLengthSolidAngle = Real;
 using RealPerAreaSolidAngle = Real;
 using Vec2Length = Vec2;
 
-// GODRAYS_EXPECT(condition) states the domain of a formula. A build with GODRAYS_CHECK_DOMAINS, such as that of
-// the tests of the formulas, stops where a condition does not hold; NaN is in no domain. It is nothing
-// otherwise, and shaders are without these lines, each of which holds the whole statement.
+// GODRAYS_EXPECT(condition) states the domain of a formula. A build with GODRAYS_CHECK_DOMAINS, such as
+// that of the tests of the formulas, stops where a condition does not hold; NaN is in no domain. It is
+// nothing otherwise, and shaders are without these lines, each of which holds the whole statement.
 #ifdef GODRAYS_CHECK_DOMAINS
 #define GODRAYS_EXPECT(condition)                                                                  \
   do                                                                                               \

@@ -5,8 +5,8 @@
 //VTK::GodRays::Phase
 //VTK::GodRays::Planet
 
-// Light that a medium of two components scatters once on its way to the eye, along a view ray. Units and ranges
-// are those of vtkGodRaysAirlightMath.glsl.
+// Light that a medium of two components scatters once on its way to the eye, along a view ray. Units and
+// ranges are those of vtkGodRaysAirlightMath.glsl.
 
 // The height at which a parallel view ray starts that is aside of the eye by origin, and the slope of a
 // direction there; up is the vertical at the eye.
@@ -235,8 +235,8 @@ FUNCTION Real MediumPlace(
 
 // Airlight of a part of a ray, for a light of irradiance or intensity 1. For a light that is
 // infinitely far, in a medium that is homogeneous or has one component over a plane,
-// DirectionalAirlight() or ExponentialAirlight(); otherwise Gauss-Legendre with 2 points, in lengths or, for a point light, in
-// angles: parts should be so small that light falls by no more than 1/e along them.
+// DirectionalAirlight() or ExponentialAirlight(); otherwise Gauss-Legendre with 2 points, in lengths or,
+// for a point light, in angles: parts should be so small that light falls by no more than 1/e along them.
 // Formula: integral_begin^end MediumIntegrand ds, or MediumIntegrand/r^2 ds. [1/sr] or
 // [1/(length^2 sr)]
 FUNCTION Real MediumAirlight(IN(MediumComponent) first, IN(MediumComponent) second,

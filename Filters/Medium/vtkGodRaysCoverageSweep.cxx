@@ -206,7 +206,7 @@ private:
     CoverageSettings& settings = this->Settings;
     settings.PixelSize = parameters.PixelSize;
     settings.Parallel = parameters.Parallel;
-    this->Layered = medium.ThinsOut();
+    this->Layered = medium.HasExponentialDensity();
     settings.Point = parameters.Light[3] != 0.0;
     const double norm = settings.Point
       ? parameters.Light[3]
@@ -617,7 +617,7 @@ bool vtkGodRaysCoverageSweep::Execute(const Parameters& parameters, const Monito
 bool vtkGodRaysCoverageSweep::Supports(const Parameters& parameters)
 {
   const vtkGodRaysMedium& medium = parameters.Medium;
-  if (!medium.ThinsOut())
+  if (!medium.HasExponentialDensity())
   {
     return true;
   }

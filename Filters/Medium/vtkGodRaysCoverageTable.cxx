@@ -220,9 +220,13 @@ void SetPointRows(
     const double cosine = std::abs(light.z) / table.Distance;
     table.Nearest =
       static_cast<float>(NearestOfPixel * settings.PixelSize * std::max(cosine * cosine, 1e-3));
+    const bool isInEye = length(light) <= 0.0; // all rays start at it
     VisitEdge(image,
       [&](double x, double y)
-      { range.Add(std::tan(0.5 * AngleBetween(GetRay(settings, image, x, y), light))); });
+      {
+        const Vec3 ray = GetRay(settings, image, x, y);
+        range.Add(isInEye ? 0.0 : std::tan(0.5 * AngleBetween(ray, light)));
+      });
   }
   const double least = settings.Parallel ? table.Nearest : 0.5 * table.Nearest;
   if (isShown && (settings.Parallel || light.z >= 0.0))

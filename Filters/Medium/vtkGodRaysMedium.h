@@ -74,6 +74,22 @@ struct vtkGodRaysMedium
     }
   }
 
+  /// Convert all lengths but FarLimit from metres to a unit of so many metres.
+  void ConvertTo(double unit)
+  {
+    for (int i = 0; i < this->NumberOfComponents; ++i)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        this->Components[i].Scattering[c] *= unit;
+        this->Components[i].Absorption[c] *= unit;
+      }
+      this->Components[i].ScaleHeight /= unit;
+    }
+    this->EyeHeight /= unit;
+    this->PlanetRadius /= unit;
+  }
+
   /// Whether red, green and blue are alike.
   bool IsGrey() const
   {
@@ -91,7 +107,7 @@ struct vtkGodRaysMedium
   }
 
   /// Whether its density falls with height.
-  bool ThinsOut() const
+  bool HasExponentialDensity() const
   {
     for (int i = 0; i < this->NumberOfComponents; ++i)
     {

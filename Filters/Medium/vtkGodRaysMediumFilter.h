@@ -164,9 +164,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the direction in which the density of a medium with a scale height falls, in world coordinates and of
-   * any length but 0, and how far along it the plane is where its coefficients are given [scene units].
-   * Valid range of the level: [-1e15, 1e15]. Defaults are (0, 1, 0) and 0.
+   * Set/Get the direction in which the density of a medium with a scale height falls, in world
+   * coordinates and of any length but 0, and how far along it the plane is where its coefficients are
+   * given [scene units]. Valid range of the level: [-1e15, 1e15]. Defaults are (0, 1, 0) and 0.
    */
   vtkSetVector3Macro(MediumUp, double);
   vtkGetVector3Macro(MediumUp, double);
@@ -177,9 +177,9 @@ public:
   ///@{
   /**
    * Set/Get the radius of a planet whose ground it is [scene units], and about whose centre, that far
-   * below the ground along MediumUp from the origin, the density of media falls. Its ground ends view rays and hides
-   * lights. It should be above 500 scale heights. 0: the ground is a plane, which hides nothing. Valid
-   * range: [0, 1e15]. Default is 0.
+   * below the ground along MediumUp from the origin, the density of media falls. Its ground ends view
+   * rays and hides lights. It should be above 500 scale heights. 0: the ground is a plane, which hides
+   * nothing. Valid range: [0, 1e15]. Default is 0.
    */
   void SetPlanetRadius(double radius);
   vtkGetMacro(PlanetRadius, double);

@@ -477,7 +477,7 @@ Vec3 Integrate(const Scatter& f, double a, double b, double error, int depth)
 Vec3 IntegrateWay(const Scatter& f, double from, double to, double end, double error)
 {
   constexpr int depth = 40;
-  const int parts = f.Medium.ThinsOut() ? 13 : 1;
+  const int parts = f.Medium.HasExponentialDensity() ? 13 : 1;
   Vec3 sum(0.0);
   double begin = from;
   const auto add = [&](double place)

@@ -145,8 +145,8 @@ public:
   ///@}
 
   /**
-   * The inverse of ComputeDirection(): azimuth, from -180 to 180, and elevation [degrees] of a direction of any
-   * length but 0. Returns false, with 0, where that does.
+   * The inverse of ComputeDirection(): azimuth, from -180 to 180, and elevation [degrees] of a direction
+   * of any length but 0. Returns false, with 0, where that does.
    */
   static bool ComputeAngles(
     const double direction[3], const double up[3], const double north[3], double angles[2]);

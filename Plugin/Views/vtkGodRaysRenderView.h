@@ -5,8 +5,9 @@
  * @brief   ParaView's render view with god rays
  *
  * The view "Render View (God Rays)" of the ParaView plugin. It puts a vtkGodRaysPass and a vtkGodRaysSkyPass,
- * which share a vtkGodRaysSun, into ParaView's chain of passes. Their properties are theirs; what the view adds
- * is ParaView's: presets by name, lights of the light inspector, roles by representation, several processes.
+ * which share a vtkGodRaysSun, into ParaView's chain of passes. Their properties are theirs; what the
+ * view adds is ParaView's: presets by name, lights of the light inspector, roles by representation,
+ * several processes.
  *
  * What data do to light is the property God Rays Role of their representation, whatever its type: see
  * vtkSIGodRaysRoleProperty. Axes, grids and the like never block light or shine.
@@ -38,8 +39,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the sun, which the passes share, the pass that draws the rays, and the pass that draws the sky, over
-   * which they are. ParaView makes them as parts of the view, with their properties. Null changes nothing.
+   * Set/Get the sun, which the passes share, the pass that draws the rays, and the pass that draws the
+   * sky, over which they are. ParaView makes them as parts of the view, with their properties. Null
+   * changes nothing.
    */
   void SetSun(vtkGodRaysSun* sun);
   vtkGodRaysSun* GetSun();

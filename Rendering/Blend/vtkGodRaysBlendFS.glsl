@@ -40,7 +40,7 @@ uniform float farLimit;
 // hasRays: whether there are rays
 // dimmed: by the medium through which the scene is seen
 // parallel: whether view rays are
-// thinsOut: whether the medium's density falls with height
+// exponential: whether the medium's density falls with height
 // hasSecond: whether it has two components
 // grey: whether it dims all colours alike
 
@@ -53,8 +53,8 @@ vec3 SceneTransmittance(ivec2 pixel)
   vec2 place = pictureScale * (2.0 * texCoord - 1.0);
   vec3 ray = pictureOrigin + place.x * pictureRight + place.y * pictureUp;
   float way = parallel ? viewDepth : viewDepth * length(ray) / ray.z;
-  vec3 tau = (thinsOut || !hasSecond ? extinction : extinction + secondExtinction) * way;
-  if (thinsOut)
+  vec3 tau = (exponential || !hasSecond ? extinction : extinction + secondExtinction) * way;
+  if (exponential)
   {
     vec3 direction = parallel ? vec3(0.0, 0.0, 1.0) : normalize(ray);
     vec3 origin = parallel ? vec3(ray.xy, 0.0) : vec3(0.0);

@@ -86,7 +86,7 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
       { "oneChannel", request.Tint != nullptr }, { "hasRays", request.Rays != nullptr },
       { "dimmed", request.Medium != nullptr },
       { "parallel", request.View && request.View->Parallel },
-      { "thinsOut", request.Medium && request.Medium->ThinsOut() },
+      { "exponential", request.Medium && request.Medium->HasExponentialDensity() },
       { "hasSecond", request.Medium && request.Medium->NumberOfComponents > 1 },
       { "grey", request.Medium && request.Medium->IsGrey() } });
   if (!program)

@@ -47,7 +47,7 @@ bool vtkGodRaysEpipolarCoverageIntegrator::Internals::LoadDepths(const Request& 
   {
     return true;
   }
-  vtkGodRaysTarget* const targets[2] = { depths.GetBlocking(), depths.GetEnds() };
+  vtkGodRaysTarget* const targets[2] = { depths.GetOccluders(), depths.GetEnds() };
   if (!targets[0] || !targets[1])
   {
     return false;
@@ -105,7 +105,7 @@ bool vtkGodRaysEpipolarCoverageIntegrator::Integrate(const Request& request)
   {
     return false;
   }
-  vtkGodRaysTarget& depths = *request.Depths->GetBlocking();
+  vtkGodRaysTarget& depths = *request.Depths->GetOccluders();
   const int size[2] = { depths.GetWidth(), depths.GetHeight() };
   const vtkGodRaysView& view = *request.View;
   const vtkGodRaysLight& light = *request.Light;
@@ -153,7 +153,8 @@ void vtkGodRaysEpipolarCoverageIntegrator::TellThatNot(const std::string& light)
     this->Internal->Told = light;
     vtkWarningMacro("The light \""
       << light
-      << "\" scatters nothing: in a medium that thins out, light that is infinitely far over a "
+      << "\" scatters nothing: in a medium of exponential density, light that is infinitely far "
+         "over a "
       << "planet, or that fades from an axis that is not vertical, cannot be evaluated. Set "
          "PlanetRadius, "
       << "or the light's Exponent, to 0, or use a vtkGodRaysShadowMapIntegrator.");

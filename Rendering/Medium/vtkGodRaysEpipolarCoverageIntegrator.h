@@ -8,8 +8,8 @@
  * depth u z on the view rays of the pixels beyond it on the line from the light, at u times this pixel's
  * distance from the light; so each line through the light carries a short list of hidden intervals, and
  * a pixel sums in closed form, or from a table, what is left of the airlight. There is no step
- * along the ray, and the cost does not depend on the length of shafts. It runs on the processor, with vtkSMPTools, over depths that
- * are read back from the graphics card; see vtkGodRaysCoverageFilter.
+ * along the ray, and the cost does not depend on the length of shafts. It runs on the processor, with
+ * vtkSMPTools, over depths that are read back from the graphics card; see vtkGodRaysCoverageFilter.
  *
  * The depth of the picture does not hold what is outside it or behind other things, nor how thick
  * things are: a surface is taken to be Thickness thick, unless there are NumberOfLayers. What that costs

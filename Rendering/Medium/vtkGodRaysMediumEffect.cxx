@@ -77,7 +77,7 @@ bool vtkGodRaysMediumEffect::DrawLight(const Frame& frame, const vtkGodRaysLight
   request.Medium = &this->Medium;
   request.View = frame.View;
   request.Light = &light;
-  request.Blocking = &frame.Occlusion->GetBlocking();
+  request.Occluders = &frame.Occlusion->GetOccludingProps();
   request.Compositor = frame.Compositor;
   auto integrator = vtkGodRaysMediumIntegrator::SafeDownCast(frame.Integrator);
   frame.Timers->Start(vtkGodRaysTimers::SCATTERING);

@@ -44,8 +44,8 @@ public:
     const vtkGodRaysView* View = nullptr;
     const vtkGodRaysLight* Light = nullptr;
     vtkGodRaysViewDepths* Depths = nullptr;
-    const std::vector<vtkProp*>* Blocking = nullptr; ///< their opaque parts block light
-    vtkGodRaysCompositor* Compositor = nullptr;      ///< of a scene on several processes
+    const std::vector<vtkProp*>* Occluders = nullptr; ///< their opaque parts block light
+    vtkGodRaysCompositor* Compositor = nullptr;       ///< of a scene on several processes
     vtkGodRaysSum* Result = nullptr; ///< the light scattered by all lights: add to it
   };
 

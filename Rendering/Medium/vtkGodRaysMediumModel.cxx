@@ -25,16 +25,7 @@ vtkGodRaysMedium vtkGodRaysMediumModel::GetMedium(
 {
   vtkGodRaysMedium medium;
   this->FillMedium(medium, worldToView);
-  for (int i = 0; i < medium.NumberOfComponents; ++i)
-  {
-    vtkGodRaysMedium::Component& component = medium.Components[i];
-    for (int c = 0; c < 3; ++c)
-    {
-      component.Scattering[c] *= this->WorldUnitInMeters;
-      component.Absorption[c] *= this->WorldUnitInMeters;
-    }
-    component.ScaleHeight /= this->WorldUnitInMeters;
-  }
+  medium.ConvertTo(this->WorldUnitInMeters);
   medium.FarLimit = this->FarLimit > 0.0 ? this->FarLimit : farDepth;
   return medium;
 }

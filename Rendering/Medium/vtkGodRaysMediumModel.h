@@ -97,7 +97,7 @@ protected:
   ~vtkGodRaysMediumModel() override = default;
 
   /**
-   * Fill in components [1/m, m], and what their heights are counted from.
+   * Fill in components, and what their heights are counted from [1/m, m].
    */
   virtual void FillMedium(vtkGodRaysMedium& medium, const double worldToView[16]) const = 0;
 

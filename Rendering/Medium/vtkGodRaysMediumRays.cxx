@@ -75,7 +75,7 @@ bool vtkGodRaysMediumRays::IsGrey() const
 //------------------------------------------------------------------------------
 bool vtkGodRaysMediumRays::IsUniform() const
 {
-  return this->IsInfinite() && !this->Request.Medium->ThinsOut();
+  return this->IsInfinite() && !this->Request.Medium->HasExponentialDensity();
 }
 
 //------------------------------------------------------------------------------
@@ -107,7 +107,8 @@ void vtkGodRaysMediumRays::Set(vtkShaderProgram* program) const
   vtkGodRaysQuad::SetVector(program, "mediumUp", medium.Up);
   SetNumber(program, "eyeHeight", medium.EyeHeight);
   const bool closed = this->IsInfinite() &&
-    (!medium.ThinsOut() || (medium.NumberOfComponents == 1 && medium.PlanetRadius == 0.0));
+    (!medium.HasExponentialDensity() ||
+      (medium.NumberOfComponents == 1 && medium.PlanetRadius == 0.0));
   program->SetUniformi("totalParts", closed ? 1 : TotalParts);
   program->SetUniformf("maximum", result.GetFormat() == GL_RGBA16F ? 65504.0f : 1e30f);
   this->SetComponents(program);

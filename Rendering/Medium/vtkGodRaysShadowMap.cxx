@@ -38,7 +38,7 @@ const double Eye[3] = { 0.0, 0.0, 0.0 };
 bool GetBounds(const vtkGodRaysMediumIntegrator::Request& request, double bounds[6])
 {
   vtkMath::UninitializeBounds(bounds);
-  for (vtkProp* prop : *request.Blocking)
+  for (vtkProp* prop : *request.Occluders)
   {
     const double* own = prop->GetBounds();
     if (own && vtkMath::AreBoundsInitialized(own))
@@ -180,7 +180,7 @@ vtkGodRaysShadowMap::State vtkGodRaysShadowMap::GetState(
     const double* matrix = this->ViewToMap[face];
     state.Numbers.insert(state.Numbers.end(), matrix, matrix + 16);
   }
-  for (vtkProp* prop : *request.Blocking)
+  for (vtkProp* prop : *request.Occluders)
   {
     if (!AddState(prop, state.Objects, state.Numbers))
     {
@@ -207,7 +207,7 @@ void vtkGodRaysShadowMap::Render(
     state->vtkglScissor(corner[0], corner[1], this->Size, this->Size);
     const vtkGodRaysProjection projection(
       request.Renderer, *request.View, this->ViewToMap[face], this->Camera);
-    for (vtkProp* prop : *request.Blocking)
+    for (vtkProp* prop : *request.Occluders)
     {
       prop->RenderOpaqueGeometry(request.Renderer);
     }
@@ -249,7 +249,7 @@ void vtkGodRaysShadowMap::Fit(const vtkGodRaysMediumIntegrator::Request& request
 }
 
 //------------------------------------------------------------------------------
-// What of the blocking props' shadow may be seen: the part of both, across the light.
+// What of the occluders' shadow may be seen: the part of both, across the light.
 void vtkGodRaysShadowMap::FitDirectional(
   const vtkGodRaysMediumIntegrator::Request& request, const double corners[8][3])
 {

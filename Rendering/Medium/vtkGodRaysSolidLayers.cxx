@@ -22,7 +22,7 @@ vtkStandardNewMacro(vtkGodRaysSolidLayers);
 //------------------------------------------------------------------------------
 bool vtkGodRaysSolidLayers::Draw(const vtkGodRaysMediumIntegrator::Request& request, int planes)
 {
-  vtkTextureObject* const first = request.Depths->GetBlockingWindowDepth();
+  vtkTextureObject* const first = request.Depths->GetOccluderWindowDepth();
   vtkOpenGLState* state = request.Window->GetState();
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
@@ -32,11 +32,11 @@ bool vtkGodRaysSolidLayers::Draw(const vtkGodRaysMediumIntegrator::Request& requ
     ? std::make_unique<vtkGodRaysProjection>(
         request.Renderer, *request.View, request.View->ViewToClip, this->Camera)
     : nullptr;
-  std::vector<vtkProp*> props = *request.Blocking;
-  vtkRenderState blocking(request.Renderer);
-  blocking.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+  std::vector<vtkProp*> props = *request.Occluders;
+  vtkRenderState occluders(request.Renderer);
+  occluders.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
   this->Last = first;
-  this->PreRender(&blocking);
+  this->PreRender(&occluders);
   bool drawn = true;
   for (int plane = 0; plane < planes && drawn; ++plane)
   {
@@ -50,10 +50,10 @@ bool vtkGodRaysSolidLayers::Draw(const vtkGodRaysMediumIntegrator::Request& requ
       this->Backs = plane % 2 == 0;
       this->Before = plane == 0 ? first : this->Last;
       this->Last = plane == 0 ? first : this->Planes[plane - 1].GetDepth();
-      this->Render(&blocking);
+      this->Render(&occluders);
     }
   }
-  this->PostRender(&blocking);
+  this->PostRender(&occluders);
   return drawn;
 }
 
@@ -117,7 +117,7 @@ bool vtkGodRaysSolidLayers::Read(
 {
   vtkGodRaysViewDepths& converter = this->Depths[plane];
   converter.Begin(request.Window, *request.View, this->Planes[plane].GetDepth(), nullptr);
-  vtkGodRaysTarget* target = converter.GetBlocking();
+  vtkGodRaysTarget* target = converter.GetOccluders();
   if (target)
   {
     target->Read(GL_RED, GL_FLOAT, depths, rowLength);

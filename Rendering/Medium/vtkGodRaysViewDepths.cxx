@@ -23,11 +23,11 @@ vtkGodRaysViewDepths::~vtkGodRaysViewDepths() = default;
 
 //------------------------------------------------------------------------------
 void vtkGodRaysViewDepths::Begin(vtkOpenGLRenderWindow* window, const vtkGodRaysView& view,
-  vtkTextureObject* blocking, vtkTextureObject* seen)
+  vtkTextureObject* occluders, vtkTextureObject* seen)
 {
   this->Window = window;
   this->View = &view;
-  this->Sources[0] = blocking;
+  this->Sources[0] = occluders;
   this->Sources[1] = seen;
   this->Drawn[0] = false;
   this->Drawn[1] = false;
@@ -45,7 +45,7 @@ void vtkGodRaysViewDepths::End()
 }
 
 //------------------------------------------------------------------------------
-vtkGodRaysTarget* vtkGodRaysViewDepths::GetBlocking()
+vtkGodRaysTarget* vtkGodRaysViewDepths::GetOccluders()
 {
   return this->Get(0);
 }
@@ -84,7 +84,7 @@ vtkGodRaysTarget* vtkGodRaysViewDepths::Get(int which)
   program->SetUniform4f("depthTerms", terms);
   program->SetUniformf("openSky", OpenSky);
   program->SetUniformf("viewScale", static_cast<float>(this->View->ViewScale));
-  this->Quad.SetTexture("blocking", this->Sources[0]);
+  this->Quad.SetTexture("occluders", this->Sources[0]);
   if (which == 1)
   {
     this->Quad.SetTexture("seen", this->Sources[1]);

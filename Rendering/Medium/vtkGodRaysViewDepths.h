@@ -31,7 +31,7 @@ public:
    * Start a frame with the window depths of the occluders, of a layer's size, and of what is seen,
    * of the picture's, about which the layer may have a margin; null if it is the same.
    */
-  void Begin(vtkOpenGLRenderWindow* window, const vtkGodRaysView& view, vtkTextureObject* blocking,
+  void Begin(vtkOpenGLRenderWindow* window, const vtkGodRaysView& view, vtkTextureObject* occluders,
     vtkTextureObject* seen);
 
   /**
@@ -42,7 +42,7 @@ public:
   /**
    * Window depths of the occluders.
    */
-  vtkTextureObject* GetBlockingWindowDepth() const { return this->Sources[0]; }
+  vtkTextureObject* GetOccluderWindowDepth() const { return this->Sources[0]; }
 
   /**
    * A number that no other frame has, of any of these objects.
@@ -55,7 +55,7 @@ public:
    * size. Null, after an error, if they cannot be drawn. The framebuffer drawn into may be another one
    * after it.
    */
-  vtkGodRaysTarget* GetBlocking();
+  vtkGodRaysTarget* GetOccluders();
   vtkGodRaysTarget* GetEnds();
   bool HasEnds() const { return this->Sources[1] != nullptr; }
   ///@}

@@ -5,7 +5,7 @@
 
 in vec2 texCoord;
 
-uniform sampler2D blocking; // of the layer
+uniform sampler2D occluders; // of the layer
 uniform sampler2D seen;     // of the picture in its middle
 uniform float viewScale;    // fraction of the layer's size that the picture covers
 uniform vec4 depthTerms;    // see vtkGodRaysView::Pinhole
@@ -16,7 +16,7 @@ uniform float openSky;
 
 void main()
 {
-  float depth = texelFetch(blocking, ivec2(texCoord * vec2(textureSize(blocking, 0))), 0).r;
+  float depth = texelFetch(occluders, ivec2(texCoord * vec2(textureSize(occluders, 0))), 0).r;
   if (fromPicture)
   {
     vec2 place = 0.5 + (texCoord - 0.5) / viewScale;

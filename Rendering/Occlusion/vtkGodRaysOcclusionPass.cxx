@@ -37,10 +37,10 @@ namespace
 /// The visible three-dimensional props of a renderer, in or out of its frustum, by what they do.
 struct Sorted
 {
-  std::vector<vtkProp*> Blocking; // opaque parts; lights block the light of others
-  std::vector<vtkProp*> Dimming;  // translucent parts and volumes
-  int NotBlocking = 0;
-  int Shining = 0;
+  std::vector<vtkProp*> OccludingProps; // opaque parts; lights block the light of others
+  std::vector<vtkProp*> Dimming;        // translucent parts and volumes
+  int NotOccluding = 0;
+  int Emitters = 0;
 };
 
 bool HasVolume(vtkProp* prop)
@@ -68,11 +68,11 @@ Sorted Sort(const vtkGodRaysOcclusionPass::Request& request)
       (role == vtkGodRaysRole::LIGHT && !request.LampsOcclude) ||
       (role == vtkGodRaysRole::AUTOMATIC && !request.UntaggedPropsOcclude))
     {
-      ++sorted.NotBlocking;
+      ++sorted.NotOccluding;
       continue;
     }
-    sorted.Blocking.push_back(prop);
-    sorted.Shining += role == vtkGodRaysRole::LIGHT ? 1 : 0;
+    sorted.OccludingProps.push_back(prop);
+    sorted.Emitters += role == vtkGodRaysRole::LIGHT ? 1 : 0;
     if (request.Dims && role != vtkGodRaysRole::LIGHT &&
       (prop->HasTranslucentPolygonalGeometry() || HasVolume(prop)))
     {
@@ -122,14 +122,14 @@ struct vtkGodRaysOcclusionPass::Internals
   vtkGodRaysQuad Quad{ "vtkGodRaysOcclusionFS", vtkGodRaysOcclusionFS };
   vtkGodRaysTarget Occluders; // depth, when the scene's will not do
   vtkGodRaysTarget Dimming;   // opacity, over the depth of the occluders
-  vtkGodRaysTarget Shining;   // opaque parts of a prop tagged LIGHT
+  vtkGodRaysTarget Emitter;   // opaque parts of a prop tagged LIGHT
   vtkGodRaysTarget Haze;      // its translucent parts and volumes, over the depth of the occluders
   vtkGodRaysTarget Layer;
   vtkGodRaysTarget OneColorLayer; // one value a pixel
   vtkGodRaysTarget* Composed = nullptr;
   vtkSmartPointer<vtkCamera> WideCamera;
   Request Frame{};
-  std::vector<vtkProp*> Blocking;
+  std::vector<vtkProp*> OccludingProps;
   vtkTextureObject* Depth = nullptr; // of the occluders
   bool Dimmed = false;
   int Width = 0; // of the layer [pixels]
@@ -155,11 +155,11 @@ bool vtkGodRaysOcclusionPass::SceneDepthServes(const Request& request)
   if (compositor && compositor->IsDistributed())
   {
     // It does on one process alone; translucent parts and emitters need it on all of them.
-    const bool own = sorted.NotBlocking > 0 || sorted.Shining > 0 || !sorted.Dimming.empty();
+    const bool own = sorted.NotOccluding > 0 || sorted.Emitters > 0 || !sorted.Dimming.empty();
     return !vtkGodRaysCompositor::Any(compositor, own || !compositor->HasDepth()) &&
       request.Margin == 0.0;
   }
-  return request.Margin == 0.0 && sorted.NotBlocking == 0;
+  return request.Margin == 0.0 && sorted.NotOccluding == 0;
 }
 
 //------------------------------------------------------------------------------
@@ -168,7 +168,7 @@ bool vtkGodRaysOcclusionPass::Begin(const Request& request)
   Internals& self = *this->Internal;
   self.Frame = request;
   const Sorted sorted = Sort(request);
-  self.Blocking = sorted.Blocking;
+  self.OccludingProps = sorted.OccludingProps;
   const auto enlarged = [&request](unsigned int size)
   { return static_cast<int>(std::lround(size * (1.0 + 2.0 * request.Margin))); };
   const int width = self.Width = enlarged(request.SceneDepth->GetWidth());
@@ -197,7 +197,7 @@ bool vtkGodRaysOcclusionPass::Begin(const Request& request)
     }
     state->vtkglClear(GL_DEPTH_BUFFER_BIT);
     state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    for (vtkProp* prop : sorted.Blocking)
+    for (vtkProp* prop : sorted.OccludingProps)
     {
       prop->RenderOpaqueGeometry(request.Renderer);
     }
@@ -236,7 +236,7 @@ bool vtkGodRaysOcclusionPass::Begin(const Request& request)
 void vtkGodRaysOcclusionPass::End()
 {
   this->Internal->Frame = Request();
-  this->Internal->Blocking.clear();
+  this->Internal->OccludingProps.clear();
   this->Internal->Depth = nullptr;
 }
 
@@ -281,9 +281,9 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysLight& light)
       frame.Compositor, light.Prop->HasTranslucentPolygonalGeometry() || HasVolume(light.Prop));
   if (light.Prop)
   {
-    self.Shining.Prepare(
+    self.Emitter.Prepare(
       frame.Window, self.Width, self.Height, { frame.ColorFormat, frame.DepthFormat });
-    if (!self.Shining.Bind())
+    if (!self.Emitter.Bind())
     {
       return false;
     }
@@ -299,7 +299,7 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysLight& light)
     light.Prop->RenderOpaqueGeometry(frame.Renderer);
     if (self.Distributed)
     {
-      this->JoinShining();
+      this->JoinEmitter();
     }
     if (hazy)
     {
@@ -399,8 +399,8 @@ bool vtkGodRaysOcclusionPass::Draw(const vtkGodRaysLight& light, bool disc, bool
   }
   if (light.Prop)
   {
-    self.Quad.SetTexture("propColor", self.Shining.GetColor());
-    self.Quad.SetTexture("propDepth", self.Shining.GetDepth());
+    self.Quad.SetTexture("propColor", self.Emitter.GetColor());
+    self.Quad.SetTexture("propDepth", self.Emitter.GetDepth());
   }
   if (hazy)
   {
@@ -412,14 +412,14 @@ bool vtkGodRaysOcclusionPass::Draw(const vtkGodRaysLight& light, bool disc, bool
 
 //------------------------------------------------------------------------------
 // Of the parts of a prop on all processes, the nearest.
-void vtkGodRaysOcclusionPass::JoinShining()
+void vtkGodRaysOcclusionPass::JoinEmitter()
 {
   Internals& self = *this->Internal;
   vtkGodRaysCompositor* compositor = self.Frame.Compositor;
-  const std::vector<float> own = self.Shining.ReadDepth();
+  const std::vector<float> own = self.Emitter.ReadDepth();
   std::vector<float> depth = own;
   compositor->Reduce(depth.data(), depth.size(), vtkGodRaysCompositor::LEAST);
-  std::vector<float> color = self.Shining.ReadColor();
+  std::vector<float> color = self.Emitter.ReadColor();
   for (std::size_t i = 0; i < depth.size(); ++i)
   {
     if (own[i] > depth[i])
@@ -428,8 +428,8 @@ void vtkGodRaysOcclusionPass::JoinShining()
     }
   }
   compositor->Reduce(color.data(), color.size(), vtkGodRaysCompositor::GREATEST);
-  self.Shining.WriteDepth(depth);
-  self.Shining.WriteColor(color);
+  self.Emitter.WriteDepth(depth);
+  self.Emitter.WriteColor(color);
 }
 
 //------------------------------------------------------------------------------
@@ -445,9 +445,9 @@ vtkTextureObject* vtkGodRaysOcclusionPass::GetDepth()
 }
 
 //------------------------------------------------------------------------------
-const std::vector<vtkProp*>& vtkGodRaysOcclusionPass::GetBlocking() const
+const std::vector<vtkProp*>& vtkGodRaysOcclusionPass::GetOccludingProps() const
 {
-  return this->Internal->Blocking;
+  return this->Internal->OccludingProps;
 }
 
 //------------------------------------------------------------------------------
@@ -471,7 +471,7 @@ void vtkGodRaysOcclusionPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Internal->Dimming.Release(window); // before the depth that they borrow
   this->Internal->Haze.Release(window);
   this->Internal->Occluders.Release(window);
-  this->Internal->Shining.Release(window);
+  this->Internal->Emitter.Release(window);
   this->Internal->Layer.Release(window);
   this->Internal->OneColorLayer.Release(window);
   this->Internal->Composed = nullptr;

@@ -101,7 +101,7 @@ public:
   /**
    * The props whose opaque parts block light in this frame, in or out of the picture.
    */
-  VTK_WRAPEXCLUDE const std::vector<vtkProp*>& GetBlocking() const;
+  VTK_WRAPEXCLUDE const std::vector<vtkProp*>& GetOccludingProps() const;
 
   /**
    * Whether Begin() rendered the props that block light a second time.
@@ -131,7 +131,7 @@ private:
   vtkGodRaysOcclusionPass(const vtkGodRaysOcclusionPass&) = delete;
   void operator=(const vtkGodRaysOcclusionPass&) = delete;
 
-  void JoinShining();
+  void JoinEmitter();
   void RenderTranslucent(std::vector<vtkProp*> props);
   bool Draw(const vtkGodRaysLight& light, bool disc, bool hazy);
 

@@ -50,9 +50,9 @@ public:
    * fraction of the largest possible result, on any picture; otherwise take vtkGodRaysClippedTaps.
    * Of very small tolerances of large pictures, for which taps would be too many, it keeps what it
    * can, and not on noise. It does not for marches below 8 pixels, layers below 32 pixels, kernels
-   * that end within few pixels (k > 30) or grow steeply (k < -5), marches past a light in the layer, and where lines would
-   * have to be closer together than textures are large. The model must be a vtkGodRaysRadialModel,
-   * the context current.
+   * that end within few pixels (k > 30) or grow steeply (k < -5), marches past a light in the layer, and
+   * where lines would have to be closer together than textures are large. The model must be a
+   * vtkGodRaysRadialModel, the context current.
    */
   static bool Keeps(const vtkGodRaysRadialIntegrator::Request& request);
 

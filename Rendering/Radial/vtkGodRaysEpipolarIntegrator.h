@@ -55,9 +55,9 @@ public:
   ///@{
   /**
    * Set/Get at how many pixels of each frame, at most all, chosen at random but the same every time,
-   * one in each of as many equal parts of the picture, the result is compared with the sum of 2048 taps in double precision, see GetErrorEstimate() [no unit].
-   * 0 does not. It costs some 0.1 ms a pixel and, with the GRAPHICS back end, reading the result.
-   * Valid range: [0, 1000000]. Default is 0.
+   * one in each of as many equal parts of the picture, the result is compared with the sum of 2048 taps
+   * in double precision, see GetErrorEstimate() [no unit]. 0 does not. It costs some 0.1 ms a pixel and,
+   * with the GRAPHICS back end, reading the result. Valid range: [0, 1000000]. Default is 0.
    */
   vtkSetClampMacro(VerifyPixels, int, 0, 1000000);
   vtkGetMacro(VerifyPixels, int);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Shadows from depth images where airlight comes from a table: point lights, media that thin out.
+// Shadows from depth images where airlight comes from a table: point lights, media of exponential density.
 
 #include "GodRaysFiltersTesting.h"
 #include "GodRaysMediumScenes.h"
@@ -173,7 +173,7 @@ TEST(CoverageMedia, PointLightsShineAsTheIntegral)
 }
 
 //------------------------------------------------------------------------------
-// One component that thins out, against its closed form.
+// One component of exponential density, against its closed form.
 TEST(CoverageMedia, LayersShineAsTheIntegral)
 {
   Random random(42);
@@ -221,7 +221,7 @@ TEST(CoverageMedia, LayersShineAsTheIntegral)
 }
 
 //------------------------------------------------------------------------------
-// Point lights above, in and below two components that thin out, against sums of many steps.
+// Point lights above, in and below two components of exponential density, against sums of many steps.
 TEST(CoverageMedia, PointLightsInLayersShineAsTheIntegral)
 {
   Random random(45);
@@ -310,7 +310,7 @@ TEST(CoverageMedia, PointLightsInLayersShineAsTheIntegral)
 }
 
 //------------------------------------------------------------------------------
-// Layers that do not thin out in the picture are no layers.
+// Layers whose density hardly falls in the picture are no layers.
 TEST(CoverageMedia, PointLightsInThickLayersShineAsInNone)
 {
   const Picture depths = MakePicture(

@@ -242,7 +242,7 @@ TEST(SingleScatteringReference, AgreesWithShadowRays)
 }
 
 //------------------------------------------------------------------------------
-// Two components that thin out, each with a mix of phase functions, against a sum of 200 000 steps that
+// Two components of exponential density, each with a mix of phase functions, against a sum of 200 000 steps that
 // takes its optical depths from heights alone.
 TEST(SingleScatteringReference, MediaThatThinOut)
 {

@@ -48,7 +48,7 @@ def properties(name):
         values = []
         for domain in element:
             if domain.tag.endswith("RangeDomain"):
-                values = [float(domain.get("min")), float(domain.get("max"))]
+                values = [float(domain.get(end).split()[0]) for end in ("min", "max")]
             elif domain.tag == "EnumerationDomain":
                 values = [int(entry.get("value")) for entry in domain.iter("Entry")]
             elif domain.tag == "BooleanDomain":

@@ -15,7 +15,7 @@ in vec2 texCoord; // of the picture, as well as it is interpolated
 
 //VTK::GodRays::MediumRays
 
-uniform sampler2D blocking; // view depths of what blocks light, of the layer's size
+uniform sampler2D occluders; // view depths of what blocks light, of the layer's size
 uniform sampler2D ends;     // and of where view rays end
 uniform float openSky;      // the depth where nothing is
 uniform int numberOfTaps;
@@ -63,7 +63,7 @@ void main()
     if (i < numberOfTaps)
     {
       float t = part.x + (float(i) + 0.5) * tap;
-      float z = texelFetch(blocking, ivec2((uv + t * march) * layerSize), 0).r;
+      float z = texelFetch(occluders, ivec2((uv + t * march) * layerSize), 0).r;
       solid = z < openSky;
       if (solid)
       {

@@ -36,13 +36,13 @@ vtkGodRaysDepthWeightedTapsIntegrator::~vtkGodRaysDepthWeightedTapsIntegrator() 
 //------------------------------------------------------------------------------
 bool vtkGodRaysDepthWeightedTapsIntegrator::Integrate(const Request& request)
 {
-  vtkGodRaysTarget* const blocking = request.Depths->GetBlocking();
+  vtkGodRaysTarget* const occluders = request.Depths->GetOccluders();
   vtkGodRaysTarget* const ends = request.Depths->GetEnds();
-  if (!blocking || !ends || !request.Result->BindToAdd())
+  if (!occluders || !ends || !request.Result->BindToAdd())
   {
     return false;
   }
-  const int size[2] = { blocking->GetWidth(), blocking->GetHeight() };
+  const int size[2] = { occluders->GetWidth(), occluders->GetHeight() };
   const vtkGodRaysMediumRays rays(request, size);
   vtkGodRaysQuad& quad = this->Internal->Quad;
   vtkShaderProgram* program = quad.Begin(request.Window,
@@ -56,7 +56,7 @@ bool vtkGodRaysDepthWeightedTapsIntegrator::Integrate(const Request& request)
   program->SetUniformi("numberOfTaps", this->NumberOfTaps);
   program->SetUniformf("thickness", static_cast<float>(this->Thickness));
   program->SetUniformf("openSky", vtkGodRaysViewDepths::OpenSky);
-  quad.SetTexture("blocking", blocking->GetColor());
+  quad.SetTexture("occluders", occluders->GetColor());
   quad.SetTexture("ends", ends->GetColor());
   quad.End();
   return true;

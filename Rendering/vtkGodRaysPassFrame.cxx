@@ -1,0 +1,419 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What vtkGodRaysPass does in a frame; see Documentation/Architecture.md.
+#include "vtkGodRaysPassInternals.h"
+
+#include "vtkGodRaysBlendPass.h"
+#include "vtkGodRaysFramebuffer.h"
+#include "vtkGodRaysLight.h"
+#include "vtkGodRaysLightFinder.h"
+#include "vtkGodRaysOcclusionPass.h"
+#include "vtkGodRaysOpenGL.h"
+#include "vtkGodRaysSun.h"
+#include "vtkGodRaysView.h"
+#include "vtkOpenGLError.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+
+namespace
+{
+/// The number of tiles of a large screenshot, across or up, whichever is more; 1 for a whole picture.
+double GetTiles(vtkRenderWindow* window)
+{
+  int tiles[2];
+  window->GetTileScale(tiles);
+  return std::max(tiles[0], tiles[1]);
+}
+
+bool IsDisabledByEnvironment()
+{
+  const char* value = std::getenv("GODRAYS_DISABLE");
+  return value && *value && std::string(value) != "0";
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysPass::Render(const vtkRenderState* s)
+{
+  Internals& self = *this->Internal;
+  vtkRenderer* renderer = s->GetRenderer();
+  auto window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (self.DrawsScene)
+  {
+    self.IsOwnDelegate = true;
+    self.RendererSteps->Render(s);
+    return;
+  }
+  self.LightPlan.clear();
+  self.HasScattering = false;
+  self.HasRays = false;
+  self.Timers.BeginFrame(this->MeasureTimes);
+  this->NumberOfGeometryPasses = 1;
+
+  vtkGodRaysView view;
+  std::vector<vtkGodRaysLight> lights;
+  const char* reason = this->FindReasonForNoRays(s, window);
+  const bool hasLayers = !reason;
+  if (hasLayers)
+  {
+    int viewport[4];
+    vtkGodRaysScene::GetViewport(s, viewport);
+    vtkGodRaysScene::UpdateStereo(renderer);
+    self.Margin = this->FindMargin(window, viewport + 2);
+    view.Set(renderer, viewport + 2, self.Margin);
+    self.Transfer = self.Effect->SumsShownValues()
+      ? vtkGodRaysTransfer::NONE
+      : vtkGodRaysFindTransfer(this->DisplayTransfer, renderer, this);
+    lights = this->FindLights(renderer, view);
+    reason = lights.empty() && !this->DimsScene() ? "no light reaches the picture" : nullptr;
+    const std::string obstacle = self.Effect->FindObstacle(view, viewport + 2);
+    if (!obstacle.empty())
+    {
+      this->Complain(obstacle);
+      reason = "the model cannot be evaluated in this projection";
+    }
+  }
+  self.NumberOfLights = static_cast<int>(lights.size());
+  if (reason)
+  {
+    self.StagePlan = std::string("rays: none, ") + reason + "\nscene: drawn straight through\n";
+    this->RenderScene(s);
+    if (hasLayers && this->Output != COMPOSITE)
+    {
+      this->ShowNoLight(s, window->GetState()); // the layers are dark, not absent
+    }
+    return;
+  }
+
+  if (self.Window != window || self.ContextTime != window->GetContextCreationTime())
+  {
+    // also if the former window, or its context, is gone
+    self.Release(self.Window ? self.Window.Get() : window);
+  }
+  self.Window = window;
+  self.ContextTime = window->GetContextCreationTime();
+
+  vtkGodRaysOverlays overlays(s);
+  self.Timers.Start(vtkGodRaysTimers::SCENE);
+  this->RenderScene(s);
+  self.Timers.Stop();
+  if (self.IsOwnDelegate)
+  {
+    self.StagePlan = "rays: none, the delegate leads back to this pass\n";
+  }
+  else if (!this->RenderRays(s, view, lights))
+  {
+    this->Complain("the framebuffer of this window cannot be copied or drawn into by the rays' "
+                   "stages. Render into a window or framebuffer with a depth buffer and 8-bit or "
+                   "floating-point RGBA colours");
+    self.StagePlan = "rays: none, after an error\n";
+  }
+  overlays.Draw();
+  vtkOpenGLCheckErrorMacro("failed after Render");
+}
+
+//------------------------------------------------------------------------------
+const char* vtkGodRaysPass::FindReasonForNoRays(
+  const vtkRenderState* s, vtkOpenGLRenderWindow* window)
+{
+  const Internals& self = *this->Internal;
+  int viewport[4];
+  if (!window)
+  {
+    this->Complain("the render window is not an OpenGL window. Use VTK's OpenGL back end");
+    return "the window is not an OpenGL one";
+  }
+  if (s->GetRenderer()->GetSelector())
+  {
+    return "a hardware selection is made";
+  }
+  if (IsDisabledByEnvironment())
+  {
+    return "the environment variable GODRAYS_DISABLE is set";
+  }
+  vtkGodRaysScene::GetViewport(s, viewport);
+  if (viewport[2] < 1 || viewport[3] < 1)
+  {
+    return "the viewport is empty";
+  }
+  if (this->Intensity == 0.0)
+  {
+    return "Intensity is 0";
+  }
+  if (!self.Model->CanScatter())
+  {
+    return "the model's parameters scatter nothing";
+  }
+  if (!self.Integrator->Supports(self.Model))
+  {
+    this->Complain(std::string("a ") + self.Integrator->GetClassName() + " cannot evaluate a " +
+      self.Model->GetClassName() + ". Set an integrator that supports it");
+    return "the integrator does not support the model";
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+// A large screenshot is drawn in tiles: what is on the others must cast into each as on one picture.
+double vtkGodRaysPass::FindMargin(vtkOpenGLRenderWindow* window, const int size[2]) const
+{
+  const double wanted = GetTiles(window) - 1.0;
+  if (wanted <= this->LayerMargin ||
+    this->Output == OCCLUSION) // which shows the layer with its margin
+  {
+    return this->LayerMargin;
+  }
+  const double largest = vtkTextureObject::GetMaximumTextureSize(window);
+  const double possible = 0.5 * (largest / std::max(size[0], size[1]) - 1.0);
+  return std::max(this->LayerMargin, std::min(wanted, possible));
+}
+
+//------------------------------------------------------------------------------
+// Whether the picture changes where no light is scattered.
+bool vtkGodRaysPass::DimsScene() const
+{
+  return this->Internal->Effect->DimsScene() && this->Output == COMPOSITE;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysPass::RenderScene(const vtkRenderState* s)
+{
+  vtkRenderPass* scene = this->DelegatePass;
+  if (!scene)
+  {
+    scene = this->Internal->RendererSteps;
+  }
+  Internals& self = *this->Internal;
+  self.IsOwnDelegate = false;
+  self.DrawsScene = true;
+  scene->Render(s);
+  self.DrawsScene = false;
+  if (self.IsOwnDelegate)
+  {
+    this->Complain("the delegate of this pass leads back to it. Set another delegate, or none; a "
+                   "pass that has this one for its delegate is what the renderer takes, by "
+                   "SetPass(), without Attach()");
+  }
+  this->NumberOfRenderedProps = scene->GetNumberOfRenderedProps();
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkGodRaysLight> vtkGodRaysPass::FindLights(
+  vtkRenderer* renderer, const vtkGodRaysView& view)
+{
+  Internals& self = *this->Internal;
+  vtkGodRaysLightFinder finder;
+  finder.Renderer = renderer;
+  finder.SourceRadius = this->SourceRadius;
+  finder.SunAngularRadius = this->GetSunAngularRadius();
+  finder.BackgroundGlow = this->BackgroundGlow;
+  finder.BackgroundGlowRadius = this->BackgroundGlowRadius;
+  finder.BackgroundGlowFalloff = this->BackgroundGlowFalloff;
+  finder.Transfer = self.Transfer;
+  finder.Tiles = GetTiles(renderer->GetRenderWindow());
+  finder.Compositor = self.Compositor;
+  self.Effect->SetUp(finder);
+  auto lights = finder.Find(view, self.Lights);
+  self.LightPlan = finder.GetPlan();
+  return lights;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysPass::RenderRays(
+  const vtkRenderState* s, const vtkGodRaysView& view, const std::vector<vtkGodRaysLight>& lights)
+{
+  Internals& self = *this->Internal;
+  const vtkGodRaysStateKeeper keeper(self.Window->GetState());
+  int viewport[4];
+  vtkGodRaysScene::GetViewport(s, viewport);
+  const vtkGodRaysFramebuffer bound;
+  const bool done = bound.Formats.Color && bound.Formats.Depth &&
+    this->FindOccluders(s, view, bound, viewport) && this->DrawLights(s, view, lights) &&
+    this->DrawOutput(s, bound, viewport);
+  self.HasRays = self.HasRays && done; // else layers may lack lights
+  self.Effect->End();
+  self.Occlusion->End();
+  return done;
+}
+
+//------------------------------------------------------------------------------
+// Keep what the framebuffer holds, and find the occluders.
+bool vtkGodRaysPass::FindOccluders(const vtkRenderState* s, const vtkGodRaysView& view,
+  const vtkGodRaysFramebuffer& bound, const int viewport[4])
+{
+  Internals& self = *this->Internal;
+  self.Timers.Start(vtkGodRaysTimers::OCCLUSION);
+  vtkGodRaysOcclusionPass::Request occlusion;
+  occlusion.Window = self.Window;
+  occlusion.Renderer = s->GetRenderer();
+  occlusion.View = &view;
+  occlusion.DepthFormat = bound.Formats.Depth;
+  occlusion.Multisampled = bound.Multisampled;
+  occlusion.ColorFormat = this->GetLayerFormat();
+  occlusion.Margin = self.Margin;
+  occlusion.UntaggedPropsOcclude = this->UntaggedPropsOcclude;
+  occlusion.Transfer = self.Transfer;
+  occlusion.Glow = this->BackgroundGlow;
+  occlusion.Compositor = self.Compositor;
+  self.Effect->SetUp(occlusion, self.Integrator);
+
+  const bool depthServes = vtkGodRaysOcclusionPass::SceneDepthServes(occlusion);
+  const unsigned int buffers = (this->Output == COMPOSITE ? GL_COLOR_BUFFER_BIT : 0) |
+    (depthServes || self.Effect->ReadsSceneDepth() ? GL_DEPTH_BUFFER_BIT : 0);
+  if (!self.Scene.Copy(self.Window, bound, viewport, buffers))
+  {
+    return false;
+  }
+  occlusion.SceneDepth = self.Scene.GetDepth();
+  self.HasBackdrop = false;
+  if (self.Compositor && self.Compositor->IsRoot())
+  {
+    self.Backdrop.Prepare(self.Window, viewport[2], viewport[3], { GL_RGBA8, bound.Formats.Depth });
+    if (!self.Backdrop.Bind())
+    {
+      return false;
+    }
+    self.HasBackdrop = self.Compositor->DrawBackground(s->GetRenderer());
+  }
+  const bool done = self.Occlusion->Begin(occlusion);
+  self.Timers.Stop();
+  this->NumberOfGeometryPasses = self.Occlusion->GetRenderedOccluders() ? 2 : 1;
+  return done;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysPass::DrawLights(
+  const vtkRenderState* s, const vtkGodRaysView& view, const std::vector<vtkGodRaysLight>& lights)
+{
+  Internals& self = *this->Internal;
+  vtkGodRaysEffect::Frame frame;
+  frame.Window = self.Window;
+  frame.Renderer = s->GetRenderer();
+  frame.View = &view;
+  frame.Integrator = self.Integrator;
+  frame.Occlusion = self.Occlusion;
+  frame.SceneDepth = self.Scene.GetDepth();
+  frame.Compositor = self.Compositor;
+  frame.Timers = &self.Timers;
+  frame.Light = &self.Scattering;
+  frame.Format = this->GetLayerFormat();
+  frame.NumberOfLights = static_cast<int>(lights.size());
+  const bool interactive = self.Window->GetDesiredUpdateRate() >= 1.0;
+  frame.ErrorTolerance = interactive
+    ? std::max(this->ErrorTolerance, this->InteractiveErrorTolerance)
+    : this->ErrorTolerance;
+  frame.KeepsLayers = this->Output == OCCLUSION || self.KeepAllLayers;
+  frame.Scatters = this->Output != OCCLUSION;
+  const int width = static_cast<int>(frame.SceneDepth->GetWidth());
+  const int height = static_cast<int>(frame.SceneDepth->GetHeight());
+  self.Scattering.Begin(self.Window, width, height, frame.Format);
+  self.Effect->Begin(frame);
+  self.HasRays = true;
+  return std::all_of(lights.begin(), lights.end(),
+    [&](const vtkGodRaysLight& light) { return self.Effect->DrawLight(frame, light); });
+}
+
+//------------------------------------------------------------------------------
+unsigned int vtkGodRaysPass::GetLayerFormat() const
+{
+  return this->Precision == SINGLE ? GL_RGBA32F : GL_RGBA16F;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysPass::DrawOutput(
+  const vtkRenderState* s, const vtkGodRaysFramebuffer& bound, const int viewport[4])
+{
+  Internals& self = *this->Internal;
+  if (self.Compositor && !self.Compositor->IsRoot())
+  {
+    self.StagePlan = "rays: joined by another process\n";
+    return true;
+  }
+  self.HasScattering = !self.Scattering.IsEmpty();
+  self.Timers.Start(vtkGodRaysTimers::BLEND);
+  vtkOpenGLState* state = self.Window->GetState();
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, bound.Binding);
+  vtkGodRaysSum* light = this->Output == OCCLUSION ? self.Effect->GetLayers() : &self.Scattering;
+  vtkGodRaysBlendPass::Request request;
+  if (this->Output == COMPOSITE)
+  {
+    self.Effect->Join(request);
+  }
+  request.Screen = this->Blend == MODEL_BLEND ? request.Screen : this->Blend == SCREEN;
+  bool drawn = true;
+  if (light)
+  {
+    request.Window = self.Window;
+    std::copy_n(viewport, 4, request.Viewport);
+    request.Scene = self.Scene.GetColor();
+    request.Backdrop = self.HasBackdrop ? self.Backdrop.GetColor() : nullptr;
+    request.Rays = light->GetTexture();
+    request.Tint = light->GetTint();
+    request.Intensity = this->Output == OCCLUSION ? 1.0 : this->Intensity;
+    request.Transfer = self.Transfer;
+    request.ShowRays = this->Output != COMPOSITE;
+    drawn = self.Blending->Draw(request);
+  }
+  else
+  {
+    this->ShowNoLight(s, state);
+  }
+  self.Timers.Stop();
+  this->DescribeStages(request.Screen);
+  return drawn;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysPass::ShowNoLight(const vtkRenderState* s, vtkOpenGLState* state)
+{
+  vtkGodRaysStateKeeper keeper(state);
+  int viewport[4];
+  vtkGodRaysScene::GetViewport(s, viewport);
+  state->vtkglScissor(viewport[0], viewport[1], viewport[2], viewport[3]);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+  state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  state->vtkglClear(GL_COLOR_BUFFER_BIT);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysPass::DescribeStages(bool screen)
+{
+  Internals& self = *this->Internal;
+  std::ostringstream plan;
+  plan << "scene: drawn in place, geometry rendered "
+       << (this->NumberOfGeometryPasses == 1 ? "once" : "twice") << "\n";
+  plan << "occlusion: " << self.Occlusion->Describe();
+  if (self.Margin > 0.0)
+  {
+    plan << ", margin " << self.Margin;
+  }
+  plan << "\nmodel: " << self.Model->Describe() << "\nscattering: "
+       << (this->Output == OCCLUSION ? "skipped, the occlusion layer is shown"
+                                     : self.Integrator->Describe(self.Model))
+       << "\nblend: "
+       << (this->Output != COMPOSITE ? "skipped, one layer is shown"
+              : screen               ? "screen"
+                                     : "additive")
+       << (self.Transfer == vtkGodRaysTransfer::NONE      ? ", shown values"
+              : self.Transfer == vtkGodRaysTransfer::SRGB ? ", linear light"
+                                                          : ", linear light by a power of 2.2")
+       << "\n";
+  self.StagePlan = plan.str();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysPass::Complain(const std::string& complaint)
+{
+  if (this->Internal->Complaint != complaint)
+  {
+    this->Internal->Complaint = complaint;
+    vtkWarningMacro("The scene is drawn without god rays: " << complaint << ".");
+  }
+}

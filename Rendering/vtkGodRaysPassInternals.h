@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file    vtkGodRaysPassInternals.h
+ * @brief   what a vtkGodRaysPass has besides its parameters; private to it
+ */
+
+#ifndef vtkGodRaysPassInternals_h
+#define vtkGodRaysPassInternals_h
+
+#include "vtkGodRaysAttachment.h"
+#include "vtkGodRaysBlendPass.h"
+#include "vtkGodRaysCompositor.h"
+#include "vtkGodRaysEffect.h"
+#include "vtkGodRaysIntegrator.h"
+#include "vtkGodRaysModel.h"
+#include "vtkGodRaysOcclusionPass.h"
+#include "vtkGodRaysPass.h"
+#include "vtkGodRaysScene.h"
+#include "vtkGodRaysSceneCopy.h"
+#include "vtkGodRaysSum.h"
+#include "vtkGodRaysSun.h"
+#include "vtkGodRaysTarget.h"
+#include "vtkGodRaysTimers.h"
+#include "vtkGodRaysTransfer.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+struct vtkGodRaysPass::Internals
+{
+  std::vector<vtkSmartPointer<vtkLight>> Lights;
+  vtkSmartPointer<vtkGodRaysSun> Sun = vtkSmartPointer<vtkGodRaysSun>::New();
+  vtkSmartPointer<vtkGodRaysModel> Model;
+  std::unique_ptr<vtkGodRaysEffect> Effect; // the model's
+  vtkSmartPointer<vtkGodRaysIntegrator> Integrator;
+  bool IntegratorIsModels = false; // nobody set it
+  vtkSmartPointer<vtkGodRaysCompositor> Compositor;
+
+  vtkGodRaysAttachment Attachment;
+
+  vtkNew<vtkGodRaysScene> RendererSteps;
+  vtkNew<vtkGodRaysOcclusionPass> Occlusion;
+  vtkNew<vtkGodRaysBlendPass> Blending;
+  vtkGodRaysSceneCopy Scene; // colour and depth of the viewport
+  vtkGodRaysTarget Backdrop; // background, where the scene is drawn over black
+  vtkGodRaysSum Scattering;  // light of all layers
+  vtkGodRaysTimers Timers;
+
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the resources
+  vtkMTimeType ContextTime = 0;                 // when its context was made
+  bool HasRays = false;                         // of the last frame
+  bool HasScattering = false;                   // alike
+  bool HasBackdrop = false;
+  bool KeepAllLayers = false;
+  int NumberOfLights = 0; // of the last frame
+  vtkGodRaysTransfer Transfer = vtkGodRaysTransfer::SRGB;
+  double Margin = 0.0;        // of the layers of this frame
+  bool DrawsScene = false;    // at this moment
+  bool Releases = false;      // at this moment
+  bool IsOwnDelegate = false; // its delegate called it while it drew the scene
+  std::string LightPlan;
+  std::string StagePlan;
+  std::string Complaint; // that has been made already
+
+  void Release(vtkWindow* window)
+  {
+    this->Occlusion->ReleaseGraphicsResources(window);
+    if (this->Integrator)
+    {
+      this->Integrator->ReleaseGraphicsResources(window);
+    }
+    this->Blending->ReleaseGraphicsResources(window);
+    this->Scene.Release(window);
+    this->Backdrop.Release(window);
+    this->Scattering.Release(window);
+    if (this->Effect)
+    {
+      this->Effect->Release(window);
+    }
+    this->Timers.Release(this->Window);
+    this->HasRays = false;
+    this->HasScattering = false;
+    this->Window = nullptr;
+  }
+};
+
+#endif
