@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What every model and every integrator in CMake's lists has to do, with every other one that it goes with.
+"""What every model, integrator and source in CMake's lists has to do, with every other one that it goes with.
 
 Their properties and ranges are those of their ParaView entries, which a test of the plugin holds to the
 classes.
@@ -29,13 +29,15 @@ from vtkmodules.vtkRenderingCore import (
 ENTRIES = pathlib.Path(os.environ["GODRAYS_ENTRIES"])  # ParaView's, as CMake has written them
 
 
-def classes(variable, suffix):
+def classes(variable, suffix=""):
     """The classes of one of CMake's lists: words with their folders."""
     return [f"vtkGodRays{stem.split('/')[1]}{suffix}" for stem in os.environ[variable].split(",")]
 
 
 MODELS = classes("GODRAYS_MODELS", "Model")
 INTEGRATORS = classes("GODRAYS_INTEGRATORS", "Integrator")
+SOURCES = [name for name in classes("GODRAYS_ALGORITHMS") if name.endswith("Source") and "Sky" not in name]
+SIZES = {"SetCapacity": 50, "SetDimensions": 9, "SetResolution": 9, "SetTextureResolution": 16}  # of sources
 PHASE_FUNCTIONS = ["ISOTROPIC", "RAYLEIGH", "HENYEY_GREENSTEIN", "CORNETTE_SHANKS", "SCHLICK"]  # and newer ones
 
 
@@ -63,6 +65,25 @@ def properties(name):
 def presets(model):
     count = getattr(model, "GetNumberOfPresets", lambda: 0)()
     return [model.GetPresetName(i) for i in range(count)]
+
+
+def make_small(name):
+    """A source that is fast: its properties are there to be set."""
+    source = getattr(godrays, name)()
+    for command, count, _ in properties(name):
+        if command in SIZES:
+            getattr(source, command)(*[SIZES[command]] * count)
+    return source
+
+
+def arrays(source):
+    """The numbers of a source's first output, at an early time."""
+    source.UpdateTimeStep(0.02)
+    data = source.GetOutputDataObject(0)
+    found = [data.GetPointData().GetArray(i) for i in range(data.GetPointData().GetNumberOfArrays())]
+    if data.IsA("vtkPointSet"):
+        found.append(data.GetPoints().GetData())
+    return [vtk_to_numpy(array).copy() for array in found if array]
 
 
 class Scene:
@@ -131,7 +152,8 @@ class Contract(unittest.TestCase):
                 test(scene, model, integrator)
 
     def test_every_class_is_wrapped_with_documentation(self):
-        for name in (*MODELS, *INTEGRATORS):
+        self.assertGreaterEqual(len(SOURCES), 4)
+        for name in (*MODELS, *INTEGRATORS, *SOURCES):
             with self.subTest(name):
                 self.assertGreater(len(getattr(godrays, name).__doc__), 200)
 
@@ -191,6 +213,22 @@ class Contract(unittest.TestCase):
             self.assertEqual("Warning" in said, "Set " in said or "Use " in said, said)
 
         self.for_each_pair(test)
+
+    def test_sources_are_the_same_every_time_and_survive_the_ends_of_their_ranges(self):
+        for name in SOURCES:
+            with self.subTest(name):
+                made = arrays(make_small(name))
+                self.assertTrue(made and all(array.size for array in made), "empty")
+                for one, other in zip(made, arrays(make_small(name))):
+                    self.assertTrue((one == other).all(), "another time")
+                for command, count, values in properties(name):
+                    for value in values if command not in SIZES else ():
+                        source = make_small(name)
+                        getattr(source, command)(*[value] * count)
+                        for array in arrays(source):
+                            self.assertTrue(numpy.isfinite(array).all(), (command, value))
+                for error in self.said().split("ERROR: ")[1:]:  # has a remedy
+                    self.assertRegex(error, r"[.] (Take|Move|Set|Use) ")
 
     def test_classes_and_paraview_have_the_same_phase_functions(self):
         for name in ("vtkGodRaysHomogeneousModel", "vtkGodRaysAtmosphereModel", "vtkGodRaysAtmosphere",
