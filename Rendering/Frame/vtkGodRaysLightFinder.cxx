@@ -141,7 +141,7 @@ std::vector<vtkGodRaysLight> vtkGodRaysLightFinder::Find(
   }
   if (this->Plan.empty())
   {
-    this->Plan = "light: none; add seen with AddLight() or tag a prop LIGHT\n";
+    this->Plan = "light: none; add one with AddLight() or tag a prop LIGHT\n";
   }
   return found;
 }

@@ -82,14 +82,19 @@ bool AddState(vtkProp* prop, std::vector<const void*>& objects, std::vector<doub
   return true;
 }
 
-/// Right, up, and backwards from what is looked at. View coordinates are left-handed: the order of the
-/// product keeps the faces of props facing as they do.
+/// Right, up, and backwards from what is looked at: made right-handed, in the camera's coordinates, so
+/// that faces of props face as they do.
 void SetAxes(const double backwards[3], double axes[3][3])
 {
-  std::copy_n(backwards, 3, axes[2]);
   double unused[3];
+  std::copy_n(backwards, 3, axes[2]);
+  axes[2][2] *= -1.0;
   vtkMath::Perpendiculars(axes[2], axes[0], unused, 0.0);
-  vtkMath::Cross(axes[0], axes[2], axes[1]);
+  vtkMath::Cross(axes[2], axes[0], axes[1]);
+  for (int i = 0; i < 3; ++i)
+  {
+    axes[i][2] *= -1.0;
+  }
 }
 
 /// Where the layer's point (x, y) is at a view depth.

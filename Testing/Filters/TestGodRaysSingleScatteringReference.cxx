@@ -242,8 +242,8 @@ TEST(SingleScatteringReference, AgreesWithShadowRays)
 }
 
 //------------------------------------------------------------------------------
-// Two components of exponential density, each with a mix of phase functions, against a sum of 200 000 steps that
-// takes its optical depths from heights alone.
+// Two components of exponential density, each with a mix of phase functions, against a sum of 200 000
+// steps that takes its optical depths from heights alone.
 TEST(SingleScatteringReference, MediaThatThinOut)
 {
   const double scattering[2] = { 0.08, 0.05 };
