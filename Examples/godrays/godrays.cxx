@@ -409,6 +409,7 @@ bool Draw(const Scene& scene, const Viewpoint& view, const Options& options, Mea
   if (window)
   {
     Interact(renderWindow, renderer, rays, options.Preset);
+    renderWindow->Render(); // VTK 9.3 keeps nothing of what it has shown
   }
   if (!options.Output.empty())
   {
