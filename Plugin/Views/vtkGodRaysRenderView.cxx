@@ -60,7 +60,7 @@ auto IsDrawnByANARI(View* view, int) -> decltype(view->GetEnableANARI())
 {
   return view->GetEnableANARI();
 }
-bool IsDrawnByANARI(vtkPVRenderView*, long)
+[[maybe_unused]] bool IsDrawnByANARI(vtkPVRenderView*, long)
 {
   return false;
 }

@@ -12,6 +12,7 @@
 
 #include "vtkAssembly.h"
 #include "vtkCamera.h"
+#include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #if __has_include("vtkLODActor.h")
@@ -32,7 +33,7 @@ TEST(GodRaysPassRoles, AreKeptBesideOtherKeys)
   Messages messages;
   vtkNew<vtkActor> actor;
   vtkNew<vtkInformation> keys;
-  keys->Set(vtkProp::GeneralTextureUnit(), 7);
+  keys->Set(vtkDataObject::FIELD_ASSOCIATION(), 7);
   actor->SetPropertyKeys(keys);
   vtkNew<vtkActor> sharing;
   sharing->SetPropertyKeys(keys);
@@ -42,13 +43,13 @@ TEST(GodRaysPassRoles, AreKeptBesideOtherKeys)
   vtkGodRaysPass::SetRole(actor, vtkGodRaysPass::LIGHT);
   EXPECT_EQ(vtkGodRaysPass::GetRole(actor), vtkGodRaysPass::LIGHT);
   EXPECT_GT(actor->GetMTime(), before);
-  EXPECT_EQ(actor->GetPropertyKeys()->Get(vtkProp::GeneralTextureUnit()), 7);
+  EXPECT_EQ(actor->GetPropertyKeys()->Get(vtkDataObject::FIELD_ASSOCIATION()), 7);
   EXPECT_EQ(vtkGodRaysPass::GetRole(sharing), vtkGodRaysPass::AUTOMATIC)
     << "a prop that shares the keys must not be tagged with it";
 
   vtkGodRaysPass::SetRole(actor, vtkGodRaysPass::AUTOMATIC);
   EXPECT_FALSE(actor->GetPropertyKeys()->Has(vtkGodRaysPass::ROLE()));
-  EXPECT_EQ(actor->GetPropertyKeys()->Get(vtkProp::GeneralTextureUnit()), 7);
+  EXPECT_EQ(actor->GetPropertyKeys()->Get(vtkDataObject::FIELD_ASSOCIATION()), 7);
 }
 
 TEST(GodRaysPassRoles, GoOnAnyPropButOnlyKnownOnes)
