@@ -26,8 +26,8 @@
 // clang-format on
 
 /**
- * The constants, as the body of an enum. Each class has the enum itself: VTK's wrappers expand macros, but
- * do not follow a using-declaration.
+ * The constants, as the body of an enum. Each class has the enum itself, for which VTK's wrappers expand the
+ * macro.
  */
 #define vtkGodRaysPhaseFunctionConstantMacro(constant, number, name, hasAsymmetry)                 \
   constant = (number),
