@@ -78,7 +78,7 @@ show jacksboro "$out/data/jacksboro.vti"'
 echo "== The first picture, after $SECONDS s, of which $installed s to install: $PWD/$out/jacksboro.png"
 
 echo "== Building the examples"
-build "${examples[@]}" vtkGodRaysFiltersPython vtkGodRaysRenderingPython
+build "${examples[@]}" godrays_python
 
 echo "== Pictures"
 make_pictures '
