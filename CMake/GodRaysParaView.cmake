@@ -77,7 +77,8 @@ function(godrays_configure_entries folder)
   endforeach()
   list(JOIN godrays_phase_functions "\n          " godrays_phase_functions)
   file(GLOB entries CONFIGURE_DEPENDS
-    "${PROJECT_SOURCE_DIR}/Filters/*/*.xml" "${PROJECT_SOURCE_DIR}/Rendering/*/*.xml")
+    "${PROJECT_SOURCE_DIR}/Filters/*/*.xml" "${PROJECT_SOURCE_DIR}/Rendering/*.xml"
+    "${PROJECT_SOURCE_DIR}/Rendering/*/*.xml")
   foreach(entry IN LISTS entries)
     cmake_path(GET entry FILENAME name)
     configure_file("${entry}" "${folder}/${name}" @ONLY)

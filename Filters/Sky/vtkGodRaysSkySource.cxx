@@ -252,6 +252,7 @@ vtkGodRaysSun* vtkGodRaysSkySource::GetSun()
 //------------------------------------------------------------------------------
 void vtkGodRaysSkySource::SetSunElevation(double degrees)
 {
+  this->Sun->SetPosition(vtkGodRaysSun::AZIMUTH_AND_ELEVATION);
   this->Sun->SetElevation(degrees);
 }
 
@@ -264,6 +265,7 @@ double vtkGodRaysSkySource::GetSunElevation()
 //------------------------------------------------------------------------------
 void vtkGodRaysSkySource::SetSunAzimuth(double degrees)
 {
+  this->Sun->SetPosition(vtkGodRaysSun::AZIMUTH_AND_ELEVATION);
   this->Sun->SetAzimuth(degrees);
 }
 

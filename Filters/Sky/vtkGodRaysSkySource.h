@@ -81,7 +81,7 @@ public:
 
   ///@{
   /**
-   * Forwarded to the sun; see vtkGodRaysSun.
+   * Forwarded to the sun, whose position is then by azimuth and elevation; see vtkGodRaysSun.
    */
   void SetSunElevation(double degrees);
   double GetSunElevation();

@@ -223,11 +223,11 @@ vtkGodRaysSun* vtkGodRaysSkyPass::GetSun()
 #define vtkGodRaysForwardAngleMacro(name)                                                          \
   void vtkGodRaysSkyPass::SetSun##name(double degrees)                                             \
   {                                                                                                \
-    this->GetSun()->Set##name(degrees);                                                            \
+    this->Internal->Source->SetSun##name(degrees);                                                 \
   }                                                                                                \
   double vtkGodRaysSkyPass::GetSun##name()                                                         \
   {                                                                                                \
-    return this->GetSun()->Get##name();                                                            \
+    return this->Internal->Source->GetSun##name();                                                 \
   }
 vtkGodRaysForwardAngleMacro(Elevation);
 vtkGodRaysForwardAngleMacro(Azimuth);

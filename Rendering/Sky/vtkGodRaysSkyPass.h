@@ -99,7 +99,8 @@ public:
 
   ///@{
   /**
-   * Forwarded to the sun; see vtkGodRaysSun. SetUp() and SetNorth() also set its frame UP_AND_NORTH.
+   * Forwarded to the sun; see vtkGodRaysSun. An angle sets its position AZIMUTH_AND_ELEVATION, an axis its
+   * frame UP_AND_NORTH.
    */
   void SetSunElevation(double degrees);
   double GetSunElevation();

@@ -216,6 +216,18 @@ TEST(Sun, IsSharedBySkies)
 }
 
 //------------------------------------------------------------------------------
+TEST(Sun, AnAngleOfASkyOverrulesDateAndPlace)
+{
+  vtkNew<vtkGodRaysSkySource> sky;
+  sky->GetSun()->SetPosition(vtkGodRaysSun::DATE_AND_PLACE);
+  sky->SetSunElevation(33.0);
+  EXPECT_EQ(sky->GetSun()->GetAngles()[1], 33.0);
+  sky->GetSun()->SetPosition(vtkGodRaysSun::DATE_AND_PLACE);
+  sky->SetSunAzimuth(44.0);
+  EXPECT_EQ(sky->GetSun()->GetAngles()[0], 44.0);
+}
+
+//------------------------------------------------------------------------------
 // A disc of three times the radius has nine times the pixels; from farther away it is smaller.
 TEST(Sun, HasADiscOfItsRadius)
 {
