@@ -16,34 +16,6 @@
 #include <cmath>
 #include <cstdint>
 
-#ifndef vtkGodRaysCoverageKernels_once
-#define vtkGodRaysCoverageKernels_once
-namespace vtkGodRays
-{
-// The pixels of a row that belong to a wedge, first and last.
-inline void FindCoveragePixels(
-  const CoverageWedge& wedge, const CoverageImage& image, int row, int& first, int& last)
-{
-  const double reach = std::abs(wedge.W * row - wedge.B);
-  double low = 0.0;
-  double high = image.Width - 1.0;
-  if (wedge.W != 0.0)
-  {
-    const double a = (wedge.A - reach) / wedge.W;
-    const double b = (wedge.A + reach) / wedge.W;
-    low = std::max(low, std::ceil(std::min(a, b)));
-    high = std::min(high, std::floor(std::max(a, b)));
-  }
-  else if (std::abs(wedge.A) > reach)
-  {
-    high = -1.0;
-  }
-  first = static_cast<int>(std::min(low, image.Width + 0.0));
-  last = static_cast<int>(std::max(high, -1.0));
-}
-}
-#endif
-
 HWY_BEFORE_NAMESPACE();
 namespace vtkGodRays
 {
@@ -581,6 +553,28 @@ namespace vtkGodRays
 HWY_EXPORT(RunCoverageBand);
 HWY_EXPORT(RunCoverageInterval);
 HWY_EXPORT(RunCoverageRow);
+
+//------------------------------------------------------------------------------
+void FindCoveragePixels(
+  const CoverageWedge& wedge, const CoverageImage& image, int row, int& first, int& last)
+{
+  const double reach = std::abs(wedge.W * row - wedge.B);
+  double low = 0.0;
+  double high = image.Width - 1.0;
+  if (wedge.W != 0.0)
+  {
+    const double a = (wedge.A - reach) / wedge.W;
+    const double b = (wedge.A + reach) / wedge.W;
+    low = std::max(low, std::ceil(std::min(a, b)));
+    high = std::min(high, std::floor(std::max(a, b)));
+  }
+  else if (std::abs(wedge.A) > reach)
+  {
+    high = -1.0;
+  }
+  first = static_cast<int>(std::min(low, image.Width + 0.0));
+  last = static_cast<int>(std::max(high, -1.0));
+}
 
 //------------------------------------------------------------------------------
 CoverageWedge MakeCoverageWedge(

@@ -141,6 +141,10 @@ constexpr double CoverageSpacing = 2.0; // [pixels]
 CoverageWedge MakeCoverageWedge(
   const CoverageSettings& settings, const CoverageImage& image, int direction);
 
+/// The pixels of a row that belong to a wedge, first and last; last is below first if there are none.
+void FindCoveragePixels(
+  const CoverageWedge& wedge, const CoverageImage& image, int row, int& first, int& last);
+
 /// Index of the pixel in which the light is seen, -1 if that is none; isCentred tells whether it is in
 /// the pixel's very centre.
 std::ptrdiff_t FindCoverageLight(

@@ -5,6 +5,7 @@
 #include "vtkGodRaysCoverageKernels.h"
 #include "vtkGodRaysCoverageTable.h"
 #include "vtkGodRaysMath.h"
+#include "vtkGodRaysShadowKernels.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -137,7 +138,11 @@ public:
       result = this->OwnResult.data();
     }
     this->LastResult = result;
-    if (this->HasNoLines())
+    if (parameters.Shadows)
+    {
+      this->SweepShadows(*parameters.Shadows);
+    }
+    else if (this->HasNoLines())
     {
       this->HidePixels();
     }
@@ -172,8 +177,10 @@ public:
     {
       return "nothing yet";
     }
-    return (this->Settings.Layers > 0 ? std::to_string(this->Settings.Layers) + " solid layer(s)"
-                                      : std::string("depths of the first surface")) +
+    return (this->FromShadows ? std::string("shadow map")
+               : this->Settings.Layers > 0
+               ? std::to_string(this->Settings.Layers) + " solid layer(s)"
+               : std::string("depths of the first surface")) +
       ", " + std::to_string(this->Settings.Channels) + " extinction(s), " +
       std::to_string(this->Shade.Components) + " component(s), " +
       (this->Settings.Point ? "point light, " : "directional light, ") +
@@ -221,7 +228,8 @@ private:
     settings.EyeHeight = medium.EyeHeight;
     settings.PlanetRadius = medium.PlanetRadius;
     settings.FarLimit = medium.FarLimit;
-    settings.Layers = parameters.Layers;
+    this->FromShadows = parameters.Shadows != nullptr;
+    settings.Layers = this->FromShadows ? 0 : parameters.Layers;
     settings.Thickness = parameters.Thickness;
     const bool layered = this->Layered;
     bool grey = true;
@@ -550,6 +558,72 @@ private:
     return !monitor || monitor(0.5);
   }
 
+  // Of planes through eye and light; the transpose is read and written in place.
+  void SweepShadows(const vtkGodRaysShadowGrids& grids)
+  {
+    const CoverageSettings& settings = this->Settings;
+    for (int c = 0; c < settings.Channels; ++c)
+    {
+      std::fill(this->Hidden[c].begin(), this->Hidden[c].end(), 0.0f);
+    }
+    if (grids.Levels == 0)
+    {
+      return; // nothing blocks
+    }
+    const double* extinctions = settings.Extinction;
+    const auto range = std::minmax_element(extinctions, extinctions + settings.Channels);
+    const std::array<double, 6> key = { *range.first, *range.second, grids.Grids[0].Texel[0],
+      grids.Grids[0].Texel[1], grids.Grids[0].Size[0] + 0.0, grids.Grids[0].Size[1] + 0.0 };
+    if (this->LadderKey != key)
+    {
+      MakeShadowLadder(grids, *range.first, *range.second, this->Ladder);
+      this->LadderKey = key;
+    }
+    vtkGodRaysShadowGrids turned = grids;
+    for (double* axis : turned.Axes)
+    {
+      std::swap(axis[0], axis[1]);
+    }
+    while (this->ShadowBands.size() < this->BandLines.size())
+    {
+      this->ShadowBands.push_back(MakeShadowLines());
+    }
+    ShadowPicture picture = { this->Image.Ends, {}, this->Image.Width, 1 };
+    std::copy_n(this->Image.Hidden, 3, picture.Hidden);
+    for (int i = 0; i < 4; ++i)
+    {
+      const CoverageWedge& wedge = this->Wedges[i];
+      if (i == 2)
+      {
+        std::swap(picture.Across, picture.Along);
+      }
+      this->Lines += wedge.Rows > 0 ? wedge.Lines : 0;
+      vtkSMPTools::For(0, wedge.Rows > 0 ? wedge.Bands : 0, 1,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          for (vtkIdType band = begin; band < end; ++band)
+          {
+            SweepShadowBand(i < 2 ? this->TurnedSettings : settings,
+              i < 2 ? this->Turned : this->Image, wedge, static_cast<int>(band),
+              i < 2 ? turned : grids, this->Ladder, picture, *this->ShadowBands[band]);
+          }
+        });
+    }
+    // The pixel in whose centre the light, or its opposite, is belongs to no wedge.
+    bool isCentred;
+    const std::ptrdiff_t pixel = FindCoverageLight(this->Wedges[2], this->Image, isCentred);
+    if (pixel >= 0 && isCentred)
+    {
+      const float height = grids.GetHeight(0.0, 0.0);
+      const double perDepth = std::abs(settings.Light[2]);
+      HideCoverageInterval(settings, this->Image, pixel,
+        settings.Light[2] > 0.0 ? static_cast<float>(std::max(height * perDepth, 0.0)) : 0.0f,
+        settings.Light[2] > 0.0 || height == vtkGodRaysShadowGrids::Nothing
+          ? CoverageSky
+          : static_cast<float>(std::max(-height * perDepth, 0.0)));
+    }
+  }
+
   CoverageSettings Settings = {};
   CoverageSettings TurnedSettings = {};
   CoverageImage Turned = {};
@@ -568,6 +642,10 @@ private:
   CoverageWedge Wedges[4]; // of the transpose, then of the picture; each up and down
   std::vector<CoverageLinesPointer> BandLines;
   std::vector<long long> BandOverflows;
+  ShadowLadder Ladder;
+  std::array<double, 6> LadderKey = {};
+  std::vector<ShadowLinesPointer> ShadowBands;
+  bool FromShadows = false;
   int Lines = 0;
 };
 
@@ -607,16 +685,20 @@ void vtkGodRaysCoverageSweep::SetResult(float* values)
 //------------------------------------------------------------------------------
 bool vtkGodRaysCoverageSweep::Execute(const Parameters& parameters, const Monitor& monitor)
 {
-  const int depths = std::max(1, 2 * parameters.Layers);
+  const int depths = parameters.Shadows ? 1 : std::max(1, 2 * parameters.Layers);
   const int planes = this->Internals->NumberOfPlanes;
-  return (planes == depths || planes == depths + 1) && Supports(parameters) &&
-    this->Internals->Execute(parameters, monitor);
+  const bool matches = planes == depths || (planes == depths + 1 && !parameters.Shadows);
+  return matches && Supports(parameters) && this->Internals->Execute(parameters, monitor);
 }
 
 //------------------------------------------------------------------------------
 bool vtkGodRaysCoverageSweep::Supports(const Parameters& parameters)
 {
   const vtkGodRaysMedium& medium = parameters.Medium;
+  if (parameters.Shadows)
+  {
+    return parameters.Light[3] == 0.0 && !parameters.Parallel && !medium.HasExponentialDensity();
+  }
   if (!medium.HasExponentialDensity())
   {
     return true;

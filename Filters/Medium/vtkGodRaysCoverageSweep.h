@@ -29,6 +29,8 @@
 #include <memory>     // For std::unique_ptr
 #include <string>     // For std::string
 
+struct vtkGodRaysShadowGrids;
+
 class VTKGODRAYSFILTERS_EXPORT vtkGodRaysCoverageSweep
 {
 public:
@@ -46,6 +48,7 @@ public:
    */
   struct Parameters
   {
+    const vtkGodRaysShadowGrids* Shadows = nullptr; // occluders; nullptr: those of the input
     double PixelSize = 0.0; // at depth 1, or of a parallel projection [scene units], above 0
     double Center[2] = { 0.0, 0.0 }; // of the view axis [pixels from the lower left corner]
     bool Parallel = false;           // projection
@@ -84,6 +87,9 @@ public:
    * first. One plane more holds where view rays end, which without it is the first plane: for things
    * that are seen but cast no shadow, or the other way round. The memory keeps its contents and its
    * place until the size or the number of planes changes.
+   *
+   * With Shadows there is one plane, where view rays end. The grids' depths are read while the sweep is
+   * executed.
    */
   Planes PrepareInput(int width, int height, int planes);
 
@@ -101,7 +107,8 @@ public:
 
   /**
    * Whether it can be computed: all but a directional light in a medium of exponential density over a
-   * planet, and a spotlight that fades from its axis, which is not vertical, in such a medium.
+   * planet, and a spotlight that fades from its axis, which is not vertical, in such a medium. With
+   * Shadows, a directional light in a homogeneous medium, in perspective.
    */
   static bool Supports(const Parameters& parameters);
 

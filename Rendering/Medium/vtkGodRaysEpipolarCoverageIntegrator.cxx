@@ -3,21 +3,17 @@
 #include "vtkGodRaysEpipolarCoverageIntegrator.h"
 
 #include "vtkGodRaysCompositor.h"
-#include "vtkGodRaysCoverageSweep.h"
 #include "vtkGodRaysLight.h"
 #include "vtkGodRaysMediumModel.h"
-#include "vtkGodRaysMediumRays.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysSetGet.h"
 #include "vtkGodRaysSolidLayers.h"
-#include "vtkGodRaysSum.h"
+#include "vtkGodRaysSweptLight.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysViewDepths.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
-
-#include <algorithm>
 
 vtkStandardNewMacro(vtkGodRaysEpipolarCoverageIntegrator);
 
@@ -26,8 +22,7 @@ vtkGodRaysSetFiniteMacro(vtkGodRaysEpipolarCoverageIntegrator, Thickness, 0.0, 1
 //------------------------------------------------------------------------------
 struct vtkGodRaysEpipolarCoverageIntegrator::Internals
 {
-  vtkGodRaysCoverageSweep Sweep;
-  vtkGodRaysTarget Rays[2]; // of one channel, and of three
+  vtkGodRaysSweptLight Swept;
   vtkNew<vtkGodRaysSolidLayers> Solid;
   bool ToldOfLayers = false; // that there are none on several processes
   unsigned int Frame = 0;    // whose depths the sweep has
@@ -55,7 +50,7 @@ bool vtkGodRaysEpipolarCoverageIntegrator::Internals::LoadDepths(const Request& 
   const int solid = layers > 0 ? 2 * layers : 1;
   const int planes = solid + (depths.HasEnds() ? 1 : 0);
   const auto input =
-    this->Sweep.PrepareInput(targets[0]->GetWidth(), targets[0]->GetHeight(), planes);
+    this->Swept.Sweep.PrepareInput(targets[0]->GetWidth(), targets[0]->GetHeight(), planes);
   const int stride = static_cast<int>(input.Stride);
   targets[0]->Read(GL_RED, GL_FLOAT, input.Values[0], stride);
   if (depths.HasEnds())
@@ -107,41 +102,17 @@ bool vtkGodRaysEpipolarCoverageIntegrator::Integrate(const Request& request)
   }
   vtkGodRaysTarget& depths = *request.Depths->GetOccluders();
   const int size[2] = { depths.GetWidth(), depths.GetHeight() };
-  const vtkGodRaysView& view = *request.View;
-  const vtkGodRaysLight& light = *request.Light;
-  const vtkGodRaysMediumRays rays(request, size);
-
-  vtkGodRaysCoverageSweep::Parameters parameters;
-  parameters.PixelSize = rays.GetPinhole().PixelSize;
-  std::copy_n(rays.GetPinhole().Center, 2, parameters.Center);
-  parameters.Parallel = view.Parallel;
-  std::copy_n(light.Position, 4, parameters.Light);
-  const bool grey = request.Medium->IsGrey(); // then one channel serves a light of any colour
-  for (int i = 0; i < 3; ++i)
-  {
-    parameters.LightColor[i] = light.Power * (grey ? 1.0 : light.Color[i]);
-  }
-  parameters.Medium = *request.Medium;
-  parameters.Spot = light.Spot;
+  auto parameters = vtkGodRaysSweptLight::GetParameters(request, size);
   parameters.Thickness = this->Thickness;
   parameters.Layers = layers;
   if (!vtkGodRaysCoverageSweep::Supports(parameters))
   {
-    this->TellThatNot(light.Name);
+    this->TellThatNot(request.Light->Name);
     return true;
   }
-  self.Sweep.Execute(parameters);
-  self.Plan = self.Sweep.Describe();
-
-  if (!request.Result->Settle()) // what is lent may be these rays, of another light
-  {
-    return false;
-  }
-  vtkGodRaysTarget& sum = self.Rays[grey ? 0 : 1];
-  sum.Prepare(request.Window, size[0], size[1],
-    { static_cast<unsigned int>(grey ? GL_R32F : GL_RGBA32F), 0 });
-  sum.Write(grey ? GL_RED : GL_RGB, GL_FLOAT, self.Sweep.GetResult());
-  return request.Result->Lend(sum, light.Color, view.ViewScale);
+  const bool done = self.Swept.Add(request, parameters, size);
+  self.Plan = self.Swept.Sweep.Describe();
+  return done;
 }
 
 //------------------------------------------------------------------------------
@@ -171,8 +142,7 @@ std::string vtkGodRaysEpipolarCoverageIntegrator::Describe(vtkGodRaysModel*)
 void vtkGodRaysEpipolarCoverageIntegrator::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Solid->ReleaseGraphicsResources(window);
-  this->Internal->Rays[0].Release(window);
-  this->Internal->Rays[1].Release(window);
+  this->Internal->Swept.Release(window);
 }
 
 //------------------------------------------------------------------------------

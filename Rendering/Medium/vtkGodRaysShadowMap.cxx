@@ -134,18 +134,29 @@ vtkGodRaysShadowMap::vtkGodRaysShadowMap() = default;
 vtkGodRaysShadowMap::~vtkGodRaysShadowMap() = default;
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysShadowMap::Draw(const vtkGodRaysMediumIntegrator::Request& request, int size)
+bool vtkGodRaysShadowMap::Draw(
+  const vtkGodRaysMediumIntegrator::Request& request, int size, bool nested)
 {
   this->Kept = false;
+  this->Nested = nested;
   this->Fit(request);
   if (this->NumberOfFaces == 0)
   {
     return true;
   }
-  const int columns = this->NumberOfFaces == 1 ? 1 : 3;
-  const int rows = this->NumberOfFaces == 1 ? 1 : 2;
-  this->Size = std::min(size, vtkTextureObject::GetMaximumTextureSize(request.Window) / columns);
+  const int columns = this->GetColumns();
+  const int rows = this->GetRows();
+  this->Size = std::min(
+    nested ? size / 2 : size, vtkTextureObject::GetMaximumTextureSize(request.Window) / columns);
   this->Texel /= this->Size;
+  for (vtkGodRaysShadowGrids::Grid& grid : this->Grids.Grids)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      grid.Size[k] = this->Size;
+      grid.Texel[k] /= this->Size;
+    }
+  }
   vtkGodRaysTarget& map = this->Maps[this->NumberOfFaces / 6];
   map.Prepare(
     request.Window, columns * this->Size, rows * this->Size, { 0, GL_DEPTH_COMPONENT32F });
@@ -157,6 +168,7 @@ bool vtkGodRaysShadowMap::Draw(const vtkGodRaysMediumIntegrator::Request& reques
     return true;
   }
   this->Drawn = State();
+  this->Depths.clear();
   if (!map.Bind())
   {
     return false;
@@ -207,7 +219,8 @@ void vtkGodRaysShadowMap::Render(
   state->vtkglClear(GL_DEPTH_BUFFER_BIT);
   for (int face = 0; face < this->NumberOfFaces; ++face)
   {
-    const int corner[2] = { face % 3 * this->Size, face / 3 * this->Size };
+    const int columns = this->GetColumns();
+    const int corner[2] = { face % columns * this->Size, face / columns * this->Size };
     state->vtkglViewport(corner[0], corner[1], this->Size, this->Size);
     state->vtkglScissor(corner[0], corner[1], this->Size, this->Size);
     const vtkGodRaysProjection projection(
@@ -311,6 +324,68 @@ void vtkGodRaysShadowMap::FitDirectional(
   this->Range[1] = -low[2] + around;
   this->Texel = std::max(high[0] - low[0], high[1] - low[1]);
   this->SetFace(0, axes, Eye, low, high);
+  for (int k = 0; k < 2; ++k)
+  {
+    std::copy_n(axes[k], 3, this->Grids.Axes[k]);
+    this->Grids.Grids[0].Low[k] = low[k];
+    this->Grids.Grids[0].Texel[k] = high[k] - low[k]; // of its one pixel as yet
+  }
+  this->Grids.Levels = 1;
+  this->Grids.HeightAtZero = -this->Range[0];
+  this->Grids.HeightAtOne = -this->Range[1];
+  if (this->Nested)
+  {
+    this->Nest(axes, low, high);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Finer faces, each of half of the one before about the axis through the eye. A face that the axis does
+// not go through ends where the coarsest one does.
+void vtkGodRaysShadowMap::Nest(const double axes[3][3], const double low[2], const double high[2])
+{
+  double share = 0.5;
+  for (int level = 1; level < vtkGodRaysShadowGrids::MaximumLevels; ++level, share *= 0.5)
+  {
+    vtkGodRaysShadowGrids::Grid& grid = this->Grids.Grids[level];
+    double ends[2][2];
+    for (int k = 0; k < 2; ++k)
+    {
+      ends[0][k] = low[k] < 0.0 ? share * low[k] : low[k];
+      ends[1][k] = high[k] > 0.0 ? share * high[k] : high[k];
+      if (!(ends[0][k] < ends[1][k]))
+      {
+        return;
+      }
+      grid.Low[k] = ends[0][k];
+      grid.Texel[k] = ends[1][k] - ends[0][k];
+    }
+    this->SetFace(level, axes, Eye, ends[0], ends[1]);
+    this->NumberOfFaces = this->Grids.Levels = level + 1;
+  }
+}
+
+//------------------------------------------------------------------------------
+const vtkGodRaysShadowGrids& vtkGodRaysShadowMap::GetGrids()
+{
+  if (this->NumberOfFaces == 0)
+  {
+    this->Grids.Levels = 0;
+    return this->Grids;
+  }
+  if (this->Depths.empty())
+  {
+    this->Depths = this->Maps[0].ReadDepth();
+  }
+  const std::ptrdiff_t columns = this->GetColumns();
+  for (int level = 0; level < this->Grids.Levels; ++level)
+  {
+    vtkGodRaysShadowGrids::Grid& grid = this->Grids.Grids[level];
+    grid.Stride = columns * this->Size;
+    grid.Depths =
+      this->Depths.data() + (level / columns * grid.Stride + level % columns) * this->Size;
+  }
+  return this->Grids;
 }
 
 //------------------------------------------------------------------------------
@@ -426,6 +501,7 @@ void vtkGodRaysShadowMap::Set(vtkShaderProgram* program) const
 void vtkGodRaysShadowMap::Release(vtkWindow* window)
 {
   this->Drawn = State();
+  this->Depths.clear();
   this->Maps[0].Release(window);
   this->Maps[1].Release(window);
 }

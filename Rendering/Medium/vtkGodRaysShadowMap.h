@@ -5,7 +5,8 @@
  * @brief   depths of the occluders, as a light sees them; private to this module
  *
  * One face, fitted to the occluders, for a light that is infinitely far or sees all of it within 60
- * degrees of one direction; else the six faces of a cube about the light, side by side in one texture.
+ * degrees of one direction; else the six faces of a cube about the light, side by side in one texture. A
+ * light that is infinitely far may have four nested faces instead, each half as wide as the one before.
  * What was drawn for the last light serves again while view, light, faces and occluders are the same. Of
  * plain actors VTK tells that; with any other prop, and on several processes, it is drawn anew.
  */
@@ -14,6 +15,7 @@
 #define vtkGodRaysShadowMap_h
 
 #include "vtkGodRaysMediumIntegrator.h" // For Request
+#include "vtkGodRaysShadowGrids.h"
 #include "vtkGodRaysTarget.h"
 
 #include <vector> // For std::vector
@@ -29,9 +31,16 @@ public:
 
   /**
    * Render the props that block into faces of so many pixels on each side, or as many as the driver
-   * takes. All processes of a compositor call it. Returns false when the driver refuses.
+   * takes. Nested, the faces of a light that is infinitely far are four of half as many, about the axis
+   * through the eye. All processes of a compositor call it. Returns false when the driver refuses.
    */
-  bool Draw(const vtkGodRaysMediumIntegrator::Request& request, int size);
+  bool Draw(const vtkGodRaysMediumIntegrator::Request& request, int size, bool nested = false);
+
+  /**
+   * The faces of a light that is infinitely far as numbers, read back where they were drawn anew. They
+   * are valid until the next Draw().
+   */
+  const vtkGodRaysShadowGrids& GetGrids();
 
   /**
    * How many faces there are; 0 if nothing blocks.
@@ -67,11 +76,18 @@ private:
   void FitDirectional(
     const vtkGodRaysMediumIntegrator::Request& request, const double corners[8][3]);
   void FitPoint(const vtkGodRaysMediumIntegrator::Request& request, const double corners[8][3]);
+  void Nest(const double axes[3][3], const double low[2], const double high[2]);
   void SetFace(int face, const double axes[3][3], const double origin[3], const double low[2],
     const double high[2]);
 
-  vtkGodRaysTarget Maps[2]; // of one face, and of six
-  State Drawn;              // what is in the map
+  int GetColumns() const { return this->NumberOfFaces == 1 ? 1 : this->NumberOfFaces == 6 ? 3 : 2; }
+  int GetRows() const { return this->NumberOfFaces == 1 ? 1 : 2; }
+
+  vtkGodRaysTarget Maps[2]; // of one face or nested ones, and of six
+  bool Nested = false;
+  vtkGodRaysShadowGrids Grids;
+  std::vector<float> Depths; // that the grids have; empty: not read yet
+  State Drawn;               // what is in the map
   bool Kept = false;
   vtkSmartPointer<vtkCamera> Camera;
   int Size = 0; // of a face [pixels]

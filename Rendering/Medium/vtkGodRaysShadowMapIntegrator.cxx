@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysShadowMapIntegrator.h"
 
+#include "vtkGodRaysLight.h"
+#include "vtkGodRaysMedium.h"
 #include "vtkGodRaysMediumModel.h"
 #include "vtkGodRaysMediumRays.h"
 #include "vtkGodRaysOpenGL.h"
@@ -10,7 +12,9 @@
 #include "vtkGodRaysShadowMapFS.h"
 #include "vtkGodRaysShadowMapFilterFS.h"
 #include "vtkGodRaysSum.h"
+#include "vtkGodRaysSweptLight.h"
 #include "vtkGodRaysTarget.h"
+#include "vtkGodRaysView.h"
 #include "vtkGodRaysViewDepths.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -31,6 +35,9 @@ struct vtkGodRaysShadowMapIntegrator::Internals
   vtkGodRaysShadowMap Map;
   vtkGodRaysTarget Lit[2];      // the part that is lit, of one channel, and of three, and the depth
   vtkGodRaysTarget RowMeans[2]; // its means of rows, alike
+  vtkGodRaysSweptLight Swept;
+  bool IsSwept = false;   // the last light
+  unsigned int Frame = 0; // whose ends of view rays the sweep has
 
   bool Bind(vtkGodRaysTarget& target, const Request& request, bool grey);
   vtkShaderProgram* Begin(
@@ -94,9 +101,14 @@ bool vtkGodRaysShadowMapIntegrator::Integrate(const Request& request)
 {
   Internals& self = *this->Internal;
   vtkGodRaysTarget* const ends = request.Depths->GetEnds();
-  if (!ends || !self.Map.Draw(request, this->MapSize))
+  self.IsSwept = this->Sweeps(request);
+  if (!ends || !self.Map.Draw(request, this->MapSize, self.IsSwept))
   {
     return false;
+  }
+  if (self.IsSwept)
+  {
+    return this->Sweep(request);
   }
   const int size[2] = { ends->GetWidth(), ends->GetHeight() };
   const vtkGodRaysMediumRays rays(request, size);
@@ -129,9 +141,33 @@ bool vtkGodRaysShadowMapIntegrator::Integrate(const Request& request)
 }
 
 //------------------------------------------------------------------------------
+bool vtkGodRaysShadowMapIntegrator::Sweeps(const Request& request) const
+{
+  return this->SweepMap && request.Light->IsInfinite() && !request.View->Parallel &&
+    !request.Medium->HasExponentialDensity();
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysShadowMapIntegrator::Sweep(const Request& request)
+{
+  Internals& self = *this->Internal;
+  vtkGodRaysTarget& ends = *request.Depths->GetEnds();
+  const int size[2] = { ends.GetWidth(), ends.GetHeight() };
+  auto parameters = vtkGodRaysSweptLight::GetParameters(request, size);
+  parameters.Shadows = &self.Map.GetGrids();
+  if (self.Frame != request.Depths->GetFrame())
+  {
+    const auto input = self.Swept.Sweep.PrepareInput(size[0], size[1], 1);
+    ends.Read(GL_RED, GL_FLOAT, input.Values[0], static_cast<int>(input.Stride));
+    self.Frame = request.Depths->GetFrame();
+  }
+  return self.Swept.Add(request, parameters, size);
+}
+
+//------------------------------------------------------------------------------
 bool vtkGodRaysShadowMapIntegrator::Contribute(const Request& request)
 {
-  return this->Internal->Map.Draw(request, this->MapSize);
+  return this->Internal->Map.Draw(request, this->MapSize, this->Sweeps(request));
 }
 
 //------------------------------------------------------------------------------
@@ -141,7 +177,15 @@ std::string vtkGodRaysShadowMapIntegrator::Describe(vtkGodRaysModel*)
   const vtkGodRaysShadowMap& map = this->Internal->Map;
   text << "shadow map: " << map.GetNumberOfFaces() << " of " << map.GetSize() << " x "
        << map.GetSize() << " pixels for the last light"
-       << (map.WasKept() ? ", kept, " : ", drawn, ") << this->NumberOfSteps << " steps a pixel";
+       << (map.WasKept() ? ", kept, " : ", drawn, ");
+  if (this->Internal->IsSwept)
+  {
+    text << "swept on the processor: " << this->Internal->Swept.Sweep.Describe();
+  }
+  else
+  {
+    text << this->NumberOfSteps << " steps a pixel";
+  }
   return text.str();
 }
 
@@ -152,6 +196,7 @@ void vtkGodRaysShadowMapIntegrator::ReleaseGraphicsResources(vtkWindow* window)
   self.March.Release();
   self.Filter.Release();
   self.Map.Release(window);
+  self.Swept.Release(window);
   for (int i = 0; i < 2; ++i)
   {
     self.Lit[i].Release(window);
@@ -165,4 +210,5 @@ void vtkGodRaysShadowMapIntegrator::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MapSize: " << this->MapSize << "\n";
   os << indent << "NumberOfSteps: " << this->NumberOfSteps << "\n";
+  os << indent << "SweepMap: " << (this->SweepMap ? "On\n" : "Off\n");
 }

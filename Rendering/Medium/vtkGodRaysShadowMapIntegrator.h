@@ -57,6 +57,20 @@ public:
   vtkGetMacro(NumberOfSteps, int);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get whether a directional light in a homogeneous medium, seen in perspective, is summed on the
+   * processor in place of steps. In each plane through the eye and the light a sweep adds what comes from
+   * every pixel of the map, at a cost that does not depend on their number along a ray; there is neither
+   * noise nor a mean of pixels, and a shadow starts at what casts it. The map is then four nested ones of
+   * half of MapSize, each half as wide as the one before, about the axis through the eye. Other lights,
+   * media and projections take NumberOfSteps as ever. Default is off.
+   */
+  vtkSetMacro(SweepMap, bool);
+  vtkGetMacro(SweepMap, bool);
+  vtkBooleanMacro(SweepMap, bool);
+  ///@}
+
   VTK_WRAPEXCLUDE bool Integrate(const Request& request) override;
   VTK_WRAPEXCLUDE bool Contribute(const Request& request) override;
   std::string Describe(vtkGodRaysModel* model) override;
@@ -70,11 +84,15 @@ private:
   vtkGodRaysShadowMapIntegrator(const vtkGodRaysShadowMapIntegrator&) = delete;
   void operator=(const vtkGodRaysShadowMapIntegrator&) = delete;
 
+  bool Sweeps(const Request& request) const;
+  bool Sweep(const Request& request);
+
   struct Internals;
   std::unique_ptr<Internals> Internal;
 
   int MapSize = 1024;
   int NumberOfSteps = 16;
+  bool SweepMap = false;
 };
 
 #endif

@@ -96,6 +96,9 @@ std::vector<ModelMethod> MakeModelMethods()
     shadows->SetNumberOfSteps(steps);
     add(("shadow map, " + std::to_string(steps) + " steps").c_str(), "shadow map", shadows);
   }
+  auto sweep = vtkSmartPointer<vtkGodRaysShadowMapIntegrator>::New();
+  sweep->SweepMapOn();
+  add("shadow map, swept", "shadow map, swept", sweep);
   return methods;
 }
 

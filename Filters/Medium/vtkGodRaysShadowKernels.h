@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file    vtkGodRaysShadowKernels.h
+ * @brief   what a shadow map hides of each view ray, swept along lines through the light
+ *
+ * Private. For a directional light in a homogeneous medium and view rays through the eye.
+ *
+ * A line of the picture through the light is a plane through eye and light. In it a point is (h, t), h
+ * along the direction e to the light and t its distance from the axis along e through the eye. The view
+ * ray of row k is D(k), P = D.e, Q = D.v, v being the direction of t: its points have h = t P/Q. The map
+ * tells of each column t the height h(t) below which all is dark; so the ray is dark there if
+ * t P(k) <= h Q(k). P and Q are affine in k, and rows are counted in the direction in which light flows:
+ * each column turns dark in one row at most and stays dark, the row where its occluder is seen.
+ *
+ * A pixel's hidden light is then a sum over dark columns before the end of its ray,
+ *
+ *     hidden = sum e^(-x b_j) - e^(-x b_(j+1)),     x = sigma |D|/Q [1/column]
+ *
+ * with the columns' edges b_j. x is one number for a row. The terms stand in a table for a ladder of x,
+ * whose neighbours differ by ShadowLadder::Ratio; sums of the terms of dark columns are kept at the two
+ * steps of the ladder about the row's, and read between them, linearly in the logarithm of x. Columns are
+ * one of the map's texels wide, and finer next to the axis, where view rays are short in columns.
+ *
+ * Hidden light is in parts of an infinite ray's, as vtkGodRaysCoverageKernels has it.
+ */
+
+#ifndef vtkGodRaysShadowKernels_h
+#define vtkGodRaysShadowKernels_h
+
+#include "vtkGodRaysCoverageKernels.h" // For CoverageSettings and CoverageWedge
+#include "vtkGodRaysShadowGrids.h"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace vtkGodRays
+{
+/// The columns of all lines, and what comes from each at the steps of the ladder.
+struct ShadowLadder
+{
+  static constexpr double Ratio = 1.15; // interpolation: less than 8e-4 of an infinite ray
+  static constexpr int Octaves = 3;     // of finer columns
+  static constexpr int Mantissa = 6;    // 2^Mantissa columns in each
+  static constexpr int Each = 1 << Mantissa;
+  static constexpr int FirstWhole =
+    Each * (1 + Octaves); // the first column of width 1; it begins at Each
+
+  int Columns = 0; // room for them, padded
+  int Steps = 0;
+  double First = 0.0;         // x of the first step
+  std::vector<float> Weights; // of steps, of columns
+  std::vector<float> Middles; // of columns, in widths of whole ones
+};
+
+/// Where a column begins [widths of whole columns from the axis].
+double GetShadowColumn(int column);
+
+/// For extinctions [1/scene unit] from low to high.
+void MakeShadowLadder(
+  const vtkGodRaysShadowGrids& grids, double low, double high, ShadowLadder& ladder);
+
+/// A picture or its transpose: pixel (x, row) is at x Across + row Along of each plane.
+struct ShadowPicture
+{
+  const float* Ends; // of view rays
+  float* Hidden[3];  // result, by colours; 0 before
+  std::ptrdiff_t Across;
+  std::ptrdiff_t Along;
+};
+
+/// What a band of lines needs while it is swept, for the next sweep to use again.
+class ShadowLines;
+struct DeleteShadowLines
+{
+  void operator()(ShadowLines* lines) const;
+};
+using ShadowLinesPointer = std::unique_ptr<ShadowLines, DeleteShadowLines>;
+ShadowLinesPointer MakeShadowLines();
+
+/// Sweep a band and write the pixels that lie in it. The axes of the grids are those of the picture: for
+/// its transpose x and y change places.
+void SweepShadowBand(const CoverageSettings& settings, const CoverageImage& image,
+  const CoverageWedge& wedge, int band, const vtkGodRaysShadowGrids& grids,
+  const ShadowLadder& ladder, const ShadowPicture& picture, ShadowLines& lines);
+}
+
+#endif

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysSweptLight.h"
+
+#include "vtkGodRaysLight.h"
+#include "vtkGodRaysMediumRays.h"
+#include "vtkGodRaysOpenGL.h"
+#include "vtkGodRaysSum.h"
+#include "vtkOpenGLRenderWindow.h"
+
+#include <algorithm>
+
+//------------------------------------------------------------------------------
+vtkGodRaysCoverageSweep::Parameters vtkGodRaysSweptLight::GetParameters(
+  const vtkGodRaysMediumIntegrator::Request& request, const int size[2])
+{
+  const vtkGodRaysLight& light = *request.Light;
+  const vtkGodRaysMediumRays rays(request, size);
+  vtkGodRaysCoverageSweep::Parameters parameters;
+  parameters.PixelSize = rays.GetPinhole().PixelSize;
+  std::copy_n(rays.GetPinhole().Center, 2, parameters.Center);
+  parameters.Parallel = request.View->Parallel;
+  std::copy_n(light.Position, 4, parameters.Light);
+  const bool grey = request.Medium->IsGrey(); // then one channel serves a light of any colour
+  for (int i = 0; i < 3; ++i)
+  {
+    parameters.LightColor[i] = light.Power * (grey ? 1.0 : light.Color[i]);
+  }
+  parameters.Medium = *request.Medium;
+  parameters.Spot = light.Spot;
+  return parameters;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSweptLight::Add(const vtkGodRaysMediumIntegrator::Request& request,
+  const vtkGodRaysCoverageSweep::Parameters& parameters, const int size[2])
+{
+  this->Sweep.Execute(parameters);
+  if (!request.Result->Settle()) // what is lent may be these rays, of another light
+  {
+    return false;
+  }
+  const bool grey = request.Medium->IsGrey();
+  vtkGodRaysTarget& sum = this->Rays[grey ? 0 : 1];
+  sum.Prepare(request.Window, size[0], size[1],
+    { static_cast<unsigned int>(grey ? GL_R32F : GL_RGBA32F), 0 });
+  sum.Write(grey ? GL_RED : GL_RGB, GL_FLOAT, this->Sweep.GetResult());
+  return request.Result->Lend(sum, request.Light->Color, request.View->ViewScale);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSweptLight::Release(vtkWindow* window)
+{
+  this->Rays[0].Release(window);
+  this->Rays[1].Release(window);
+}

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysSweptLight
+ * @brief   a light's rays as vtkGodRaysCoverageSweep computes them, and their way into the sum; private to
+ * this module
+ */
+
+#ifndef vtkGodRaysSweptLight_h
+#define vtkGodRaysSweptLight_h
+
+#include "vtkGodRaysCoverageSweep.h"
+#include "vtkGodRaysMediumIntegrator.h" // For Request
+#include "vtkGodRaysTarget.h"
+
+class vtkWindow;
+
+class vtkGodRaysSweptLight
+{
+public:
+  vtkGodRaysCoverageSweep Sweep;
+
+  /**
+   * What the sweep is to compute for a layer of this size [pixels] that a pinhole can see.
+   */
+  static vtkGodRaysCoverageSweep::Parameters GetParameters(
+    const vtkGodRaysMediumIntegrator::Request& request, const int size[2]);
+
+  /**
+   * Compute it, and add it to the request's result. Returns false, after an error, if that failed.
+   */
+  bool Add(const vtkGodRaysMediumIntegrator::Request& request,
+    const vtkGodRaysCoverageSweep::Parameters& parameters, const int size[2]);
+
+  void Release(vtkWindow* window);
+
+private:
+  vtkGodRaysTarget Rays[2]; // of one channel, and of three
+};
+
+#endif

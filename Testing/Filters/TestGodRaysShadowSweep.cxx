@@ -1,0 +1,340 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The sweep over a shadow map, against looking every point of every view ray up in the same map.
+
+#include "GodRaysFiltersTesting.h"
+#include "vtkGodRaysCoverageSweep.h"
+#include "vtkGodRaysMediumFilter.h"
+#include "vtkGodRaysShadowGrids.h"
+
+#include "vtkMath.h"
+#include "vtkSMPTools.h"
+
+#include <random>
+
+using namespace GodRaysFiltersTesting;
+
+namespace
+{
+using Sweep = vtkGodRaysCoverageSweep;
+
+struct Direction
+{
+  const char* Name;
+  double Light[3];
+};
+const Direction Directions[] = { { "front", { 0.15, 0.22, 1.0 } }, { "edge", { 0.94, 0.22, 1.0 } },
+  { "aside", { 1.0, 0.4, 0.0 } }, { "off", { 1.6, 0.7, 1.0 } }, { "behind", { 0.2, 0.3, -1.0 } },
+  { "above", { 0.0, 1.0, 0.0 } }, { "nearly aside", { -1.0, 0.3, 1e-7 } } };
+
+Sweep::Parameters MakeParameters(int width, int height, const double light[3])
+{
+  Sweep::Parameters parameters;
+  parameters.PixelSize = 2.0 / height * std::tan(vtkMath::RadiansFromDegrees(30.0));
+  parameters.Center[0] = 0.5 * width;
+  parameters.Center[1] = 0.5 * height;
+  std::copy_n(light, 3, parameters.Light);
+  vtkMath::Normalize(parameters.Light);
+  parameters.Medium.FarLimit = 20.0;
+  vtkGodRaysMedium::Component& component = parameters.Medium.Components[0];
+  std::fill_n(component.Scattering, 3, 0.1);
+  component.PhaseFunction = vtkGodRaysMediumFilter::HENYEY_GREENSTEIN;
+  component.Asymmetry = 0.6;
+  return parameters;
+}
+
+// Balls and gaps among them, around the view rays and outside of the picture.
+class Map
+{
+public:
+  Map(const double light[3], int size, int levels)
+  {
+    std::copy_n(light, 3, this->Light);
+    vtkMath::Normalize(this->Light);
+    vtkMath::Perpendiculars(this->Light, this->Grids.Axes[0], this->Grids.Axes[1], 0.3);
+    this->Grids.HeightAtZero = 40.0;
+    this->Grids.HeightAtOne = -40.0;
+    this->Grids.Levels = levels;
+    std::mt19937 generator(5);
+    const auto uniform = [&](double low, double high)
+    { return low + (high - low) * (generator() / 4294967296.0); };
+    for (int i = 0; i < 60; ++i)
+    {
+      this->Balls.push_back(
+        { uniform(-8.0, 8.0), uniform(-6.0, 6.0), uniform(3.0, 16.0), uniform(0.1, 0.8) });
+    }
+    for (int level = 0; level < levels; ++level)
+    {
+      vtkGodRaysShadowGrids::Grid& grid = this->Grids.Grids[level];
+      const double half = std::ldexp(14.0, -level);
+      for (int k = 0; k < 2; ++k)
+      {
+        grid.Size[k] = size;
+        grid.Low[k] = -half;
+        grid.Texel[k] = 2.0 * half / size;
+      }
+      grid.Stride = size;
+      this->Depths[level].resize(static_cast<std::size_t>(size) * size);
+      grid.Depths = this->Depths[level].data();
+      for (int j = 0; j < size; ++j)
+      {
+        for (int i = 0; i < size; ++i)
+        {
+          this->Depths[level][j * static_cast<std::size_t>(size) + i] =
+            static_cast<float>(this->Look(
+              grid.Low[0] + (i + 0.5) * grid.Texel[0], grid.Low[1] + (j + 0.5) * grid.Texel[1]));
+        }
+      }
+    }
+  }
+
+  vtkGodRaysShadowGrids Grids;
+  double Light[3];
+
+  bool IsLit(const double place[3]) const
+  {
+    return vtkMath::Dot(place, this->Light) >
+      this->Grids.GetHeight(
+        vtkMath::Dot(place, this->Grids.Axes[0]), vtkMath::Dot(place, this->Grids.Axes[1]));
+  }
+
+private:
+  struct Ball
+  {
+    double X, Y, Z, Radius;
+  };
+
+  double Look(double a, double b) const
+  {
+    double height = -40.0;
+    for (const Ball& ball : this->Balls)
+    {
+      const double center[3] = { ball.X, ball.Y, ball.Z };
+      const double square = ball.Radius * ball.Radius -
+        std::pow(a - vtkMath::Dot(center, this->Grids.Axes[0]), 2) -
+        std::pow(b - vtkMath::Dot(center, this->Grids.Axes[1]), 2);
+      if (square > 0.0)
+      {
+        height = std::max(height, vtkMath::Dot(center, this->Light) + std::sqrt(square));
+      }
+    }
+    return (40.0 - height) / 80.0;
+  }
+
+  std::vector<Ball> Balls;
+  std::vector<float> Depths[vtkGodRaysShadowGrids::MaximumLevels];
+};
+
+// Ends of view rays: some near, some at nothing.
+Picture MakeEnds(int width, int height)
+{
+  return MakePicture(width, height,
+    [&](int x, int y)
+    { return (x / 16 + y / 12) % 3 == 0 ? Sweep::Sky : 4.0 + 0.05 * x + 0.02 * y; });
+}
+
+Picture Execute(Sweep& sweep, const Sweep::Parameters& parameters, const Picture& ends)
+{
+  const Sweep::Planes planes = sweep.PrepareInput(ends.Width, ends.Height, 1);
+  for (int y = 0; y < ends.Height; ++y)
+  {
+    for (int x = 0; x < ends.Width; ++x)
+    {
+      planes.Values[0][y * planes.Stride + x] = static_cast<float>(ends.Get(x, y));
+    }
+  }
+  EXPECT_TRUE(sweep.Execute(parameters));
+  Picture picture(ends.Width, ends.Height, sweep.GetNumberOfComponents());
+  std::copy_n(sweep.GetResult(), picture.Values.size(), picture.Values.begin());
+  EXPECT_LE(picture.GetMaximum(), sweep.GetBound());
+  for (const double value : picture.Values)
+  {
+    EXPECT_TRUE(std::isfinite(value) && value >= 0.0);
+  }
+  return picture;
+}
+
+// The sum over so many steps of each ray, of the picture that is all lit.
+Picture March(const Sweep::Parameters& parameters, const Picture& ends, const Picture& lit,
+  const Map& map, int steps)
+{
+  Picture picture(lit.Width, lit.Height, lit.Components);
+  for (int y = 0; y < lit.Height; ++y)
+  {
+    for (int x = 0; x < lit.Width; ++x)
+    {
+      const double ray[3] = { (x + 0.5 - parameters.Center[0]) * parameters.PixelSize,
+        (y + 0.5 - parameters.Center[1]) * parameters.PixelSize, 1.0 };
+      const double length = vtkMath::Norm(ray);
+      const double end = std::min(ends.Get(x, y), parameters.Medium.FarLimit);
+      double sums[3] = {};
+      double wholes[3] = {};
+      for (int i = 0; i < steps; ++i)
+      {
+        const double z = (i + 0.5) / steps * end;
+        const double place[3] = { ray[0] * z, ray[1] * z, z };
+        const bool isLit = map.IsLit(place);
+        for (int c = 0; c < lit.Components; ++c)
+        {
+          const auto& component = parameters.Medium.Components[0];
+          const double weight =
+            std::exp(-(component.Scattering[c] + component.Absorption[c]) * z * length);
+          wholes[c] += weight;
+          sums[c] += isLit ? weight : 0.0;
+        }
+      }
+      for (int c = 0; c < lit.Components; ++c)
+      {
+        picture.At(x, y, c) = lit.Get(x, y, c) * sums[c] / wholes[c];
+      }
+    }
+  }
+  return picture;
+}
+
+double GetRms(const Picture& a, const Picture& b)
+{
+  double squares = 0.0;
+  for (std::size_t i = 0; i < a.Values.size(); ++i)
+  {
+    squares += std::pow(a.Values[i] - b.Values[i], 2);
+  }
+  return std::sqrt(squares / a.Values.size()) / b.GetMaximum();
+}
+
+// Sweeps a map, and compares with the march through it.
+void Check(const Direction& direction, int levels, const double scattering[3])
+{
+  const int width = 160;
+  const int height = 90;
+  const Picture ends = MakeEnds(width, height);
+  const Map map(direction.Light, levels == 1 ? 512 : 256, levels);
+  Sweep::Parameters parameters = MakeParameters(width, height, direction.Light);
+  std::copy_n(scattering, 3, parameters.Medium.Components[0].Scattering);
+  const vtkGodRaysShadowGrids nothing;
+  parameters.Shadows = &nothing;
+  Sweep sweep;
+  const Picture lit = Execute(sweep, parameters, ends);
+  parameters.Shadows = &map.Grids;
+  const Picture swept = Execute(sweep, parameters, ends);
+  const Picture truth = March(parameters, ends, lit, map, 600);
+  const double rms = GetRms(swept, truth);
+  const double shadows = GetRms(lit, truth);
+  std::cout << levels << " level(s), " << direction.Name << ", " << scattering[0] << ": " << rms
+            << ", without shadows " << shadows << "\n";
+  EXPECT_LE(rms, 0.004) << direction.Name;
+  EXPECT_GT(shadows, 3.0 * rms) << direction.Name;
+}
+}
+
+//------------------------------------------------------------------------------
+// What is left are lines that are 2 pixels apart, and the march's steps.
+TEST(ShadowSweep, IsTheMapLookedUpEverywhere)
+{
+  for (const Direction& direction : Directions)
+  {
+    for (const double scattering : { 0.02, 0.1, 0.3 })
+    {
+      const double grey[3] = { scattering, scattering, scattering };
+      Check(direction, 1, grey);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(ShadowSweep, NestedMapsAndThreeColours)
+{
+  for (const Direction& direction : Directions)
+  {
+    const double colors[3] = { 0.02, 0.1, 0.3 };
+    Check(direction, 4, colors);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Any size of picture, the light in a pixel's centre, along an axis, or nearly in the picture's plane.
+TEST(ShadowSweep, IsFiniteInDegenerateCases)
+{
+  const int sizes[][2] = { { 1, 1 }, { 3, 90 }, { 90, 2 }, { 81, 45 } };
+  const double lights[][3] = { { 0, 0, 1 }, { 0, 0, -1 }, { 1, 0, 0 }, { 0, -1, 0 },
+    { 1, 1, 1e-12 }, { -1, 0.5, -1e-12 }, { 0.01, 0, 1 } };
+  for (const auto& size : sizes)
+  {
+    const Picture ends = MakeEnds(size[0], size[1]);
+    for (const auto& light : lights)
+    {
+      const Map map(light, 64, 4);
+      Sweep::Parameters parameters = MakeParameters(size[0], size[1], light);
+      parameters.Shadows = &map.Grids;
+      for (const double scattering : { 1e-9, 0.1, 1e4 })
+      {
+        std::fill_n(parameters.Medium.Components[0].Scattering, 3, scattering);
+        Sweep sweep;
+        Execute(sweep, parameters, ends); // expects finite values
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The pixel in whose centre the light is: all before the occluder's end is dark.
+TEST(ShadowSweep, ThePixelOfTheLight)
+{
+  const double light[3] = { 0.0, 0.0, 1.0 };
+  const Map map(light, 128, 1);
+  Sweep::Parameters parameters = MakeParameters(21, 11, light);
+  const Picture ends = MakePicture(21, 11, [](int, int) { return Sweep::Sky + 0.0; });
+  const vtkGodRaysShadowGrids nothing;
+  parameters.Shadows = &nothing;
+  Sweep sweep;
+  const double lit = Execute(sweep, parameters, ends).Get(10, 5);
+  parameters.Shadows = &map.Grids;
+  const double end = std::max(0.0f, map.Grids.GetHeight(0.0, 0.0));
+  const double far = parameters.Medium.FarLimit;
+  const double share = (std::exp(-0.1 * end) - std::exp(-0.1 * far)) / (1.0 - std::exp(-0.1 * far));
+  EXPECT_GT(end, 0.0);
+  EXPECT_NEAR(Execute(sweep, parameters, ends).Get(10, 5), lit * share, 1e-3 * lit);
+}
+
+//------------------------------------------------------------------------------
+TEST(ShadowSweep, SaysWhatItLacks)
+{
+  const double light[3] = { 0.0, 0.0, 1.0 };
+  const vtkGodRaysShadowGrids nothing;
+  Sweep::Parameters parameters = MakeParameters(4, 4, light);
+  parameters.Shadows = &nothing;
+  EXPECT_TRUE(Sweep::Supports(parameters));
+  parameters.Parallel = true;
+  EXPECT_FALSE(Sweep::Supports(parameters));
+  parameters.Parallel = false;
+  parameters.Light[3] = 1.0;
+  EXPECT_FALSE(Sweep::Supports(parameters));
+  parameters.Light[3] = 0.0;
+  parameters.Medium.Components[0].ScaleHeight = 1.0;
+  EXPECT_FALSE(Sweep::Supports(parameters));
+  Sweep sweep;
+  sweep.PrepareInput(4, 4, 1);
+  EXPECT_FALSE(sweep.Execute(parameters));
+}
+
+//------------------------------------------------------------------------------
+TEST(ShadowSweep, SteadyExecutionAllocatesNothing)
+{
+  const Picture ends = MakeEnds(120, 80);
+  const Map map(Directions[0].Light, 128, 4);
+  Sweep::Parameters parameters = MakeParameters(120, 80, Directions[0].Light);
+  parameters.Shadows = &map.Grids;
+  Picture several;
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1, "Sequential", false },
+    [&]()
+    {
+      Sweep sweep;
+      const Picture first = Execute(sweep, parameters, ends);
+      EXPECT_EQ(CountAllocations([&]() { sweep.Execute(parameters); }), 0);
+      EXPECT_EQ(GetLargestDifference(Execute(sweep, parameters, ends), first), 0.0);
+      several = first;
+    });
+  Sweep sweep;
+  EXPECT_EQ(GetLargestDifference(Execute(sweep, parameters, ends), several), 0.0);
+}

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Shadow maps that are swept on the processor, against the ground truth, and against steps.
+
+#include "GodRaysMediumTesting.h"
+
+#include "vtkGodRaysShadowMapIntegrator.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+
+using namespace GodRaysTesting;
+
+namespace
+{
+class GodRaysShadowMapSweep : public MediumTest
+{
+protected:
+  vtkNew<vtkGodRaysShadowMapIntegrator> Integrator;
+
+  GodRaysShadowMapSweep()
+  {
+    this->Integrator->SweepMapOn();
+    this->Rays->SetIntegrator(this->Integrator);
+  }
+
+  bool IsSwept() { return Says(this->Rays->GetPlan(), "swept on the processor"); }
+};
+}
+
+TEST_F(GodRaysShadowMapSweep, IsTheClosedFormWithoutShadows)
+{
+  EXPECT_LT(this->GetError({ 0.3, 0.2, -1.0, 0.0 }), 1e-4);
+  // a thing that casts no shadow into the picture
+  this->Renderer->AddActor(MakeBox({ 0.0, 0.0, -25.0 }, { 200.0, 200.0, 0.1 }));
+  EXPECT_LT(this->GetError({ 0.0, 0.2, 1.0, 0.0 }), 1e-4);
+  EXPECT_TRUE(this->IsSwept()) << this->Rays->GetPlan();
+}
+
+TEST_F(GodRaysShadowMapSweep, IsTheGroundTruthWithOccluders)
+{
+  this->AddPillars();
+  this->CheckErrors({
+    { "front", { 0.15, 0.1, -1.0, 0.0 }, 0.0073 },
+    { "edge", { 0.5, 0.2, -1.0, 0.0 }, 0.0014 },
+    { "beside", { 1.0, 0.3, -0.1, 0.0 }, 0.0003 },
+    { "behind", { 0.3, 0.4, 1.0, 0.0 }, 0.0021 },
+  });
+  EXPECT_TRUE(this->IsSwept()) << this->Rays->GetPlan();
+}
+
+TEST_F(GodRaysShadowMapSweep, IsTheGroundTruthInThreeColours)
+{
+  this->AddPillars();
+  this->Model->SetScatteringCoefficient(0.02, 0.05, 0.1);
+  this->Model->SetAbsorptionCoefficient(0.0, 0.02, 0.3);
+  this->CheckErrors({ { "front", { 0.15, 0.1, -1.0, 0.0 }, 0.0056 } });
+  EXPECT_TRUE(this->IsSwept()) << this->Rays->GetPlan();
+}
+
+// The control: so coarse a map must fail, and steps are off by more.
+TEST_F(GodRaysShadowMapSweep, IsAsGoodAsTheMap)
+{
+  this->AddPillars();
+  const std::array<double, 4> light{ 0.3, 0.4, 1.0, 0.0 };
+  const double swept = this->GetError(light);
+  this->Integrator->SetMapSize(64);
+  const double coarse = this->GetError(light);
+  this->Integrator->SetMapSize(1024);
+  this->Integrator->SweepMapOff();
+  const double steps = this->GetError(light);
+  std::cout << "swept " << swept << ", in a map of 64 pixels " << coarse << ", 16 steps " << steps
+            << "\n";
+  EXPECT_GT(coarse, 1.6 * swept);
+  EXPECT_GT(steps, 1.6 * swept);
+}
+
+TEST_F(GodRaysShadowMapSweep, SeesWhatThePictureDoesNot)
+{
+  this->Renderer->AddActor(MakeBox({ 9.0, 0.5, 0.0 }, { 0.5, 2.0, 4.0 })); // outside
+  const double outside = this->GetError({ 1.0, 0.1, 0.0, 0.0 });
+  std::cout << "error " << outside << "\n";
+  EXPECT_LT(outside, 0.005);
+}
+
+// Other lights and projections take steps, in one face or six.
+TEST_F(GodRaysShadowMapSweep, LeavesOthersToSteps)
+{
+  this->AddPillars();
+  EXPECT_LT(this->GetError({ 0.0, 0.5, -2.0, 1.0 }), 0.0023);
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "16 steps")) << this->Rays->GetPlan();
+  this->Renderer->GetActiveCamera()->ParallelProjectionOn();
+  this->Renderer->GetActiveCamera()->SetParallelScale(3.0);
+  EXPECT_LT(this->GetError({ 0.5, 0.3, -1.0, 0.0 }), 0.01);
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "1 of 1024")) << this->Rays->GetPlan();
+}
+
+TEST_F(GodRaysShadowMapSweep, KeepsTheMapAndDrawsTheSameAgain)
+{
+  this->AddPillars();
+  auto box = MakeBox({ 0.5, 0.5, 2.0 }, { 2.0, 2.0, 0.1 });
+  this->Renderer->AddActor(box);
+  this->AddSun({ 0.15, 0.1, -1.0 });
+  this->Scene.Window->Render();
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "4 of 512")) << this->Rays->GetPlan();
+  EXPECT_FALSE(Says(this->Rays->GetPlan(), ", kept"));
+  const auto before = GetPixels(this->Scene.Window);
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), ", kept"));
+  EXPECT_EQ(before, GetPixels(this->Scene.Window));
+  box->SetPosition(0.3, 0.0, 0.0);
+  const auto moved = GetPixels(this->Scene.Window);
+  EXPECT_FALSE(Says(this->Rays->GetPlan(), ", kept"));
+  EXPECT_GT(GetLargestDifference(before, moved), 2);
+  this->Integrator->SweepMapOff(); // a map of one face
+  this->Scene.Window->Render();
+  EXPECT_FALSE(Says(this->Rays->GetPlan(), ", kept"));
+  this->Integrator->SweepMapOn();
+  EXPECT_EQ(moved, GetPixels(this->Scene.Window));
+  this->Scene.Window->Finalize();
+  EXPECT_EQ(moved, GetPixels(this->Scene.Window));
+}
+
+// Two suns share what the sweep has of the frame.
+TEST_F(GodRaysShadowMapSweep, AddsLights)
+{
+  this->AddPillars();
+  const std::array<double, 3> one{ 0.15, 0.1, -1.0 };
+  const std::array<double, 3> other{ 0.5, 0.4, -1.0 };
+  auto first = this->AddSun(one);
+  auto alone = this->GetScattering();
+  auto second = this->AddSun(other);
+  auto both = this->GetScattering();
+  first->SwitchOff();
+  auto rest = this->GetScattering();
+  for (const int x : { 40, 100, 180 })
+  {
+    const double sum = GetValue(alone, x, 80) + GetValue(rest, x, 80);
+    EXPECT_NEAR(GetValue(both, x, 80), sum, 2e-3 * sum);
+  }
+}
