@@ -572,13 +572,7 @@ private:
     }
     const double* extinctions = settings.Extinction;
     const auto range = std::minmax_element(extinctions, extinctions + settings.Channels);
-    const std::array<double, 6> key = { *range.first, *range.second, grids.Grids[0].Texel[0],
-      grids.Grids[0].Texel[1], grids.Grids[0].Size[0] + 0.0, grids.Grids[0].Size[1] + 0.0 };
-    if (this->LadderKey != key)
-    {
-      MakeShadowLadder(grids, *range.first, *range.second, this->Ladder);
-      this->LadderKey = key;
-    }
+    MakeShadowLadder(grids, *range.first, *range.second, this->Ladder);
     vtkGodRaysShadowGrids turned = grids;
     for (double* axis : turned.Axes)
     {
@@ -588,24 +582,23 @@ private:
     {
       this->ShadowBands.push_back(MakeShadowLines());
     }
-    ShadowPicture picture = { this->Image.Ends, {}, this->Image.Width, 1 };
+    ShadowPicture picture = { this->Image.Ends, {}, 0, 0 };
     std::copy_n(this->Image.Hidden, 3, picture.Hidden);
     for (int i = 0; i < 4; ++i)
     {
       const CoverageWedge& wedge = this->Wedges[i];
-      if (i == 2)
-      {
-        std::swap(picture.Across, picture.Along);
-      }
+      const bool isTurned = i < 2;
+      picture.Across = isTurned ? this->Image.Width : 1;
+      picture.Along = isTurned ? 1 : this->Image.Width;
       this->Lines += wedge.Rows > 0 ? wedge.Lines : 0;
       vtkSMPTools::For(0, wedge.Rows > 0 ? wedge.Bands : 0, 1,
         [&](vtkIdType begin, vtkIdType end)
         {
           for (vtkIdType band = begin; band < end; ++band)
           {
-            SweepShadowBand(i < 2 ? this->TurnedSettings : settings,
-              i < 2 ? this->Turned : this->Image, wedge, static_cast<int>(band),
-              i < 2 ? turned : grids, this->Ladder, picture, *this->ShadowBands[band]);
+            SweepShadowBand(isTurned ? this->TurnedSettings : settings,
+              isTurned ? this->Turned : this->Image, wedge, static_cast<int>(band),
+              isTurned ? turned : grids, this->Ladder, picture, *this->ShadowBands[band]);
           }
         });
     }
@@ -614,13 +607,12 @@ private:
     const std::ptrdiff_t pixel = FindCoverageLight(this->Wedges[2], this->Image, isCentred);
     if (pixel >= 0 && isCentred)
     {
-      const float height = grids.GetHeight(0.0, 0.0);
-      const double perDepth = std::abs(settings.Light[2]);
-      HideCoverageInterval(settings, this->Image, pixel,
-        settings.Light[2] > 0.0 ? static_cast<float>(std::max(height * perDepth, 0.0)) : 0.0f,
-        settings.Light[2] > 0.0 || height == vtkGodRaysShadowGrids::Nothing
-          ? CoverageSky
-          : static_cast<float>(std::max(-height * perDepth, 0.0)));
+      // Ahead, all up to the occluder is dark; behind the eye, all beyond it.
+      const double height = grids.GetHeight(0.0, 0.0);
+      const bool isAhead = settings.Light[2] > 0.0;
+      const float depth = static_cast<float>(std::max(height * settings.Light[2], 0.0));
+      HideCoverageInterval(settings, this->Image, pixel, isAhead ? depth : 0.0f,
+        isAhead ? CoverageSky : std::min(depth, CoverageSky));
     }
   }
 
@@ -643,7 +635,6 @@ private:
   std::vector<CoverageLinesPointer> BandLines;
   std::vector<long long> BandOverflows;
   ShadowLadder Ladder;
-  std::array<double, 6> LadderKey = {};
   std::vector<ShadowLinesPointer> ShadowBands;
   bool FromShadows = false;
   int Lines = 0;

@@ -48,7 +48,6 @@ public:
    */
   struct Parameters
   {
-    const vtkGodRaysShadowGrids* Shadows = nullptr; // occluders; nullptr: those of the input
     double PixelSize = 0.0; // at depth 1, or of a parallel projection [scene units], above 0
     double Center[2] = { 0.0, 0.0 }; // of the view axis [pixels from the lower left corner]
     bool Parallel = false;           // projection
@@ -57,6 +56,7 @@ public:
     double LightColor[3] = { 1.0, 1.0, 1.0 }; // irradiance, or intensity of a point light
     vtkGodRaysSpot Spot;                      // of a point light
     vtkGodRaysMedium Medium;
+    const vtkGodRaysShadowGrids* Shadows = nullptr; // of occluders; nullptr: the input has them
     int Layers = 0;          // of solid matter; 0: the first surfaces alone
     double Thickness = 0.01; // of what has no back [fraction of its depth]
   };

@@ -35,8 +35,8 @@ struct vtkGodRaysShadowGrids
   double HeightAtZero = 0.0; // along the direction to the light, of depth 0 [scene units]
   double HeightAtOne = 0.0;
 
-  /// Up to where along an axis a level is looked up, for lines from the eye in a direction of that sign:
-  /// its edge; beyond any grid for one that lies aside of the axis.
+  /// Where a line from the eye leaves a level, along an axis that it goes along in a direction of that
+  /// sign. The level is looked up to there.
   double GetReach(int level, int axis, double sign) const
   {
     const Grid& grid = this->Grids[level];

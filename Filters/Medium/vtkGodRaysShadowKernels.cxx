@@ -9,14 +9,13 @@
   (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #include <hwy/foreach_target.h> // must come before highway.h
 
+#include "vtkGodRaysCoverageRays-inl.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysShadowKernels.h"
 
 #include <hwy/contrib/math/math-inl.h>
-#include <hwy/highway.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -42,17 +41,11 @@ public:
   std::vector<float> Last; // where rays end [columns]
   // Of columns.
   std::vector<int> Flip, Next;
-  std::vector<float> Dark;         // 1 or 0
-  std::vector<int> DarkBlocks;     // how many columns of each block are
-  std::vector<float> Inner[2];     // sums of what is dark before a column, in its block
-  std::vector<float> Outer[2];     // and in the blocks before
-  std::array<float, 1024> IsAfter; // 1 from 512 on
-
-  ShadowLines()
-  {
-    std::fill_n(this->IsAfter.begin(), 512, 0.0f);
-    std::fill(this->IsAfter.begin() + 512, this->IsAfter.end(), 1.0f);
-  }
+  std::vector<float> Dark;     // 1 or 0
+  std::vector<int> DarkBlocks; // how many columns of each block are
+  std::vector<float> Inner[2]; // sums of what is dark before a column, in its block
+  std::vector<float> Outer[2]; // and in the blocks before
+  std::vector<float> IsAfter;  // 0 in its first half, then 1
 
   void Reserve(int rows, int columns)
   {
@@ -72,11 +65,17 @@ public:
     this->Flip.resize(columns + 64);
     this->Next.resize(columns + 64);
     this->Dark.resize(columns + 64);
-    this->DarkBlocks.resize(columns / ShadowBlock + 64);
+    const std::size_t blocks = columns / ShadowBlock + 64;
+    this->DarkBlocks.resize(blocks);
+    if (this->IsAfter.size() != 2 * blocks)
+    {
+      this->IsAfter.assign(2 * blocks, 1.0f);
+      std::fill_n(this->IsAfter.begin(), blocks, 0.0f);
+    }
     for (int i = 0; i < 2; ++i)
     {
       this->Inner[i].resize(columns + 64);
-      this->Outer[i].resize(columns / ShadowBlock + 64);
+      this->Outer[i].resize(blocks);
     }
   }
 };
@@ -88,11 +87,6 @@ namespace vtkGodRays
 {
 namespace HWY_NAMESPACE
 {
-namespace hn = hwy::HWY_NAMESPACE;
-using FloatTag = HWY_CAPPED(float, 8);
-using Float = hn::Vec<FloatTag>;
-using IntTag = hn::RebindToSigned<FloatTag>;
-
 HWY_INLINE Float SetFloat(double value)
 {
   return hn::Set(FloatTag(), static_cast<float>(value));
@@ -158,10 +152,11 @@ public:
   HWY_INLINE void Add(int column)
   {
     const FloatTag d;
-    const int lanes = static_cast<int>(hn::Lanes(d));
+    const int lanes = GetLanes();
     const int block = column / ShadowBlock;
-    const float* inside = this->Memory.IsAfter.data() + 511 - column % ShadowBlock;
-    const float* outside = this->Memory.IsAfter.data() + 511 - block;
+    const float* before = this->Memory.IsAfter.data() + this->Memory.IsAfter.size() / 2 - 1;
+    const float* inside = before - column % ShadowBlock;
+    const float* outside = before - block;
     for (int node = 0; node < 2; ++node)
     {
       const Float weight = hn::Set(d, this->Weights[node][column]);
@@ -318,7 +313,7 @@ private:
   {
     const FloatTag d;
     const IntTag di;
-    for (int k = 0; k < this->Rows; k += static_cast<int>(hn::Lanes(d)))
+    for (int k = 0; k < this->Rows; k += GetLanes())
     {
       const int n = this->FirstRow + k;
       const Float x =
@@ -455,7 +450,7 @@ private:
     const Float lastP = SetFloat(this->Along[0] + this->Along[1] * (this->Rows - 1));
     const Float lastQ = SetFloat(this->Across[0] + this->Across[1] * (this->Rows - 1));
     const auto stride = hn::Set(di, static_cast<int>(grid.Stride));
-    for (int j = begin; j < end; j += static_cast<int>(hn::Lanes(d)))
+    for (int j = begin; j < end; j += GetLanes())
     {
       const Float middle = hn::LoadU(d, this->Ladder.Middles.data() + j);
       const auto index = [&](int i) HWY_ATTR
@@ -484,7 +479,7 @@ private:
   {
     const FloatTag d;
     const double perStep = 1.0 / std::log(ShadowLadder::Ratio);
-    for (int k = 0; k < this->Rows; k += static_cast<int>(hn::Lanes(d)))
+    for (int k = 0; k < this->Rows; k += GetLanes())
     {
       const Float n = hn::Iota(d, static_cast<float>(k));
       const Float q = hn::Max(
@@ -516,9 +511,9 @@ private:
     const Float fine = SetFloat(1 << ShadowLadder::Octaves);
     const Float one = SetFloat(1.0);
     const auto zero = hn::Zero(di);
-    for (int i = 0; i < this->Pixels; i += static_cast<int>(hn::Lanes(d)))
+    for (int i = 0; i < this->Pixels; i += GetLanes())
     {
-      const int valid = std::min(this->Pixels - i, static_cast<int>(hn::Lanes(d)));
+      const int valid = std::min(this->Pixels - i, GetLanes());
       const auto inside = hn::RebindMask(di, hn::FirstN(d, valid));
       const auto row = hn::IfThenElseZero(inside, hn::LoadU(di, this->Memory.Row.data() + i));
       const auto offset = hn::IfThenElseZero(inside, hn::LoadU(di, this->Memory.Offset.data() + i));
@@ -551,9 +546,7 @@ private:
       // (1 - e^-ab)/(1 - e^-a), b of a column that is a thick
       const Float b = x - whole;
       const Float thick = hn::GatherIndex(d, this->Memory.Extinction.data(), row) * width;
-      const Float part = hn::IfThenElse(hn::Lt(thick, SetFloat(1e-3)), b,
-        hn::Expm1(d, hn::Neg(hn::Min(thick * b, SetFloat(80.0)))) /
-          hn::Expm1(d, hn::Neg(hn::Max(hn::Min(thick, SetFloat(80.0)), SetFloat(1e-6)))));
+      const Float part = Absorbed(d, thick * b) / Absorbed(d, hn::Max(thick, SetFloat(1e-20)));
       hn::StoreU(hn::ConvertTo(d, first) + whole + hn::Min(part, SetFloat(0.9999)), d,
         this->Memory.Last.data() + i);
     }
@@ -671,34 +664,42 @@ void MakeShadowLadder(
   const vtkGodRaysShadowGrids::Grid& grid = grids.Grids[0];
   const double least = std::min(grid.Texel[0], grid.Texel[1]);
   const double most = std::max(grid.Texel[0], grid.Texel[1]) * std::sqrt(2.0);
-  const int columns = grid.Size[0] + grid.Size[1] + ShadowLadder::FirstWhole + 128;
-  ladder.Columns = (columns + 63) / 64 * 64;
-  ladder.Middles.resize(ladder.Columns + 64);
-  for (std::size_t j = 0; j < ladder.Middles.size(); ++j)
+  // From rays at right angles to the light to where all is in the finest column. Both ends are rounded, so
+  // that the ladder serves while a camera moves and texels change with it.
+  constexpr int rounded = 16;
+  const double perStep = 1.0 / std::log(ShadowLadder::Ratio);
+  const double begin = std::floor(std::log(low * least) * perStep / rounded) * rounded;
+  const double end = std::ceil(std::log(3000.0 * high * most) * perStep / rounded + 1.0) * rounded;
+  const int steps = static_cast<int>(std::min(end - begin, 512.0));
+  const double first = std::pow(ShadowLadder::Ratio, begin);
+  const int wanted = grid.Size[0] + grid.Size[1] + ShadowLadder::FirstWhole + 128;
+  const int columns = (wanted + 63) / 64 * 64;
+  if (columns == ladder.Columns && steps == ladder.Steps && first == ladder.First)
   {
-    const int column = static_cast<int>(j);
-    ladder.Middles[j] =
-      static_cast<float>(0.5 * (GetShadowColumn(column) + GetShadowColumn(column + 1)));
+    return;
   }
-  // From rays at right angles to the light to where all is in the finest column.
-  ladder.First = low * least / ShadowLadder::Ratio;
-  const double last = std::max(3000.0 * high * most, 40.0 * ladder.First);
-  ladder.Steps = static_cast<int>(std::min(
-    std::ceil(std::log(last / ladder.First) / std::log(ShadowLadder::Ratio)) + 3.0, 400.0));
-  ladder.Weights.assign(static_cast<std::size_t>(ladder.Steps) * ladder.Columns, 0.0f);
-  for (int step = 0; step < ladder.Steps; ++step)
+  ladder.Columns = columns;
+  ladder.Steps = steps;
+  ladder.First = first;
+  ladder.Middles.resize(columns + 64);
+  for (int j = 0; j < columns + 64; ++j)
   {
-    const double x = ladder.First * std::pow(ShadowLadder::Ratio, step);
-    float* weights = ladder.Weights.data() + static_cast<std::size_t>(step) * ladder.Columns;
-    for (int j = 0; j < ladder.Columns; ++j)
+    ladder.Middles[j] = static_cast<float>(0.5 * (GetShadowColumn(j) + GetShadowColumn(j + 1)));
+  }
+  ladder.Weights.assign(static_cast<std::size_t>(steps) * columns, 0.0f);
+  for (int step = 0; step < steps; ++step)
+  {
+    const double x = first * std::pow(ShadowLadder::Ratio, step);
+    float* weights = ladder.Weights.data() + static_cast<std::size_t>(step) * columns;
+    for (int j = 0; j < columns; ++j)
     {
-      const double begin = GetShadowColumn(j);
-      const double left = std::exp(-x * begin);
+      const double start = GetShadowColumn(j);
+      const double left = std::exp(-x * start);
       if (left < 1e-12)
       {
         break;
       }
-      weights[j] = static_cast<float>(left * -std::expm1(-x * (GetShadowColumn(j + 1) - begin)));
+      weights[j] = static_cast<float>(left * -std::expm1(-x * (GetShadowColumn(j + 1) - start)));
     }
   }
 }

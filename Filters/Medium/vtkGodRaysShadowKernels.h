@@ -57,7 +57,7 @@ struct ShadowLadder
 /// Where a column begins [widths of whole columns from the axis].
 double GetShadowColumn(int column);
 
-/// For extinctions [1/scene unit] from low to high.
+/// For extinctions [1/scene unit] from low to high, above 0. A ladder that serves as it is stays.
 void MakeShadowLadder(
   const vtkGodRaysShadowGrids& grids, double low, double high, ShadowLadder& ladder);
 
