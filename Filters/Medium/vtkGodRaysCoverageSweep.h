@@ -57,8 +57,8 @@ public:
     vtkGodRaysSpot Spot;                      // of a point light
     vtkGodRaysMedium Medium;
     const vtkGodRaysShadowGrids* Shadows = nullptr; // of occluders; nullptr: the input has them
-    int Layers = 0;          // of solid matter; 0: the first surfaces alone
-    double Thickness = 0.01; // of what has no back [fraction of its depth]
+    int Layers = 0;                                 // of solid matter; 0: the first surfaces alone
+    double Thickness = 0.01;                        // of what has no back [fraction of its depth]
   };
 
   /**
