@@ -372,7 +372,7 @@ private:
     {
       const Float columns =
         (hn::Iota(d, static_cast<float>(x0)) - hn::Set(d, middle)) * hn::Set(d, pixel);
-      const Rays<FloatTag> rays = FindRays(this->Settings, columns, y);
+      const Rays<FloatTag> rays = FindRays(this->Settings, columns, hn::Set(d, y));
       const int count = std::min(lanes, end - x0);
       HWY_ALIGN float nearest[8] = {};
       HWY_ALIGN float last[8] = {};
@@ -420,7 +420,7 @@ void RunCoverageInterval(const CoverageSettings& settings, const CoverageImage& 
   const double column = (pixel % image.Width - image.Center[0]) * settings.PixelSize;
   const double row = (pixel / image.Width - image.Center[1]) * settings.PixelSize;
   const auto rays =
-    FindRays(settings, hn::Set(d, static_cast<float>(column)), static_cast<float>(row));
+    FindRays(settings, hn::Set(d, static_cast<float>(column)), hn::Set(d, static_cast<float>(row)));
   const float last = std::min(image.Ends[pixel], static_cast<float>(settings.FarLimit));
   const float first = image.Begins ? std::min(image.Begins[pixel], last) : 0.0f;
   for (int p = 0; p < settings.Planes; ++p)
@@ -500,7 +500,7 @@ void RunCoverageRow(const CoverageSettings& settings, const CoverageImage& image
       return hn::Load(d, buffer);
     };
     const Float column = (hn::Iota(d, static_cast<float>(x)) - middle) * pixel;
-    const Rays<FloatTag> rays = FindRays(settings, column, height);
+    const Rays<FloatTag> rays = FindRays(settings, column, hn::Set(d, height));
     const Float distance = hn::Min(load(image.Ends), farLimit) * rays.Length;
     Float lit[CoverageMaximumPlanes];
     for (int p = 0; p < settings.Planes; ++p)

@@ -139,7 +139,7 @@ HWY_INLINE hn::Vec<Tag> WayFromFoot(Tag d, hn::Vec<Tag> beyond, hn::Vec<Tag> squ
 
 //------------------------------------------------------------------------------
 // The rays of pixels in units of PixelSize from the view axis.
-HWY_INLINE Rays<FloatTag> FindRays(const CoverageSettings& settings, Float column, float row)
+HWY_INLINE Rays<FloatTag> FindRays(const CoverageSettings& settings, Float column, Float row)
 {
   const FloatTag d;
   const CoverageTable& table = *settings.Table;
@@ -148,7 +148,7 @@ HWY_INLINE Rays<FloatTag> FindRays(const CoverageSettings& settings, Float colum
   const auto set = [&](double value) { return hn::Set(d, static_cast<float>(value)); };
   Rays<FloatTag> rays;
   rays.Length =
-    settings.Parallel ? one : hn::Sqrt(hn::MulAdd(column, column, hn::Set(d, 1.0f + row * row)));
+    settings.Parallel ? one : hn::Sqrt(hn::MulAdd(column, column, hn::MulAdd(row, row, one)));
   rays.Row = rays.Slice = rays.Foot = rays.Square = rays.Start = rays.Way = rays.InverseWidth =
     zero;
   rays.Gain = one;
@@ -167,7 +167,7 @@ HWY_INLINE Rays<FloatTag> FindRays(const CoverageSettings& settings, Float colum
     if (settings.Parallel)
     {
       const Float x = lightX - column;
-      const Float y = lightY - hn::Set(d, row);
+      const Float y = lightY - row;
       height = hn::Max(hn::Sqrt(x * x + y * y), hn::Set(d, table.Nearest));
       rays.Foot = lightZ;
       place = LogOfOnePlus(d, height / hn::Set(d, table.RowUnit));
@@ -178,7 +178,7 @@ HWY_INLINE Rays<FloatTag> FindRays(const CoverageSettings& settings, Float colum
       // Of light and ray, both of length 1.
       const Float z = one / rays.Length;
       const Float x = column * z;
-      const Float y = hn::Set(d, row) * z;
+      const Float y = row * z;
       const Float far = hn::Set(d, 1.0f / table.Distance);
       const Float lx = lightX * far;
       const Float ly = lightY * far;
@@ -207,7 +207,7 @@ HWY_INLINE Rays<FloatTag> FindRays(const CoverageSettings& settings, Float colum
   }
   else
   {
-    const Float rise = column * set(settings.Up[0]) + hn::Set(d, row) * set(settings.Up[1]);
+    const Float rise = column * set(settings.Up[0]) + row * set(settings.Up[1]);
     if (settings.Parallel)
     {
       place = rise + set(settings.EyeHeight);

@@ -562,28 +562,44 @@ private:
   void SweepShadows(const vtkGodRaysShadowGrids& grids)
   {
     const CoverageSettings& settings = this->Settings;
-    for (int c = 0; c < settings.Channels; ++c)
+    for (int p = 0; p < settings.Planes; ++p)
     {
-      std::fill(this->Hidden[c].begin(), this->Hidden[c].end(), 0.0f);
+      std::fill(this->Hidden[p].begin(), this->Hidden[p].end(), 0.0f);
     }
-    if (grids.Levels == 0)
+    if (grids.Levels == 0 || this->HasNoLines())
     {
-      return; // nothing blocks
+      return; // nothing blocks, or nothing that a light in the eye does not see
     }
-    const double* extinctions = settings.Extinction;
-    const auto range = std::minmax_element(extinctions, extinctions + settings.Channels);
-    MakeShadowLadder(grids, *range.first, *range.second, this->Ladder);
+    if (grids.Point)
+    {
+      MakeShadowFan(grids, this->Shadows.Fan);
+    }
+    else
+    {
+      const bool weighs = this->Table.Kind == CoverageTable::NONE;
+      const double* extinctions = settings.Extinction;
+      const auto range = std::minmax_element(extinctions, extinctions + settings.Channels);
+      MakeShadowLadder(
+        grids, weighs ? *range.first : 0.0, weighs ? *range.second : 0.0, this->Shadows.Ladder);
+    }
     vtkGodRaysShadowGrids turned = grids;
     for (double* axis : turned.Axes)
     {
       std::swap(axis[0], axis[1]);
     }
+    for (vtkGodRaysShadowGrids::Grid& grid : turned.Grids)
+    {
+      for (double* axis : grid.Axes)
+      {
+        std::swap(axis[0], axis[1]);
+      }
+    }
     while (this->ShadowBands.size() < this->BandLines.size())
     {
       this->ShadowBands.push_back(MakeShadowLines());
     }
-    ShadowPicture picture = { this->Image.Ends, {}, 0, 0 };
-    std::copy_n(this->Image.Hidden, 3, picture.Hidden);
+    ShadowPicture picture = { this->Image.Begins, this->Image.Ends, {}, 0, 0 };
+    std::copy_n(this->Image.Hidden, settings.Planes, picture.Hidden);
     for (int i = 0; i < 4; ++i)
     {
       const CoverageWedge& wedge = this->Wedges[i];
@@ -598,7 +614,7 @@ private:
           {
             SweepShadowBand(isTurned ? this->TurnedSettings : settings,
               isTurned ? this->Turned : this->Image, wedge, static_cast<int>(band),
-              isTurned ? turned : grids, this->Ladder, picture, *this->ShadowBands[band]);
+              isTurned ? turned : grids, this->Shadows, picture, *this->ShadowBands[band]);
           }
         });
     }
@@ -607,13 +623,42 @@ private:
     const std::ptrdiff_t pixel = FindCoverageLight(this->Wedges[2], this->Image, isCentred);
     if (pixel >= 0 && isCentred)
     {
+      float before;
+      float from;
+      this->FindDarkEnds(grids, before, from);
+      HideCoverageInterval(settings, this->Image, pixel, before, from);
+    }
+  }
+
+  // What occluders on the line through the eye and the light leave dark of the view ray along it: all before
+  // a view depth, and all from another one on.
+  void FindDarkEnds(const vtkGodRaysShadowGrids& grids, float& before, float& from) const
+  {
+    const double* light = this->Settings.Light;
+    const bool isAhead = light[2] > 0.0;
+    if (!grids.Point)
+    {
       // Ahead, all up to the occluder is dark; behind the eye, all beyond it.
       const double height = grids.GetHeight(0.0, 0.0);
-      const bool isAhead = settings.Light[2] > 0.0;
-      const float depth = static_cast<float>(std::max(height * settings.Light[2], 0.0));
-      HideCoverageInterval(settings, this->Image, pixel, isAhead ? depth : 0.0f,
-        isAhead ? CoverageSky : std::min(depth, CoverageSky));
+      const float depth = static_cast<float>(std::max(height * light[2], 0.0));
+      before = isAhead ? depth : 0.0f;
+      from = isAhead ? CoverageSky : std::min(depth, CoverageSky);
+      return;
     }
+    const double distance = std::hypot(std::hypot(light[0], light[1]), light[2]);
+    const double away[3] = { light[0] / distance, light[1] / distance, light[2] / distance };
+    const double towards[3] = { -away[0], -away[1], -away[2] };
+    const double toOccluder = grids.GetDistance(towards); // on the eye's side of the light
+    if (isAhead)
+    {
+      const double beyond = (distance + grids.GetDistance(away)) * away[2];
+      before = static_cast<float>(std::max((distance - toOccluder) * away[2], 0.0));
+      from = static_cast<float>(std::min<double>(beyond, CoverageSky));
+      return;
+    }
+    before = 0.0f;
+    from = static_cast<float>(
+      std::min<double>(std::max((toOccluder - distance) * towards[2], 0.0), CoverageSky));
   }
 
   CoverageSettings Settings = {};
@@ -634,7 +679,7 @@ private:
   CoverageWedge Wedges[4]; // of the transpose, then of the picture; each up and down
   std::vector<CoverageLinesPointer> BandLines;
   std::vector<long long> BandOverflows;
-  ShadowLadder Ladder;
+  ShadowTables Shadows;
   std::vector<ShadowLinesPointer> ShadowBands;
   bool FromShadows = false;
   int Lines = 0;
@@ -686,9 +731,9 @@ bool vtkGodRaysCoverageSweep::Execute(const Parameters& parameters, const Monito
 bool vtkGodRaysCoverageSweep::Supports(const Parameters& parameters)
 {
   const vtkGodRaysMedium& medium = parameters.Medium;
-  if (parameters.Shadows)
+  if (parameters.Shadows && parameters.Parallel)
   {
-    return parameters.Light[3] == 0.0 && !parameters.Parallel && !medium.HasExponentialDensity();
+    return false;
   }
   if (!medium.HasExponentialDensity())
   {

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file    vtkGodRaysShadowGrids.h
- * @brief   a directional light's shadow map, as numbers
+ * @brief   a light's shadow map, as numbers
  *
- * Private. One to four grids across the light, nested about the axis through the eye: a later one is
- * finer, and nothing is looked up in an earlier one where a later one reaches. In view coordinates, x to
- * the right, y up, z forwards, with the eye at the origin.
+ * Private. Of a directional light, one to four grids across it, nested about the axis through the eye: a
+ * later one is finer, and nothing is looked up in an earlier one where a later one reaches. Of a point
+ * light, one grid or the six of a cube about it, across axes of their own at distance 1 from it. In view
+ * coordinates, x to the right, y up, z forwards, with the eye at the origin.
  */
 
 #ifndef vtkGodRaysShadowGrids_h
@@ -18,7 +19,8 @@
 
 struct vtkGodRaysShadowGrids
 {
-  static constexpr int MaximumLevels = 4;
+  static constexpr int MaximumLevels = 4; // of a directional light
+  static constexpr int MaximumGrids = 6;
   static constexpr float Nothing = -1e30f; // the height where no occluder is
 
   struct Grid
@@ -26,14 +28,19 @@ struct vtkGodRaysShadowGrids
     const float* Depths = nullptr; // texel (i, j) at j Stride + i; 1 where no occluder is
     std::ptrdiff_t Stride = 0;
     int Size[2] = { 0, 0 };         // [texels]
-    double Low[2] = { 0.0, 0.0 };   // edges, along Axes [scene units]
-    double Texel[2] = { 1.0, 1.0 }; // their widths [scene units]
+    double Low[2] = { 0.0, 0.0 };   // edges, along Axes [scene units; of a point light, 1]
+    double Texel[2] = { 1.0, 1.0 }; // their widths, alike
+    // Of a point light: across it, and away from it; of length 1.
+    double Axes[3][3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } };
   };
-  Grid Grids[MaximumLevels];
-  int Levels = 0;
-  double Axes[2][3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 } }; // across the light; of length 1
+  Grid Grids[MaximumGrids];
+  int Levels = 0; // of grids
+  bool Point = false;
+  double Axes[2][3] = { { 1.0, 0.0, 0.0 },
+    { 0.0, 1.0, 0.0 } };     // across a directional light; of length 1
   double HeightAtZero = 0.0; // along the direction to the light, of depth 0 [scene units]
   double HeightAtOne = 0.0;
+  double Range[2] = { 0.0, 1.0 }; // of a point light: distances along an axis of depths 0 and 1
 
   /// Where a line from the eye leaves a level, along an axis that it goes along in a direction of that
   /// sign. The level is looked up to there.
@@ -41,6 +48,39 @@ struct vtkGodRaysShadowGrids
   {
     const Grid& grid = this->Grids[level];
     return sign > 0.0 ? grid.Low[axis] + grid.Size[axis] * grid.Texel[axis] : grid.Low[axis];
+  }
+
+  /// One over the distance of an occluder from a point light, along the third axis, of a depth.
+  double GetNearness(double depth) const
+  {
+    return (this->Range[1] - depth * (this->Range[1] - this->Range[0])) /
+      (this->Range[1] * this->Range[0]);
+  }
+
+  /// The distance from a point light of the occluder in a direction of length 1; 1e30 if there is none.
+  double GetDistance(const double direction[3]) const
+  {
+    const auto along = [&](const double axis[3])
+    { return axis[0] * direction[0] + axis[1] * direction[1] + axis[2] * direction[2]; };
+    for (int face = 0; face < this->Levels; ++face)
+    {
+      const Grid& grid = this->Grids[face];
+      const double ahead = along(grid.Axes[2]);
+      if (!(ahead > 0.0))
+      {
+        continue;
+      }
+      const double i = (along(grid.Axes[0]) / ahead - grid.Low[0]) / grid.Texel[0];
+      const double j = (along(grid.Axes[1]) / ahead - grid.Low[1]) / grid.Texel[1];
+      if (i >= 0.0 && j >= 0.0 && i < grid.Size[0] && j < grid.Size[1])
+      {
+        const float depth =
+          grid
+            .Depths[static_cast<std::ptrdiff_t>(j) * grid.Stride + static_cast<std::ptrdiff_t>(i)];
+        return depth < 1.0f ? 1.0 / (ahead * this->GetNearness(depth)) : 1e30;
+      }
+    }
+    return 1e30;
   }
 
   /// The height of the occluder about a place (a, b) along the axes; Nothing if there is none.

@@ -11,7 +11,9 @@
 
 #include "vtkGodRaysCoverageRays-inl.h"
 #include "vtkGodRaysMath.h"
+#include "vtkGodRaysShadowDark-inl.h"
 #include "vtkGodRaysShadowKernels.h"
+#include "vtkGodRaysShadowLines.h"
 
 #include <hwy/contrib/math/math-inl.h>
 
@@ -19,204 +21,33 @@
 #include <cmath>
 #include <cstdint>
 
-#ifndef vtkGodRaysShadowKernels_once
-#define vtkGodRaysShadowKernels_once
-namespace vtkGodRays
-{
-constexpr int ShadowBlock = 32; // columns whose sums are one
-
-class ShadowLines
-{
-public:
-  // Of a line's rows.
-  std::vector<float> RowFirst, RowEnd; // pixels of the wedge
-  std::vector<int> Begin, End;         // pixels of the line
-  std::vector<float> Perpendicular;    // distance from the axis at depth 1 [columns]
-  std::vector<float> Extinction;       // for each column's width
-  std::vector<float> Step;             // place on the ladder
-  std::vector<float> Before;           // transmittance of what is before the first column
-  std::vector<int> Head;               // the first column that turns dark there, or -1
-  // Of its pixels.
-  std::vector<int> Offset, Row;
-  std::vector<float> Last; // where rays end [columns]
-  // Of columns.
-  std::vector<int> Flip, Next;
-  std::vector<float> Dark;     // 1 or 0
-  std::vector<int> DarkBlocks; // how many columns of each block are
-  std::vector<float> Inner[2]; // sums of what is dark before a column, in its block
-  std::vector<float> Outer[2]; // and in the blocks before
-  std::vector<float> IsAfter;  // 0 in its first half, then 1
-
-  void Reserve(int rows, int columns)
-  {
-    const std::size_t paddedRows = rows + 16;
-    for (std::vector<float>* values : { &this->RowFirst, &this->RowEnd, &this->Perpendicular,
-           &this->Extinction, &this->Step, &this->Before })
-    {
-      values->resize(paddedRows);
-    }
-    for (std::vector<int>* values : { &this->Begin, &this->End, &this->Head })
-    {
-      values->resize(paddedRows);
-    }
-    this->Offset.resize(4 * paddedRows);
-    this->Row.resize(4 * paddedRows);
-    this->Last.resize(4 * paddedRows);
-    this->Flip.resize(columns + 64);
-    this->Next.resize(columns + 64);
-    this->Dark.resize(columns + 64);
-    const std::size_t blocks = columns / ShadowBlock + 64;
-    this->DarkBlocks.resize(blocks);
-    if (this->IsAfter.size() != 2 * blocks)
-    {
-      this->IsAfter.assign(2 * blocks, 1.0f);
-      std::fill_n(this->IsAfter.begin(), blocks, 0.0f);
-    }
-    for (int i = 0; i < 2; ++i)
-    {
-      this->Inner[i].resize(columns + 64);
-      this->Outer[i].resize(blocks);
-    }
-  }
-};
-}
-#endif
-
 HWY_BEFORE_NAMESPACE();
 namespace vtkGodRays
 {
 namespace HWY_NAMESPACE
 {
-HWY_INLINE Float SetFloat(double value)
-{
-  return hn::Set(FloatTag(), static_cast<float>(value));
-}
-
-//------------------------------------------------------------------------------
-// The sums of what is dark, at two steps of the ladder.
-class DarkSums
-{
-public:
-  DarkSums(ShadowLines& memory, const ShadowLadder& ladder)
-    : Memory(memory)
-    , Ladder(ladder)
-  {
-  }
-
-  void Clear(int columns)
-  {
-    std::fill_n(this->Memory.Dark.begin(), columns + 64, 0.0f);
-    std::fill_n(this->Memory.DarkBlocks.begin(), columns / ShadowBlock + 2, 0);
-  }
-
-  HWY_INLINE void Mark(int column)
-  {
-    this->Memory.Dark[column] = 1.0f;
-    ++this->Memory.DarkBlocks[column / ShadowBlock];
-  }
-
-  // At a step and the next one, of the columns before an end.
-  void Build(int step, int end)
-  {
-    this->Blocks = end / ShadowBlock + 1;
-    for (int node = 0; node < 2; ++node)
-    {
-      const float* weights =
-        this->Ladder.Weights.data() + static_cast<std::size_t>(step + node) * this->Ladder.Columns;
-      this->Weights[node] = weights;
-      float* inner = this->Memory.Inner[node].data();
-      float* outer = this->Memory.Outer[node].data();
-      float total = 0.0f;
-      for (int block = 0; block < this->Blocks; ++block)
-      {
-        const int first = block * ShadowBlock;
-        outer[block] = total;
-        float sum = 0.0f;
-        if (this->Memory.DarkBlocks[block] == 0)
-        {
-          std::fill_n(inner + first, ShadowBlock, 0.0f);
-          continue;
-        }
-        for (int j = first; j < first + ShadowBlock; ++j)
-        {
-          inner[j] = sum;
-          sum += weights[j] * this->Memory.Dark[j];
-        }
-        total += sum;
-      }
-      inner[this->Blocks * ShadowBlock] = 0.0f;
-      std::fill_n(outer + this->Blocks, 16, total);
-    }
-  }
-
-  HWY_INLINE void Add(int column)
-  {
-    const FloatTag d;
-    const int lanes = GetLanes();
-    const int block = column / ShadowBlock;
-    const float* before = this->Memory.IsAfter.data() + this->Memory.IsAfter.size() / 2 - 1;
-    const float* inside = before - column % ShadowBlock;
-    const float* outside = before - block;
-    for (int node = 0; node < 2; ++node)
-    {
-      const Float weight = hn::Set(d, this->Weights[node][column]);
-      float* inner = this->Memory.Inner[node].data() + block * ShadowBlock;
-      for (int k = 0; k < ShadowBlock; k += lanes)
-      {
-        hn::StoreU(
-          hn::MulAdd(weight, hn::LoadU(d, inside + k), hn::LoadU(d, inner + k)), d, inner + k);
-      }
-      float* outer = this->Memory.Outer[node].data();
-      for (int k = 0; k <= this->Blocks; k += lanes)
-      {
-        hn::StoreU(
-          hn::MulAdd(weight, hn::LoadU(d, outside + k), hn::LoadU(d, outer + k)), d, outer + k);
-      }
-    }
-  }
-
-  // Before a place in columns, at a part of the way from the first step to the second.
-  HWY_INLINE float Read(float place, float part) const
-  {
-    const int column = static_cast<int>(place);
-    const float within = place - column;
-    float sums[2];
-    for (int node = 0; node < 2; ++node)
-    {
-      const float* inner = this->Memory.Inner[node].data();
-      const float* outer = this->Memory.Outer[node].data();
-      const float low = outer[column / ShadowBlock] + inner[column];
-      const float high = outer[(column + 1) / ShadowBlock] + inner[column + 1];
-      sums[node] = low + within * (high - low);
-    }
-    return sums[0] + part * (sums[1] - sums[0]);
-  }
-
-private:
-  ShadowLines& Memory;
-  const ShadowLadder& Ladder;
-  const float* Weights[2] = {};
-  int Blocks = 0;
-};
-
 //------------------------------------------------------------------------------
 class ShadowSweep
 {
 public:
   ShadowSweep(const CoverageSettings& settings, const CoverageImage& image,
-    const CoverageWedge& wedge, const vtkGodRaysShadowGrids& grids, const ShadowLadder& ladder,
+    const CoverageWedge& wedge, const vtkGodRaysShadowGrids& grids, const ShadowTables& tables,
     const ShadowPicture& picture, ShadowLines& memory)
     : Settings(settings)
     , Image(image)
     , Wedge(wedge)
     , Grids(grids)
-    , Ladder(ladder)
+    , Ladder(tables.Ladder)
+    , Fan(tables.Fan)
     , Picture(picture)
     , Memory(memory)
-    , Sums(memory, ladder)
-    , Light(settings.Light[0], settings.Light[1], settings.Light[2])
+    , Sums(memory, tables.Ladder)
+    , Runs(memory)
+    , Seen(memory)
+    , Distance(length(Vec3(settings.Light[0], settings.Light[1], settings.Light[2])))
+    , Light(Vec3(settings.Light[0], settings.Light[1], settings.Light[2]) / this->Distance)
   {
-    memory.Reserve(wedge.Rows, ladder.Columns);
+    memory.Reserve(wedge.Rows, grids.Point ? this->Fan.Columns : this->Ladder.Columns);
     for (int k = 0; k < wedge.Rows; ++k)
     {
       int first;
@@ -231,6 +62,11 @@ public:
   {
     if (!this->FindPixels(line) || !this->FindColumns() || !this->FindFlips())
     {
+      return;
+    }
+    if (this->Settings.Table->Kind != CoverageTable::NONE)
+    {
+      this->HideRuns();
       return;
     }
     for (int c = 0; c < this->Settings.Channels; ++c)
@@ -301,6 +137,7 @@ private:
       {
         this->Memory.Offset[n + i] = static_cast<int>(base + (begin + i) * this->Picture.Across);
         this->Memory.Row[n + i] = k;
+        this->Memory.Column[n + i] = begin + i;
       }
       n += std::max(count, 0);
     }
@@ -333,7 +170,7 @@ private:
       (row - this->Image.Center[1]) * this->Settings.PixelSize, 1.0);
   }
 
-  // The line's plane, and the columns of the map in it.
+  // The line's plane, and the columns of the map in it; false if there are none.
   bool FindColumns()
   {
     const Vec3 ray = this->GetRay(0.0);
@@ -350,7 +187,55 @@ private:
     this->Square[0] = dot(ray, ray);
     this->Square[1] = 2.0 * dot(ray, next);
     this->Square[2] = dot(next, next);
+    return this->Grids.Point ? this->FindWedges(across) : this->FindStrips(across);
+  }
 
+  // Of a point light: wedges in the map, and not beyond where the first ray goes.
+  bool FindWedges(const Vec3& across)
+  {
+    const double pi = std::acos(-1.0);
+    double low = std::max(0.0, std::atan2(this->Across[0], this->Along[0]));
+    double high = pi;
+    for (int face = 0; face < this->Grids.Levels; ++face)
+    {
+      const vtkGodRaysShadowGrids::Grid& grid = this->Grids.Grids[face];
+      for (int i = 0; i < 3; ++i)
+      {
+        const Vec3 axis(grid.Axes[i][0], grid.Axes[i][1], grid.Axes[i][2]);
+        this->Faces[face][i][0] = dot(axis, this->Light);
+        this->Faces[face][i][1] = dot(axis, across);
+      }
+    }
+    if (this->Grids.Levels == 1) // within a cone about the third axis
+    {
+      const vtkGodRaysShadowGrids::Grid& grid = this->Grids.Grids[0];
+      double square = 1.0;
+      for (int i = 0; i < 2; ++i)
+      {
+        const double end = grid.Low[i] + grid.Size[i] * grid.Texel[i];
+        square += std::pow(std::max(std::abs(grid.Low[i]), std::abs(end)), 2);
+      }
+      const double* axis = this->Faces[0][2];
+      const double cosine =
+        1.0 / (std::sqrt(square) * std::max(std::hypot(axis[0], axis[1]), 1e-12));
+      if (cosine >= 1.0)
+      {
+        return false;
+      }
+      const double half = std::acos(cosine);
+      const double middle = std::atan2(axis[1], axis[0]);
+      const double turns = middle + half < 0.0 ? 2.0 * pi : 0.0;
+      low = std::max(low, middle - half + turns);
+      high = std::min(high, middle + half + turns);
+    }
+    this->FirstColumn = static_cast<int>(std::max((pi - high) / this->Fan.Angle, 0.0));
+    this->Columns =
+      static_cast<int>(std::min(std::ceil((pi - low) / this->Fan.Angle), this->Fan.Columns + 0.0));
+    return this->FirstColumn < this->Columns;
+  }
+
+  bool FindStrips(const Vec3& across)
+  {
     const vtkGodRaysShadowGrids::Grid& grid = this->Grids.Grids[0];
     double begin = 0.0;
     double end = 1e30;
@@ -391,7 +276,11 @@ private:
   bool FindFlips()
   {
     std::fill_n(this->Memory.Head.begin(), this->Rows, -1);
-    int end = this->Columns;
+    if (this->Grids.Point)
+    {
+      this->FindFlipsOfWedges();
+    }
+    int end = this->Grids.Point ? 0 : this->Columns;
     for (int level = 0; level < this->Grids.Levels && end > this->FirstColumn; ++level)
     {
       int begin = this->FirstColumn;
@@ -432,8 +321,6 @@ private:
   {
     const FloatTag d;
     const IntTag di;
-    const Float one = SetFloat(1.0);
-    const Float zero = hn::Zero(d);
     Float gain[2];
     Float offset[2];
     for (int i = 0; i < 2; ++i)
@@ -442,6 +329,86 @@ private:
       gain[i] = SetFloat(perLength * this->Width);
       offset[i] = SetFloat(perLength * this->Start - grid.Low[i] / grid.Texel[i]);
     }
+    const auto stride = hn::Set(di, static_cast<int>(grid.Stride));
+    for (int j = begin; j < end; j += GetLanes())
+    {
+      const Float middle = hn::LoadU(d, this->Ladder.Middles.data() + j);
+      const auto index = [&](int i) HWY_ATTR
+      { return GetTexel(grid, i, hn::MulAdd(gain[i], middle, offset[i])); };
+      const Float depth = hn::GatherIndex(d, grid.Depths, index(0) + index(1) * stride);
+      const Float h =
+        hn::MulAdd(depth, SetFloat(this->Grids.HeightAtOne - this->Grids.HeightAtZero),
+          SetFloat(this->Grids.HeightAtZero));
+      const Float t = hn::MulAdd(middle, SetFloat(this->Width), SetFloat(this->Start));
+      this->StoreFlips(j, h, t, hn::Ge(depth, SetFloat(1.0)));
+    }
+  }
+
+  // Of a point light the occluder in a column is at (d + r cos, r sin), at the distance r from the light.
+  void FindFlipsOfWedges()
+  {
+    const FloatTag d;
+    const IntTag di;
+    const Float zero = hn::Zero(d);
+    const Float one = SetFloat(1.0);
+    const double nearnessAtZero = this->Grids.GetNearness(0.0);
+    for (int j = this->FirstColumn; j < this->Columns; j += GetLanes())
+    {
+      const Float cosine = hn::LoadU(d, this->Fan.MiddleCosines.data() + j);
+      const Float sine = hn::LoadU(d, this->Fan.MiddleSines.data() + j);
+      Float nearness = hn::Set(d, -1.0f); // 1/r
+      for (int face = 0; face < this->Grids.Levels; ++face)
+      {
+        const vtkGodRaysShadowGrids::Grid& grid = this->Grids.Grids[face];
+        const auto along = [&](int i) HWY_ATTR
+        {
+          return hn::MulAdd(
+            cosine, SetFloat(this->Faces[face][i][0]), sine * SetFloat(this->Faces[face][i][1]));
+        };
+        const Float ahead = along(2);
+        const auto place = [&](int i) HWY_ATTR
+        {
+          return (along(i) / hn::Max(ahead, SetFloat(1e-6)) - SetFloat(grid.Low[i])) *
+            SetFloat(1.0 / grid.Texel[i]);
+        };
+        const Float x = place(0);
+        const Float y = place(1);
+        const auto inside = hn::And(hn::And(hn::Gt(ahead, zero), hn::Lt(nearness, zero)),
+          hn::And(hn::And(hn::Ge(x, SetFloat(-0.01)), hn::Le(x, SetFloat(grid.Size[0] + 0.01))),
+            hn::And(hn::Ge(y, SetFloat(-0.01)), hn::Le(y, SetFloat(grid.Size[1] + 0.01)))));
+        if (hn::AllFalse(d, inside))
+        {
+          continue;
+        }
+        const auto texel =
+          GetTexel(grid, 0, x) + GetTexel(grid, 1, y) * hn::Set(di, static_cast<int>(grid.Stride));
+        const Float depth =
+          hn::GatherIndex(d, grid.Depths, hn::IfThenElseZero(hn::RebindMask(di, inside), texel));
+        const Float nearnessAlong = hn::MulAdd(
+          depth, SetFloat(this->Grids.GetNearness(1.0) - nearnessAtZero), SetFloat(nearnessAtZero));
+        const auto blocks = hn::And(inside, hn::Lt(depth, one));
+        nearness = hn::IfThenElse(blocks, nearnessAlong * ahead, nearness);
+      }
+      // times 1/r
+      const Float h = hn::MulAdd(nearness, SetFloat(this->Distance), cosine);
+      this->StoreFlips(j, h, sine, hn::Lt(nearness, zero));
+    }
+  }
+
+  static HWY_INLINE hn::Vec<IntTag> GetTexel(
+    const vtkGodRaysShadowGrids::Grid& grid, int axis, Float place)
+  {
+    const IntTag di;
+    return hn::Min(
+      hn::Max(hn::ConvertTo(di, place), hn::Zero(di)), hn::Set(di, grid.Size[axis] - 1));
+  }
+
+  // The rows in which columns turn dark whose occluders are at (h, t), or that have none.
+  HWY_INLINE void StoreFlips(int column, Float h, Float t, hn::Mask<FloatTag> empty)
+  {
+    const FloatTag d;
+    const IntTag di;
+    const Float zero = hn::Zero(d);
     const Float p0 = SetFloat(this->Along[0]);
     const Float p1 = SetFloat(this->Along[1]);
     const Float q0 = SetFloat(this->Across[0]);
@@ -449,30 +416,14 @@ private:
     const Float rows = SetFloat(this->Rows);
     const Float lastP = SetFloat(this->Along[0] + this->Along[1] * (this->Rows - 1));
     const Float lastQ = SetFloat(this->Across[0] + this->Across[1] * (this->Rows - 1));
-    const auto stride = hn::Set(di, static_cast<int>(grid.Stride));
-    for (int j = begin; j < end; j += GetLanes())
-    {
-      const Float middle = hn::LoadU(d, this->Ladder.Middles.data() + j);
-      const auto index = [&](int i) HWY_ATTR
-      {
-        const auto texel = hn::ConvertTo(di, hn::MulAdd(gain[i], middle, offset[i]));
-        return hn::Min(hn::Max(texel, hn::Zero(di)), hn::Set(di, grid.Size[i] - 1));
-      };
-      const Float depth = hn::GatherIndex(d, grid.Depths, index(0) + index(1) * stride);
-      const Float h =
-        hn::MulAdd(depth, SetFloat(this->Grids.HeightAtOne - this->Grids.HeightAtZero),
-          SetFloat(this->Grids.HeightAtZero));
-      const Float t = hn::MulAdd(middle, SetFloat(this->Width), SetFloat(this->Start));
-      const Float quotient = hn::Ceil((h * q0 - t * p0) / (t * p1 - h * q1));
-      Float row = hn::Max(zero, hn::Min(quotient, rows - one));
-      row = hn::IfThenElse(hn::Le(t * p0, h * q0), zero, row); // before the first row
-      const auto never =
-        hn::Or(hn::Or(hn::Gt(t * lastP, h * lastQ), hn::Le(t, zero)), hn::Ge(depth, one));
-      row = hn::IfThenElse(never, rows, row);
-      // A quotient that is not a number is of a column at the very edge of both conditions.
-      row = hn::IfThenElse(hn::Eq(row, row), row, rows);
-      hn::StoreU(hn::ConvertTo(di, row), di, this->Memory.Flip.data() + j);
-    }
+    const Float quotient = hn::Ceil((h * q0 - t * p0) / (t * p1 - h * q1));
+    Float row = hn::Max(zero, hn::Min(quotient, rows - SetFloat(1.0)));
+    row = hn::IfThenElse(hn::Le(t * p0, h * q0), zero, row); // before the first row
+    const auto never = hn::Or(hn::Or(hn::Gt(t * lastP, h * lastQ), hn::Le(t, zero)), empty);
+    row = hn::IfThenElse(never, rows, row);
+    // A quotient that is not a number is of a column at the very edge of both conditions.
+    row = hn::IfThenElse(hn::Eq(row, row), row, rows);
+    hn::StoreU(hn::ConvertTo(di, row), di, this->Memory.Flip.data() + column);
   }
 
   void MeasureRows(double extinction)
@@ -523,6 +474,7 @@ private:
         hn::MulAdd(depth, hn::GatherIndex(d, this->Memory.Perpendicular.data(), row),
           SetFloat(-this->Start / this->Width));
       const Float at = hn::Min(hn::Max(end, hn::Zero(d)), SetFloat(1e6));
+      hn::StoreU(at, d, this->Memory.Width.data() + i);
       // The column is told by exponent and first bits of the mantissa.
       const Float y = hn::Min(at, each) * fine;
       const auto bits = hn::ShiftRight<shift>(hn::BitCast(di, y));
@@ -549,6 +501,43 @@ private:
       const Float part = Absorbed(d, thick * b) / Absorbed(d, hn::Max(thick, SetFloat(1e-20)));
       hn::StoreU(hn::ConvertTo(d, first) + whole + hn::Min(part, SetFloat(0.9999)), d,
         this->Memory.Last.data() + i);
+    }
+  }
+
+  // What the sums of dark columns are to be times, so that all columns are as dark as they are: read
+  // between the steps, they are not quite. Of pixels from begin to end, whose sums are kept at a step.
+  void MeasureScales(int begin, int end, int step)
+  {
+    const FloatTag d;
+    const IntTag di;
+    const double first = this->FirstColumn > 0 ? ShadowLadder::Each : 0.0;
+    const double last = GetShadowColumn(this->Columns);
+    double x[2];
+    Float before[2];
+    for (int node = 0; node < 2; ++node)
+    {
+      x[node] = this->Ladder.First * std::pow(ShadowLadder::Ratio, step + node);
+      before[node] = SetFloat(std::exp(-x[node] * first));
+    }
+    for (int i = begin; i < end; i += GetLanes())
+    {
+      const auto inside = hn::RebindMask(di, hn::FirstN(d, std::min(end - i, GetLanes())));
+      const auto row = hn::IfThenElseZero(inside, hn::LoadU(di, this->Memory.Row.data() + i));
+      const Float extinction = hn::GatherIndex(d, this->Memory.Extinction.data(), row);
+      const Float part =
+        hn::GatherIndex(d, this->Memory.Step.data(), row) - SetFloat(static_cast<double>(step));
+      const Float width = hn::Max(
+        hn::Min(hn::LoadU(d, this->Memory.Width.data() + i), SetFloat(last)) - SetFloat(first),
+        SetFloat(1e-6));
+      const Float all = (SetFloat(1.0) - Absorbed(d, extinction * SetFloat(first))) *
+        Absorbed(d, extinction * width);
+      const Float low = before[0] * Absorbed(d, SetFloat(x[0]) * width);
+      const Float high = before[1] * Absorbed(d, SetFloat(x[1]) * width);
+      const Float read = hn::MulAdd(part, high - low, low);
+      // What is next to nothing need not be exact.
+      const Float scale = hn::IfThenElse(
+        hn::Gt(read, SetFloat(1e-6)), all / hn::Max(read, SetFloat(1e-6)), SetFloat(1.0));
+      hn::StoreU(scale, d, this->Memory.Scale.data() + i);
     }
   }
 
@@ -580,6 +569,7 @@ private:
         }
       }
       this->Sums.Build(step, needed);
+      this->MeasureScales(i, end, step);
       for (; i < end; ++i)
       {
         for (; row <= rows[i]; ++row)
@@ -594,10 +584,85 @@ private:
           }
         }
         const float place = std::min(this->Memory.Last[i], static_cast<float>(needed));
-        hidden[this->Memory.Offset[i]] =
-          this->Sums.Read(place, steps[rows[i]] - step) * this->Memory.Before[rows[i]];
+        hidden[this->Memory.Offset[i]] = this->Sums.Read(place, steps[rows[i]] - step) *
+          this->Memory.Before[rows[i]] * this->Memory.Scale[i];
       }
     }
+  }
+
+  // From a table: what is between the ends of the runs of dark columns.
+  void HideRuns()
+  {
+    const FloatTag d;
+    const IntTag di;
+    const int lanes = GetLanes();
+    const int* rows = this->Memory.Row.data();
+    const ColumnEdges edges = this->GetEdges();
+    const auto number = [&](double first, double change, Float row) HWY_ATTR
+    { return hn::MulAdd(row, SetFloat(change), SetFloat(first)); };
+    this->Runs.Clear(this->Columns);
+    int row = 0;
+    for (int i = 0; i < this->Pixels; i += lanes)
+    {
+      const int count = std::min(this->Pixels - i, lanes);
+      this->Seen.Clear();
+      for (int pixel = 0; pixel < count; ++pixel)
+      {
+        for (; row <= rows[i + pixel]; ++row)
+        {
+          for (int j = this->Memory.Head[row]; j >= 0; j = this->Memory.Next[j])
+          {
+            this->Runs.Mark(j);
+          }
+        }
+        this->Seen.Add(pixel);
+      }
+      const auto inside = hn::RebindMask(di, hn::FirstN(d, count));
+      const auto here = hn::IfThenElseZero(inside, hn::LoadU(di, rows + i));
+      const auto column = hn::IfThenElseZero(inside, hn::LoadU(di, this->Memory.Column.data() + i));
+      const auto offset = hn::IfThenElseZero(inside, hn::LoadU(di, this->Memory.Offset.data() + i));
+      const Float k = hn::ConvertTo(d, here);
+      const Float x = (hn::ConvertTo(d, column) - SetFloat(this->Image.Center[0])) *
+        SetFloat(this->Settings.PixelSize);
+      const double first =
+        this->Wedge.First + this->FirstRow * static_cast<double>(this->Wedge.Direction);
+      const Float y = number((first - this->Image.Center[1]) * this->Settings.PixelSize,
+        this->Wedge.Direction * this->Settings.PixelSize, k);
+      const Float last =
+        hn::Min(hn::GatherIndex(d, this->Picture.Ends, offset), SetFloat(this->Settings.FarLimit));
+      const Float begin = this->Picture.Begins
+        ? hn::Min(hn::GatherIndex(d, this->Picture.Begins, offset), last)
+        : hn::Zero(d);
+      this->Seen.Measure(this->Settings, edges, FindRays(this->Settings, x, y),
+        number(this->Along[0], this->Along[1], k), number(this->Across[0], this->Across[1], k),
+        begin, last);
+      HWY_ALIGN float sums[8];
+      for (int plane = 0; plane < this->Settings.Planes; ++plane)
+      {
+        this->Seen.Sum(plane, count, sums);
+        for (int pixel = 0; pixel < count; ++pixel)
+        {
+          this->Picture.Hidden[plane][this->Memory.Offset[i + pixel]] = sums[pixel];
+        }
+      }
+    }
+  }
+
+  ColumnEdges GetEdges()
+  {
+    if (this->Grids.Point)
+    {
+      return { this->Fan.EdgeSines.data(), this->Fan.EdgeMinusCosines.data(),
+        static_cast<float>(this->Distance), 1.0f };
+    }
+    const FloatTag d;
+    for (int j = this->FirstColumn; j <= this->Columns; j += GetLanes())
+    {
+      hn::StoreU(hn::MulAdd(hn::LoadU(d, this->Ladder.Edges.data() + j), SetFloat(this->Width),
+                   SetFloat(this->Start)),
+        d, this->Memory.EdgePlaces.data() + j);
+    }
+    return { this->Memory.EdgePlaces.data(), this->Memory.Ones.data(), 1.0f, 0.0f };
   }
 
   const CoverageSettings& Settings;
@@ -605,10 +670,14 @@ private:
   const CoverageWedge& Wedge;
   const vtkGodRaysShadowGrids& Grids;
   const ShadowLadder& Ladder;
+  const ShadowFan& Fan;
   const ShadowPicture& Picture;
   ShadowLines& Memory;
   DarkSums Sums;
-  const Vec3 Light;
+  DarkRuns Runs;
+  SeenRuns Seen;
+  const double Distance; // of a point light, else 1
+  const Vec3 Light;      // the direction to it
   // Of the line:
   Straight Center = {};
   int FirstRow = 0;
@@ -618,8 +687,10 @@ private:
   double Across[2] = {};    // Q
   double Square[3] = {};    // of D's length, a polynomial of the row
   double Direction[2] = {}; // of t along the map's axes
-  double Width = 0.0;       // of a whole column [scene units]
-  double Start = 0.0;       // t from which columns are counted
+  double Faces[vtkGodRaysShadowGrids::MaximumGrids][3]
+              [2] = {}; // of e and v along a point light's axes
+  double Width = 0.0;   // of a whole column [scene units]
+  double Start = 0.0;   // t from which columns are counted
   int FirstColumn = 0;
   int Columns = 0; // one beyond the map's last
 };
@@ -627,9 +698,9 @@ private:
 //------------------------------------------------------------------------------
 void RunShadowBand(const CoverageSettings& settings, const CoverageImage& image,
   const CoverageWedge& wedge, int band, const vtkGodRaysShadowGrids& grids,
-  const ShadowLadder& ladder, const ShadowPicture& picture, ShadowLines& lines)
+  const ShadowTables& tables, const ShadowPicture& picture, ShadowLines& lines)
 {
-  ShadowSweep sweep(settings, image, wedge, grids, ladder, picture, lines);
+  ShadowSweep sweep(settings, image, wedge, grids, tables, picture, lines);
   const int end = std::min(wedge.Lines, (band + 1) * CoverageBandLines);
   for (int line = band * CoverageBandLines; line < end; ++line)
   {
@@ -643,66 +714,6 @@ HWY_AFTER_NAMESPACE();
 namespace vtkGodRays
 {
 HWY_EXPORT(RunShadowBand);
-
-//------------------------------------------------------------------------------
-double GetShadowColumn(int column)
-{
-  constexpr int each = ShadowLadder::Each;
-  if (column >= ShadowLadder::FirstWhole)
-  {
-    return each + column - static_cast<double>(ShadowLadder::FirstWhole);
-  }
-  const double least = std::ldexp(1.0, -ShadowLadder::Octaves);
-  return column < each ? column * least
-                       : std::ldexp(least, column / each - 1) * (each + column % each);
-}
-
-//------------------------------------------------------------------------------
-void MakeShadowLadder(
-  const vtkGodRaysShadowGrids& grids, double low, double high, ShadowLadder& ladder)
-{
-  const vtkGodRaysShadowGrids::Grid& grid = grids.Grids[0];
-  const double least = std::min(grid.Texel[0], grid.Texel[1]);
-  const double most = std::max(grid.Texel[0], grid.Texel[1]) * std::sqrt(2.0);
-  // From rays at right angles to the light to where all is in the finest column. Both ends are rounded, so
-  // that the ladder serves while a camera moves and texels change with it.
-  constexpr int rounded = 16;
-  const double perStep = 1.0 / std::log(ShadowLadder::Ratio);
-  const double begin = std::floor(std::log(low * least) * perStep / rounded) * rounded;
-  const double end = std::ceil(std::log(3000.0 * high * most) * perStep / rounded + 1.0) * rounded;
-  const int steps = static_cast<int>(std::min(end - begin, 512.0));
-  const double first = std::pow(ShadowLadder::Ratio, begin);
-  const int wanted = grid.Size[0] + grid.Size[1] + ShadowLadder::FirstWhole + 128;
-  const int columns = (wanted + 63) / 64 * 64;
-  if (columns == ladder.Columns && steps == ladder.Steps && first == ladder.First)
-  {
-    return;
-  }
-  ladder.Columns = columns;
-  ladder.Steps = steps;
-  ladder.First = first;
-  ladder.Middles.resize(columns + 64);
-  for (int j = 0; j < columns + 64; ++j)
-  {
-    ladder.Middles[j] = static_cast<float>(0.5 * (GetShadowColumn(j) + GetShadowColumn(j + 1)));
-  }
-  ladder.Weights.assign(static_cast<std::size_t>(steps) * columns, 0.0f);
-  for (int step = 0; step < steps; ++step)
-  {
-    const double x = first * std::pow(ShadowLadder::Ratio, step);
-    float* weights = ladder.Weights.data() + static_cast<std::size_t>(step) * columns;
-    for (int j = 0; j < columns; ++j)
-    {
-      const double start = GetShadowColumn(j);
-      const double left = std::exp(-x * start);
-      if (left < 1e-12)
-      {
-        break;
-      }
-      weights[j] = static_cast<float>(left * -std::expm1(-x * (GetShadowColumn(j + 1) - start)));
-    }
-  }
-}
 
 //------------------------------------------------------------------------------
 void DeleteShadowLines::operator()(ShadowLines* lines) const
@@ -719,10 +730,10 @@ ShadowLinesPointer MakeShadowLines()
 //------------------------------------------------------------------------------
 void SweepShadowBand(const CoverageSettings& settings, const CoverageImage& image,
   const CoverageWedge& wedge, int band, const vtkGodRaysShadowGrids& grids,
-  const ShadowLadder& ladder, const ShadowPicture& picture, ShadowLines& lines)
+  const ShadowTables& tables, const ShadowPicture& picture, ShadowLines& lines)
 {
   HWY_DYNAMIC_DISPATCH(RunShadowBand)
-  (settings, image, wedge, band, grids, ladder, picture, lines);
+  (settings, image, wedge, band, grids, tables, picture, lines);
 }
 }
 #endif

@@ -4,7 +4,7 @@
  * @file    vtkGodRaysShadowKernels.h
  * @brief   what a shadow map hides of each view ray, swept along lines through the light
  *
- * Private. For a directional light in a homogeneous medium and view rays through the eye.
+ * Private. For view rays through the eye.
  *
  * A line of the picture through the light is a plane through eye and light. In it a point is (h, t), h
  * along the direction e to the light and t its distance from the axis along e through the eye. The view
@@ -13,7 +13,13 @@
  * t P(k) <= h Q(k). P and Q are affine in k, and rows are counted in the direction in which light flows:
  * each column turns dark in one row at most and stays dark, the row where its occluder is seen.
  *
- * A pixel's hidden light is then a sum over dark columns before the end of its ray,
+ * Of a point light at (d, 0), columns are wedges about it, at an angle a from e; the map tells the distance
+ * r beyond which all is dark, and the occluder is at (h, t) = (d + r cos a, r sin a). All else holds as it
+ * is: farther from the light is farther along the rows. Wedges are counted from the direction to the eye;
+ * a ray (P, Q) of depth 1 meets the one at a at the depth d sin a/(P sin a - Q cos a).
+ *
+ * What dark columns hide is what MeasureRays() finds between the ends of their runs. For a directional
+ * light in a homogeneous medium it is a sum over dark columns before the end of the ray,
  *
  *     hidden = sum e^(-x b_j) - e^(-x b_(j+1)),     x = sigma |D|/Q [1/column]
  *
@@ -30,42 +36,19 @@
 
 #include "vtkGodRaysCoverageKernels.h" // For CoverageSettings and CoverageWedge
 #include "vtkGodRaysShadowGrids.h"
+#include "vtkGodRaysShadowTables.h"
 
 #include <cstddef>
 #include <memory>
-#include <vector>
 
 namespace vtkGodRays
 {
-/// The columns of all lines, and what comes from each at the steps of the ladder.
-struct ShadowLadder
-{
-  static constexpr double Ratio = 1.15; // interpolation: less than 8e-4 of an infinite ray
-  static constexpr int Octaves = 3;     // of finer columns
-  static constexpr int Mantissa = 6;    // 2^Mantissa columns in each
-  static constexpr int Each = 1 << Mantissa;
-  static constexpr int FirstWhole =
-    Each * (1 + Octaves); // the first column of width 1; it begins at Each
-
-  int Columns = 0; // room for them, padded
-  int Steps = 0;
-  double First = 0.0;         // x of the first step
-  std::vector<float> Weights; // of steps, of columns
-  std::vector<float> Middles; // of columns, in widths of whole ones
-};
-
-/// Where a column begins [widths of whole columns from the axis].
-double GetShadowColumn(int column);
-
-/// For extinctions [1/scene unit] from low to high, above 0. A ladder that serves as it is stays.
-void MakeShadowLadder(
-  const vtkGodRaysShadowGrids& grids, double low, double high, ShadowLadder& ladder);
-
 /// A picture or its transpose: pixel (x, row) is at x Across + row Along of each plane.
 struct ShadowPicture
 {
-  const float* Ends; // of view rays
-  float* Hidden[3];  // result, by colours; 0 before
+  const float* Begins;                  // of view rays in a spotlight's cone; nullptr: at the eye
+  const float* Ends;                    // of view rays
+  float* Hidden[CoverageMaximumPlanes]; // result; 0 before
   std::ptrdiff_t Across;
   std::ptrdiff_t Along;
 };
@@ -83,7 +66,7 @@ ShadowLinesPointer MakeShadowLines();
 /// its transpose x and y change places.
 void SweepShadowBand(const CoverageSettings& settings, const CoverageImage& image,
   const CoverageWedge& wedge, int band, const vtkGodRaysShadowGrids& grids,
-  const ShadowLadder& ladder, const ShadowPicture& picture, ShadowLines& lines);
+  const ShadowTables& tables, const ShadowPicture& picture, ShadowLines& lines);
 }
 
 #endif

@@ -44,11 +44,71 @@ Sweep::Parameters MakeParameters(int width, int height, const double light[3])
   return parameters;
 }
 
-// Balls and gaps among them, around the view rays and outside of the picture.
+struct Ball
+{
+  double Center[3];
+  double Radius;
+};
+
+// With gaps among them, around the view rays and outside of the picture.
+std::vector<Ball> MakeBalls()
+{
+  std::mt19937 generator(5);
+  const auto uniform = [&](double low, double high)
+  { return low + (high - low) * (generator() / 4294967296.0); };
+  std::vector<Ball> balls(60);
+  for (Ball& ball : balls)
+  {
+    ball.Center[0] = uniform(-8.0, 8.0);
+    ball.Center[1] = uniform(-6.0, 6.0);
+    ball.Center[2] = uniform(3.0, 16.0);
+    ball.Radius = uniform(0.1, 0.8);
+  }
+  return balls;
+}
+
 class Map
 {
 public:
-  Map(const double light[3], int size, int levels)
+  virtual ~Map() = default;
+  virtual bool IsLit(const double place[3]) const = 0;
+  vtkGodRaysShadowGrids Grids;
+
+protected:
+  // A square grid's depths, of the places along its axes.
+  template <typename Function>
+  void Fill(int index, int size, double half, Function getDepth)
+  {
+    vtkGodRaysShadowGrids::Grid& grid = this->Grids.Grids[index];
+    for (int k = 0; k < 2; ++k)
+    {
+      grid.Size[k] = size;
+      grid.Low[k] = -half;
+      grid.Texel[k] = 2.0 * half / size;
+    }
+    grid.Stride = size;
+    this->Depths[index].resize(static_cast<std::size_t>(size) * size);
+    grid.Depths = this->Depths[index].data();
+    for (int j = 0; j < size; ++j)
+    {
+      for (int i = 0; i < size; ++i)
+      {
+        this->Depths[index][j * static_cast<std::size_t>(size) + i] = static_cast<float>(getDepth(
+          grid.Low[0] + (i + 0.5) * grid.Texel[0], grid.Low[1] + (j + 0.5) * grid.Texel[1]));
+      }
+    }
+  }
+
+  const std::vector<Ball> Balls = MakeBalls();
+
+private:
+  std::vector<float> Depths[vtkGodRaysShadowGrids::MaximumGrids];
+};
+
+class SunMap : public Map
+{
+public:
+  SunMap(const double light[3], int size, int levels)
   {
     std::copy_n(light, 3, this->Light);
     vtkMath::Normalize(this->Light);
@@ -56,43 +116,16 @@ public:
     this->Grids.HeightAtZero = 40.0;
     this->Grids.HeightAtOne = -40.0;
     this->Grids.Levels = levels;
-    std::mt19937 generator(5);
-    const auto uniform = [&](double low, double high)
-    { return low + (high - low) * (generator() / 4294967296.0); };
-    for (int i = 0; i < 60; ++i)
-    {
-      this->Balls.push_back(
-        { uniform(-8.0, 8.0), uniform(-6.0, 6.0), uniform(3.0, 16.0), uniform(0.1, 0.8) });
-    }
     for (int level = 0; level < levels; ++level)
     {
-      vtkGodRaysShadowGrids::Grid& grid = this->Grids.Grids[level];
-      const double half = std::ldexp(14.0, -level);
-      for (int k = 0; k < 2; ++k)
-      {
-        grid.Size[k] = size;
-        grid.Low[k] = -half;
-        grid.Texel[k] = 2.0 * half / size;
-      }
-      grid.Stride = size;
-      this->Depths[level].resize(static_cast<std::size_t>(size) * size);
-      grid.Depths = this->Depths[level].data();
-      for (int j = 0; j < size; ++j)
-      {
-        for (int i = 0; i < size; ++i)
-        {
-          this->Depths[level][j * static_cast<std::size_t>(size) + i] =
-            static_cast<float>(this->Look(
-              grid.Low[0] + (i + 0.5) * grid.Texel[0], grid.Low[1] + (j + 0.5) * grid.Texel[1]));
-        }
-      }
+      this->Fill(level, size, std::ldexp(14.0, -level),
+        [this](double a, double b) { return this->Look(a, b); });
     }
   }
 
-  vtkGodRaysShadowGrids Grids;
   double Light[3];
 
-  bool IsLit(const double place[3]) const
+  bool IsLit(const double place[3]) const override
   {
     return vtkMath::Dot(place, this->Light) >
       this->Grids.GetHeight(
@@ -100,30 +133,82 @@ public:
   }
 
 private:
-  struct Ball
-  {
-    double X, Y, Z, Radius;
-  };
-
   double Look(double a, double b) const
   {
     double height = -40.0;
     for (const Ball& ball : this->Balls)
     {
-      const double center[3] = { ball.X, ball.Y, ball.Z };
       const double square = ball.Radius * ball.Radius -
-        std::pow(a - vtkMath::Dot(center, this->Grids.Axes[0]), 2) -
-        std::pow(b - vtkMath::Dot(center, this->Grids.Axes[1]), 2);
+        std::pow(a - vtkMath::Dot(ball.Center, this->Grids.Axes[0]), 2) -
+        std::pow(b - vtkMath::Dot(ball.Center, this->Grids.Axes[1]), 2);
       if (square > 0.0)
       {
-        height = std::max(height, vtkMath::Dot(center, this->Light) + std::sqrt(square));
+        height = std::max(height, vtkMath::Dot(ball.Center, this->Light) + std::sqrt(square));
       }
     }
     return (40.0 - height) / 80.0;
   }
+};
 
-  std::vector<Ball> Balls;
-  std::vector<float> Depths[vtkGodRaysShadowGrids::MaximumLevels];
+// Six faces about a lamp, or one that looks back to the eye.
+class LampMap : public Map
+{
+public:
+  LampMap(const double light[3], int size, int faces)
+  {
+    std::copy_n(light, 3, this->Light);
+    this->Grids.Point = true;
+    this->Grids.Levels = faces;
+    this->Grids.Range[0] = 0.01;
+    this->Grids.Range[1] = 60.0;
+    for (int face = 0; face < faces; ++face)
+    {
+      auto& axes = this->Grids.Grids[face].Axes;
+      axes[2][0] = axes[2][1] = axes[2][2] = 0.0;
+      axes[2][faces == 1 ? 2 : face / 2] = faces == 1 || face % 2 == 1 ? -1.0 : 1.0;
+      vtkMath::Perpendiculars(axes[2], axes[0], axes[1], 0.0);
+      this->Fill(face, size, faces == 1 ? 1.7 : 1.0,
+        [&](double a, double b)
+        {
+          const double along[3] = { axes[2][0] + a * axes[0][0] + b * axes[1][0],
+            axes[2][1] + a * axes[0][1] + b * axes[1][1],
+            axes[2][2] + a * axes[0][2] + b * axes[1][2] };
+          return this->Look(along);
+        });
+    }
+  }
+
+  double Light[3];
+
+  bool IsLit(const double place[3]) const override
+  {
+    double from[3];
+    vtkMath::Subtract(place, this->Light, from);
+    const double distance = vtkMath::Normalize(from);
+    return distance < this->Grids.GetDistance(from);
+  }
+
+private:
+  // The depth of what is first met along a vector from the lamp, whose third axis has length 1.
+  double Look(const double along[3]) const
+  {
+    double least = 1e30;
+    for (const Ball& ball : this->Balls)
+    {
+      double to[3];
+      vtkMath::Subtract(ball.Center, this->Light, to);
+      const double square = vtkMath::Dot(along, along);
+      const double middle = vtkMath::Dot(along, to) / square;
+      const double root =
+        middle * middle - (vtkMath::Dot(to, to) - ball.Radius * ball.Radius) / square;
+      if (root > 0.0 && middle - std::sqrt(root) > this->Grids.Range[0])
+      {
+        least = std::min(least, middle - std::sqrt(root));
+      }
+    }
+    const double* range = this->Grids.Range;
+    return std::min(1.0, (range[1] - range[0] * range[1] / least) / (range[1] - range[0]));
+  }
 };
 
 // Ends of view rays: some near, some at nothing.
@@ -175,11 +260,19 @@ Picture March(const Sweep::Parameters& parameters, const Picture& ends, const Pi
         const double z = (i + 0.5) / steps * end;
         const double place[3] = { ray[0] * z, ray[1] * z, z };
         const bool isLit = map.IsLit(place);
+        double from[3];
+        vtkMath::Subtract(place, parameters.Light, from);
+        const bool isPoint = parameters.Light[3] != 0.0;
+        const double distance = isPoint ? vtkMath::Norm(from) : 0.0;
+        const double g = parameters.Medium.Components[0].Asymmetry;
+        const double cosine = isPoint ? -vtkMath::Dot(from, ray) / (distance * length) : 0.0;
+        const double power =
+          isPoint ? std::pow(1.0 + g * g - 2.0 * g * cosine, -1.5) / (distance * distance) : 1.0;
         for (int c = 0; c < lit.Components; ++c)
         {
           const auto& component = parameters.Medium.Components[0];
-          const double weight =
-            std::exp(-(component.Scattering[c] + component.Absorption[c]) * z * length);
+          const double extinction = component.Scattering[c] + component.Absorption[c];
+          const double weight = power * std::exp(-extinction * (z * length + distance));
           wholes[c] += weight;
           sums[c] += isLit ? weight : 0.0;
         }
@@ -209,7 +302,7 @@ void Check(const Direction& direction, int levels, const double scattering[3])
   const int width = 160;
   const int height = 90;
   const Picture ends = MakeEnds(width, height);
-  const Map map(direction.Light, levels == 1 ? 512 : 256, levels);
+  const SunMap map(direction.Light, levels == 1 ? 512 : 256, levels);
   Sweep::Parameters parameters = MakeParameters(width, height, direction.Light);
   std::copy_n(scattering, 3, parameters.Medium.Components[0].Scattering);
   const vtkGodRaysShadowGrids nothing;
@@ -253,6 +346,43 @@ TEST(ShadowSweep, NestedMapsAndThreeColours)
 }
 
 //------------------------------------------------------------------------------
+// Among the balls, beside them, behind the eye, in the picture's plane; and far behind them, in one face.
+TEST(ShadowSweep, IsTheMapOfALampLookedUpEverywhere)
+{
+  const struct
+  {
+    const char* Name;
+    double Light[3];
+    int Faces;
+  } lamps[] = { { "among", { 0.5, 0.6, 6.0 }, 6 }, { "aside", { 7.0, 1.0, 8.0 }, 6 },
+    { "above", { 0.4, 6.0, 5.0 }, 6 }, { "behind", { 1.0, 1.2, -3.0 }, 6 },
+    { "level", { -3.0, 0.5, 1e-7 }, 6 }, { "far", { 1.5, 2.0, 22.0 }, 1 },
+    { "far aside", { 9.0, 2.0, 21.0 }, 1 } };
+  const int width = 160;
+  const int height = 90;
+  const Picture ends = MakeEnds(width, height);
+  for (const auto& lamp : lamps)
+  {
+    const LampMap map(lamp.Light, lamp.Faces == 6 ? 256 : 512, lamp.Faces);
+    Sweep::Parameters parameters = MakeParameters(width, height, Directions[0].Light);
+    std::copy_n(lamp.Light, 3, parameters.Light);
+    parameters.Light[3] = 1.0;
+    const vtkGodRaysShadowGrids nothing;
+    parameters.Shadows = &nothing;
+    Sweep sweep;
+    const Picture lit = Execute(sweep, parameters, ends);
+    parameters.Shadows = &map.Grids;
+    const Picture swept = Execute(sweep, parameters, ends);
+    const Picture truth = March(parameters, ends, lit, map, 2000);
+    const double rms = GetRms(swept, truth);
+    const double shadows = GetRms(lit, truth);
+    std::cout << lamp.Name << ": " << rms << ", without shadows " << shadows << "\n";
+    EXPECT_LE(rms, 0.004) << lamp.Name;
+    EXPECT_GT(shadows, 3.0 * rms) << lamp.Name;
+  }
+}
+
+//------------------------------------------------------------------------------
 // Any size of picture, the light in a pixel's centre, along an axis, or nearly in the picture's plane.
 TEST(ShadowSweep, IsFiniteInDegenerateCases)
 {
@@ -264,7 +394,7 @@ TEST(ShadowSweep, IsFiniteInDegenerateCases)
     const Picture ends = MakeEnds(size[0], size[1]);
     for (const auto& light : lights)
     {
-      const Map map(light, 64, 4);
+      const SunMap map(light, 64, 4);
       Sweep::Parameters parameters = MakeParameters(size[0], size[1], light);
       parameters.Shadows = &map.Grids;
       for (const double scattering : { 1e-9, 0.1, 1e4 })
@@ -273,6 +403,13 @@ TEST(ShadowSweep, IsFiniteInDegenerateCases)
         Sweep sweep;
         Execute(sweep, parameters, ends); // expects finite values
       }
+      const LampMap lamp(light, 32, 6);
+      parameters.Light[3] = 1.0;
+      parameters.Shadows = &lamp.Grids;
+      Sweep sweep;
+      Execute(sweep, parameters, ends);
+      std::fill_n(parameters.Light, 3, 0.0); // in the eye
+      Execute(sweep, parameters, ends);
     }
   }
 }
@@ -282,7 +419,7 @@ TEST(ShadowSweep, IsFiniteInDegenerateCases)
 TEST(ShadowSweep, ThePixelOfTheLight)
 {
   const double light[3] = { 0.0, 0.0, 1.0 };
-  const Map map(light, 128, 1);
+  const SunMap map(light, 128, 1);
   Sweep::Parameters parameters = MakeParameters(21, 11, light);
   const Picture ends = MakePicture(21, 11, [](int, int) { return Sweep::Sky + 0.0; });
   const vtkGodRaysShadowGrids nothing;
@@ -308,10 +445,9 @@ TEST(ShadowSweep, SaysWhatItLacks)
   parameters.Parallel = true;
   EXPECT_FALSE(Sweep::Supports(parameters));
   parameters.Parallel = false;
-  parameters.Light[3] = 1.0;
-  EXPECT_FALSE(Sweep::Supports(parameters));
-  parameters.Light[3] = 0.0;
   parameters.Medium.Components[0].ScaleHeight = 1.0;
+  EXPECT_TRUE(Sweep::Supports(parameters));
+  parameters.Medium.PlanetRadius = 1000.0;
   EXPECT_FALSE(Sweep::Supports(parameters));
   Sweep sweep;
   sweep.PrepareInput(4, 4, 1);
@@ -322,7 +458,7 @@ TEST(ShadowSweep, SaysWhatItLacks)
 TEST(ShadowSweep, SteadyExecutionAllocatesNothing)
 {
   const Picture ends = MakeEnds(120, 80);
-  const Map map(Directions[0].Light, 128, 4);
+  const SunMap map(Directions[0].Light, 128, 4);
   Sweep::Parameters parameters = MakeParameters(120, 80, Directions[0].Light);
   parameters.Shadows = &map.Grids;
   Picture several;

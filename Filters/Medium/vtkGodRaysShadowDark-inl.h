@@ -1,0 +1,313 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The dark columns of a line and what they hide. Compiled for each set of vector instructions: see
+// vtkGodRaysShadowKernels.cxx.
+#if defined(vtkGodRaysShadowDark_inl_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef vtkGodRaysShadowDark_inl_h
+#undef vtkGodRaysShadowDark_inl_h
+#else
+#define vtkGodRaysShadowDark_inl_h
+#endif
+
+#include "vtkGodRaysCoverageRays-inl.h"
+#include "vtkGodRaysShadowLines.h"
+#include "vtkGodRaysShadowTables.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace vtkGodRays
+{
+namespace HWY_NAMESPACE
+{
+HWY_INLINE Float SetFloat(double value)
+{
+  return hn::Set(FloatTag(), static_cast<float>(value));
+}
+
+//------------------------------------------------------------------------------
+// The sums of what is dark, at two steps of the ladder.
+class DarkSums
+{
+public:
+  DarkSums(ShadowLines& memory, const ShadowLadder& ladder)
+    : Memory(memory)
+    , Ladder(ladder)
+  {
+  }
+
+  void Clear(int columns)
+  {
+    std::fill_n(this->Memory.Dark.begin(), columns + 64, 0.0f);
+    std::fill_n(this->Memory.DarkBlocks.begin(), columns / ShadowBlock + 2, 0);
+  }
+
+  HWY_INLINE void Mark(int column)
+  {
+    this->Memory.Dark[column] = 1.0f;
+    ++this->Memory.DarkBlocks[column / ShadowBlock];
+  }
+
+  // At a step and the next one, of the columns before an end.
+  void Build(int step, int end)
+  {
+    this->Blocks = end / ShadowBlock + 1;
+    for (int node = 0; node < 2; ++node)
+    {
+      const float* weights =
+        this->Ladder.Weights.data() + static_cast<std::size_t>(step + node) * this->Ladder.Columns;
+      this->Weights[node] = weights;
+      float* inner = this->Memory.Inner[node].data();
+      float* outer = this->Memory.Outer[node].data();
+      float total = 0.0f;
+      for (int block = 0; block < this->Blocks; ++block)
+      {
+        const int first = block * ShadowBlock;
+        outer[block] = total;
+        float sum = 0.0f;
+        if (this->Memory.DarkBlocks[block] == 0)
+        {
+          std::fill_n(inner + first, ShadowBlock, 0.0f);
+          continue;
+        }
+        for (int j = first; j < first + ShadowBlock; ++j)
+        {
+          inner[j] = sum;
+          sum += weights[j] * this->Memory.Dark[j];
+        }
+        total += sum;
+      }
+      inner[this->Blocks * ShadowBlock] = 0.0f;
+      std::fill_n(outer + this->Blocks, 16, total);
+    }
+  }
+
+  HWY_INLINE void Add(int column)
+  {
+    const FloatTag d;
+    const int lanes = GetLanes();
+    const int block = column / ShadowBlock;
+    const float* before = this->Memory.IsAfter.data() + this->Memory.IsAfter.size() / 2 - 1;
+    const float* inside = before - column % ShadowBlock;
+    const float* outside = before - block;
+    for (int node = 0; node < 2; ++node)
+    {
+      const Float weight = hn::Set(d, this->Weights[node][column]);
+      float* inner = this->Memory.Inner[node].data() + block * ShadowBlock;
+      for (int k = 0; k < ShadowBlock; k += lanes)
+      {
+        hn::StoreU(
+          hn::MulAdd(weight, hn::LoadU(d, inside + k), hn::LoadU(d, inner + k)), d, inner + k);
+      }
+      float* outer = this->Memory.Outer[node].data();
+      for (int k = 0; k <= this->Blocks; k += lanes)
+      {
+        hn::StoreU(
+          hn::MulAdd(weight, hn::LoadU(d, outside + k), hn::LoadU(d, outer + k)), d, outer + k);
+      }
+    }
+  }
+
+  // Before a place in columns, at a part of the way from the first step to the second.
+  HWY_INLINE float Read(float place, float part) const
+  {
+    const int column = static_cast<int>(place);
+    const float within = place - column;
+    float sums[2];
+    for (int node = 0; node < 2; ++node)
+    {
+      const float* inner = this->Memory.Inner[node].data();
+      const float* outer = this->Memory.Outer[node].data();
+      const float low = outer[column / ShadowBlock] + inner[column];
+      const float high = outer[(column + 1) / ShadowBlock] + inner[column + 1];
+      sums[node] = low + within * (high - low);
+    }
+    return sums[0] + part * (sums[1] - sums[0]);
+  }
+
+private:
+  ShadowLines& Memory;
+  const ShadowLadder& Ladder;
+  const float* Weights[2] = {};
+  int Blocks = 0;
+};
+
+//------------------------------------------------------------------------------
+// The runs of columns that are dark.
+class DarkRuns
+{
+public:
+  explicit DarkRuns(ShadowLines& memory)
+    : Memory(memory)
+  {
+  }
+
+  void Clear(int columns)
+  {
+    std::fill_n(this->Memory.Dark.begin(), columns + 64, 0.0f);
+    this->Memory.RunBegin.clear();
+    this->Memory.RunEnd.clear();
+  }
+
+  // A column that is not dark yet.
+  HWY_INLINE void Mark(int column)
+  {
+    ShadowLines& m = this->Memory;
+    m.Dark[column] = 1.0f;
+    const bool joinsBefore = column > 0 && m.Dark[column - 1] != 0.0f;
+    const bool joinsAfter = m.Dark[column + 1] != 0.0f;
+    const int first = joinsBefore ? m.OtherEnd[column - 1] : column;
+    const int last = joinsAfter ? m.OtherEnd[column + 1] : column;
+    m.OtherEnd[first] = last;
+    m.OtherEnd[last] = first;
+    if (joinsBefore)
+    {
+      m.RunEnd[m.RunAt[first]] = last + 1;
+      if (joinsAfter)
+      {
+        this->Remove(m.RunAt[column + 1]);
+      }
+    }
+    else if (joinsAfter)
+    {
+      const int at = m.RunAt[column + 1];
+      m.RunBegin[at] = first;
+      m.RunAt[first] = at;
+    }
+    else
+    {
+      m.RunAt[first] = static_cast<int>(m.RunBegin.size());
+      m.RunBegin.push_back(first);
+      m.RunEnd.push_back(first + 1);
+    }
+  }
+
+private:
+  void Remove(int at)
+  {
+    ShadowLines& m = this->Memory;
+    m.RunBegin[at] = m.RunBegin.back();
+    m.RunEnd[at] = m.RunEnd.back();
+    m.RunAt[m.RunBegin[at]] = at;
+    m.RunBegin.pop_back();
+    m.RunEnd.pop_back();
+  }
+
+  ShadowLines& Memory;
+};
+
+//------------------------------------------------------------------------------
+// Where columns begin along view rays: the ray (P, Q) of depth 1 is there at the depth
+// Scale Places[j]/(P Slope Places[j] + Q Shares[j]).
+struct ColumnEdges
+{
+  const float* Places;
+  const float* Shares;
+  float Scale;
+  float Slope;
+};
+
+//------------------------------------------------------------------------------
+// What the runs hide of some pixels, as many as there are lanes. All of them at once are measured faster
+// than each pixel's on its own.
+class SeenRuns
+{
+public:
+  explicit SeenRuns(ShadowLines& memory)
+    : Memory(memory)
+  {
+  }
+
+  void Clear()
+  {
+    this->Memory.SeenBegin.clear();
+    this->Memory.SeenEnd.clear();
+    this->Memory.Seer.clear();
+  }
+
+  // All runs as they are now, for the next pixel.
+  void Add(int pixel)
+  {
+    ShadowLines& m = this->Memory;
+    m.SeenBegin.insert(m.SeenBegin.end(), m.RunBegin.begin(), m.RunBegin.end());
+    m.SeenEnd.insert(m.SeenEnd.end(), m.RunEnd.begin(), m.RunEnd.end());
+    m.Seer.resize(m.SeenBegin.size(), pixel);
+    this->Ends[pixel] = static_cast<int>(m.SeenBegin.size());
+  }
+
+  // Along rays (P, Q), between their first and last depths.
+  void Measure(const CoverageSettings& settings, const ColumnEdges& edges,
+    const Rays<FloatTag>& rays, Float p, Float q, Float first, Float last)
+  {
+    const FloatTag d;
+    const IntTag di;
+    const int lanes = GetLanes();
+    ShadowLines& m = this->Memory;
+    const int count = static_cast<int>(m.SeenBegin.size());
+    for (std::vector<int>* values : { &m.SeenBegin, &m.SeenEnd, &m.Seer })
+    {
+      values->resize(count + lanes, 0);
+    }
+    for (int plane = 0; plane < settings.Planes; ++plane)
+    {
+      m.Hidden[plane].resize(std::max<std::size_t>(m.Hidden[plane].size(), count + lanes));
+    }
+    for (int i = 0; i < count; i += lanes)
+    {
+      const auto seers = hn::LoadU(di, m.Seer.data() + i);
+      const auto indices = hn::IndicesFromVec(d, seers);
+      const Float begin = hn::TableLookupLanes(first, indices);
+      const Float end = hn::TableLookupLanes(last, indices);
+      const Float along = hn::TableLookupLanes(p, indices) * hn::Set(d, edges.Slope);
+      const Float across = hn::TableLookupLanes(q, indices);
+      const auto toDepth = [&](const int* columns) HWY_ATTR
+      {
+        const auto column = hn::LoadU(di, columns + i);
+        const Float place = hn::GatherIndex(d, edges.Places, column);
+        const Float share = hn::GatherIndex(d, edges.Shares, column);
+        const Float rate = hn::Max(hn::MulAdd(along, place, across * share), hn::Set(d, 1e-30f));
+        return hn::Max(hn::Min(hn::Set(d, edges.Scale) * place / rate, end), begin);
+      };
+      const Float low = toDepth(m.SeenBegin.data());
+      const Float high = toDepth(m.SeenEnd.data());
+      if (hn::AllTrue(d, hn::Ge(low, high))) // beyond the ray's end
+      {
+        for (int plane = 0; plane < settings.Planes; ++plane)
+        {
+          hn::StoreU(hn::Zero(d), d, m.Hidden[plane].data() + i);
+        }
+        continue;
+      }
+      const Rays<FloatTag> here = Select(rays, seers);
+      for (int plane = 0; plane < settings.Planes; ++plane)
+      {
+        const Float hidden = MeasureRays(settings, here, high * here.Length, plane) -
+          MeasureRays(settings, here, low * here.Length, plane);
+        hn::StoreU(hn::Max(hidden, hn::Zero(d)), d, m.Hidden[plane].data() + i);
+      }
+    }
+  }
+
+  HWY_INLINE void Sum(int plane, int pixels, float* sums) const
+  {
+    const float* hidden = this->Memory.Hidden[plane].data();
+    int i = 0;
+    for (int pixel = 0; pixel < pixels; ++pixel)
+    {
+      float sum = 0.0f;
+      for (; i < this->Ends[pixel]; ++i)
+      {
+        sum += hidden[i];
+      }
+      sums[pixel] = sum;
+    }
+  }
+
+private:
+  ShadowLines& Memory;
+  int Ends[8]; // of pixels' runs
+};
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#endif

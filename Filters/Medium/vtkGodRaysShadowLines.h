@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file    vtkGodRaysShadowLines.h
+ * @brief   what a band of lines needs while it is swept over a shadow map
+ *
+ * Private; see vtkGodRaysShadowKernels.h.
+ */
+
+#ifndef vtkGodRaysShadowLines_h
+#define vtkGodRaysShadowLines_h
+
+#include "vtkGodRaysCoverageKernels.h" // For CoverageMaximumPlanes
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace vtkGodRays
+{
+constexpr int ShadowBlock = 32; // columns whose sums are one
+
+class ShadowLines
+{
+public:
+  // Of a line's rows.
+  std::vector<float> RowFirst, RowEnd; // pixels of the wedge
+  std::vector<int> Begin, End;         // pixels of the line
+  std::vector<float> Perpendicular;    // distance from the axis at depth 1 [columns]
+  std::vector<float> Extinction;       // for each column's width
+  std::vector<float> Step;             // place on the ladder
+  std::vector<float> Before;           // transmittance of what is before the first column
+  std::vector<int> Head;               // the first column that turns dark there, or -1
+  // Of its pixels.
+  std::vector<int> Offset, Row, Column;
+  std::vector<float> Last;  // where rays end [columns, and part of the light of one]
+  std::vector<float> Width; // the same [widths of whole columns]
+  std::vector<float> Scale; // of what is hidden, for what is between the ladder's steps
+  // Of columns.
+  std::vector<int> Flip, Next;
+  std::vector<float> Dark;       // 1 or 0
+  std::vector<int> DarkBlocks;   // how many columns of each block are
+  std::vector<float> Inner[2];   // sums of what is dark before a column, in its block
+  std::vector<float> Outer[2];   // and in the blocks before
+  std::vector<float> IsAfter;    // 0 in its first half, then 1
+  std::vector<float> EdgePlaces; // where columns begin
+  std::vector<float> Ones;
+  // Of runs of dark columns, in any order: the first, and the one after the last.
+  std::vector<int> RunBegin, RunEnd;
+  std::vector<int> OtherEnd; // of the run that a column ends, its other end
+  std::vector<int> RunAt;    // of the run that a column begins, its place
+  // Of what some pixels see of them.
+  std::vector<int> SeenBegin, SeenEnd, Seer;
+  std::vector<float> Hidden[CoverageMaximumPlanes];
+
+  void Reserve(int rows, int columns)
+  {
+    const std::size_t paddedRows = rows + 16;
+    for (std::vector<float>* values : { &this->RowFirst, &this->RowEnd, &this->Perpendicular,
+           &this->Extinction, &this->Step, &this->Before })
+    {
+      values->resize(paddedRows);
+    }
+    for (std::vector<int>* values : { &this->Begin, &this->End, &this->Head })
+    {
+      values->resize(paddedRows);
+    }
+    this->Offset.resize(4 * paddedRows);
+    this->Row.resize(4 * paddedRows);
+    this->Column.resize(4 * paddedRows);
+    for (std::vector<float>* values : { &this->Last, &this->Width, &this->Scale })
+    {
+      values->resize(4 * paddedRows);
+    }
+    this->Flip.resize(columns + 64);
+    this->Next.resize(columns + 64);
+    this->EdgePlaces.resize(columns + 64);
+    this->Ones.resize(columns + 64, 1.0f);
+    this->OtherEnd.resize(columns + 64);
+    this->RunAt.resize(columns + 64);
+    this->Dark.resize(columns + 64);
+    const std::size_t blocks = columns / ShadowBlock + 64;
+    this->DarkBlocks.resize(blocks);
+    if (this->IsAfter.size() != 2 * blocks)
+    {
+      this->IsAfter.assign(2 * blocks, 1.0f);
+      std::fill_n(this->IsAfter.begin(), blocks, 0.0f);
+    }
+    for (int i = 0; i < 2; ++i)
+    {
+      this->Inner[i].resize(columns + 64);
+      this->Outer[i].resize(blocks);
+    }
+  }
+};
+}
+
+#endif
