@@ -10,7 +10,6 @@
 #include "vtkCubeSource.h"
 #include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysPass.h"
-#include "vtkGodRaysShadowMapIntegrator.h"
 #include "vtkLight.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -59,11 +58,8 @@ int main(int argc, char* argv[])
 
   vtkNew<vtkGodRaysHomogeneousModel> dust;
   dust->SetScatteringCoefficient(0.15, 0.15, 0.15); // [1/m]
-  vtkNew<vtkGodRaysShadowMapIntegrator> shadows;    // the roof, too, is outside the picture
-  shadows->SetNumberOfSteps(32);
   vtkNew<vtkGodRaysPass> rays;
   rays->SetModel(dust);
-  rays->SetIntegrator(shadows);
   rays->AddLight(sun);
   rays->Attach(renderer);
 

@@ -43,9 +43,7 @@ renderer.AddLight(sun)
 
 dust = godrays.vtkGodRaysHomogeneousModel()
 dust.SetScatteringCoefficient(0.15, 0.15, 0.15)  # [1/m]
-shadows = godrays.vtkGodRaysShadowMapIntegrator()  # the roof, too, is outside the picture
-shadows.SetNumberOfSteps(32)
-godrays.enable(renderer, light=sun, model=dust, integrator=shadows)
+godrays.enable(renderer, light=sun, model=dust)
 
 window = vtk.vtkRenderWindow()
 window.AddRenderer(renderer)

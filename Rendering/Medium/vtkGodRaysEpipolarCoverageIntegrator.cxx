@@ -83,6 +83,12 @@ vtkGodRaysEpipolarCoverageIntegrator::vtkGodRaysEpipolarCoverageIntegrator()
 vtkGodRaysEpipolarCoverageIntegrator::~vtkGodRaysEpipolarCoverageIntegrator() = default;
 
 //------------------------------------------------------------------------------
+bool vtkGodRaysEpipolarCoverageIntegrator::Evaluates(const Request& request)
+{
+  return vtkGodRaysSweptLight::Supports(request, false);
+}
+
+//------------------------------------------------------------------------------
 bool vtkGodRaysEpipolarCoverageIntegrator::Integrate(const Request& request)
 {
   Internals& self = *this->Internal;

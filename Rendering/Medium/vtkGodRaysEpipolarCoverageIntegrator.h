@@ -4,7 +4,7 @@
  * @class   vtkGodRaysEpipolarCoverageIntegrator
  * @brief   single scattering with the shadows of all that the depth of the picture holds
  *
- * The default of vtkGodRaysMediumModel. Whatever is seen at view depth z hides light from the point of
+ * Whatever is seen at view depth z hides light from the point of
  * depth u z on the view rays of the pixels beyond it on the line from the light, at u times this pixel's
  * distance from the light; so each line through the light carries a short list of hidden intervals, and
  * a pixel sums in closed form, or from a table, what is left of the airlight. There is no step
@@ -56,6 +56,11 @@ public:
   vtkSetClampMacro(NumberOfLayers, int, 0, 2);
   vtkGetMacro(NumberOfLayers, int);
   ///@}
+
+  /**
+   * Whether it can evaluate the request's light in its medium; see vtkGodRaysCoverageSweep::Supports().
+   */
+  VTK_WRAPEXCLUDE static bool Evaluates(const Request& request);
 
   VTK_WRAPEXCLUDE bool Integrate(const Request& request) override;
   std::string Describe(vtkGodRaysModel* model) override;

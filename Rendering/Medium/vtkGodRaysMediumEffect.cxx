@@ -79,6 +79,7 @@ bool vtkGodRaysMediumEffect::DrawLight(const Frame& frame, const vtkGodRaysLight
   request.Light = &light;
   request.Occluders = &frame.Occlusion->GetOccludingProps();
   request.Compositor = frame.Compositor;
+  request.ErrorTolerance = frame.ErrorTolerance;
   auto integrator = vtkGodRaysMediumIntegrator::SafeDownCast(frame.Integrator);
   frame.Timers->Start(vtkGodRaysTimers::SCATTERING);
   bool done = false;

@@ -6,7 +6,8 @@
  *
  * vtkGodRaysPass calls Integrate() once for each light of a frame that has a vtkGodRaysMediumModel.
  *
- * @sa vtkGodRaysEpipolarCoverageIntegrator vtkGodRaysShadowMapIntegrator vtkGodRaysMediumModel
+ * @sa vtkGodRaysAutomaticIntegrator vtkGodRaysEpipolarCoverageIntegrator vtkGodRaysShadowMapIntegrator
+ * vtkGodRaysMediumModel
  */
 
 #ifndef vtkGodRaysMediumIntegrator_h
@@ -46,7 +47,8 @@ public:
     vtkGodRaysViewDepths* Depths = nullptr;
     const std::vector<vtkProp*>* Occluders = nullptr; ///< their opaque parts block light
     vtkGodRaysCompositor* Compositor = nullptr;       ///< of a scene on several processes
-    vtkGodRaysSum* Result = nullptr; ///< the light scattered by all lights: add to it
+    vtkGodRaysSum* Result = nullptr;     ///< the light scattered by all lights: add to it
+    double ErrorTolerance = 1.0 / 255.0; ///< of this frame; see vtkGodRaysPass
   };
 
   /**

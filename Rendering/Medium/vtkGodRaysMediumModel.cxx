@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysMediumModel.h"
 
-#include "vtkGodRaysEpipolarCoverageIntegrator.h"
+#include "vtkGodRaysAutomaticIntegrator.h"
 #include "vtkGodRaysMedium.h"
 #include "vtkGodRaysMediumEffect.h"
 #include "vtkGodRaysSetGet.h"
@@ -49,7 +49,7 @@ bool vtkGodRaysMediumModel::CanScatter() const
 //------------------------------------------------------------------------------
 vtkGodRaysIntegrator* vtkGodRaysMediumModel::MakeIntegrator() const
 {
-  return vtkGodRaysEpipolarCoverageIntegrator::New();
+  return vtkGodRaysAutomaticIntegrator::New();
 }
 
 //------------------------------------------------------------------------------

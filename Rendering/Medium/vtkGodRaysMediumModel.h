@@ -28,7 +28,7 @@
  * Translucent props and volumes block nothing. A picture that is tilted against the axis of view, or has
  * oblong pixels, as only a projection matrix made by hand has, is an error.
  *
- * @sa vtkGodRaysHomogeneousModel vtkGodRaysEpipolarCoverageIntegrator
+ * @sa vtkGodRaysHomogeneousModel vtkGodRaysAutomaticIntegrator
  */
 
 #ifndef vtkGodRaysMediumModel_h

@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -83,14 +84,30 @@ bool AddState(vtkProp* prop, std::vector<const void*>& objects, std::vector<doub
 }
 
 /// Right, up, and backwards from what is looked at: made right-handed, in the camera's coordinates, so
-/// that faces of props face as they do.
-void SetAxes(const double backwards[3], double axes[3][3])
+/// that faces of props face as they do. In the world they are the same wherever the eye is.
+void SetAxes(const vtkGodRaysView& view, const double backwards[3], double axes[3][3])
 {
+  const double* toView = view.WorldToView; // its rows turn, and mirror z
+  double world[3];
+  double right[3];
   double unused[3];
-  std::copy_n(backwards, 3, axes[2]);
-  axes[2][2] *= -1.0;
-  vtkMath::Perpendiculars(axes[2], axes[0], unused, 0.0);
-  vtkMath::Cross(axes[2], axes[0], axes[1]);
+  for (int i = 0; i < 3; ++i)
+  {
+    world[i] =
+      backwards[0] * toView[i] + backwards[1] * toView[4 + i] + backwards[2] * toView[8 + i];
+  }
+  vtkMath::Normalize(world);
+  vtkMath::Perpendiculars(world, right, unused, 0.0);
+  for (int i = 0; i < 3; ++i)
+  {
+    const double mirrored = i == 2 ? -1.0 : 1.0;
+    axes[0][i] = mirrored * vtkMath::Dot(toView + static_cast<std::ptrdiff_t>(4) * i, right);
+    axes[2][i] = mirrored * backwards[i];
+  }
+  vtkMath::Cross(
+    axes[2], axes[0], axes[1]); // at right angles, whatever the camera's own matrix does
+  vtkMath::Normalize(axes[1]);
+  vtkMath::Cross(axes[1], axes[2], axes[0]);
   for (int i = 0; i < 3; ++i)
   {
     axes[i][2] *= -1.0;
@@ -135,10 +152,10 @@ vtkGodRaysShadowMap::~vtkGodRaysShadowMap() = default;
 
 //------------------------------------------------------------------------------
 bool vtkGodRaysShadowMap::Draw(
-  const vtkGodRaysMediumIntegrator::Request& request, int size, bool nested)
+  const vtkGodRaysMediumIntegrator::Request& request, int size, int levels)
 {
   this->Kept = false;
-  this->Nested = nested;
+  this->Levels = request.Light->IsInfinite() ? levels : 1;
   this->Fit(request);
   if (this->NumberOfFaces == 0)
   {
@@ -146,8 +163,8 @@ bool vtkGodRaysShadowMap::Draw(
   }
   const int columns = this->GetColumns();
   const int rows = this->GetRows();
-  this->Size = std::min(
-    nested ? size / 2 : size, vtkTextureObject::GetMaximumTextureSize(request.Window) / columns);
+  this->Size = std::min(this->Levels > 1 ? size / 2 : size,
+    vtkTextureObject::GetMaximumTextureSize(request.Window) / columns);
   this->Texel /= this->Size;
   for (vtkGodRaysShadowGrids::Grid& grid : this->Grids.Grids)
   {
@@ -161,8 +178,7 @@ bool vtkGodRaysShadowMap::Draw(
   map.Prepare(
     request.Window, columns * this->Size, rows * this->Size, { 0, GL_DEPTH_COMPONENT32F });
   State state = this->GetState(request);
-  this->Kept = !state.Objects.empty() && state.Objects == this->Drawn.Objects &&
-    state.Numbers == this->Drawn.Numbers;
+  this->Kept = !state.Objects.empty() && state.IsSame(this->Drawn);
   if (this->Kept)
   {
     return true;
@@ -190,12 +206,15 @@ vtkGodRaysShadowMap::State vtkGodRaysShadowMap::GetState(
   state.Objects = { request.Window, request.Renderer,
     this->Maps[this->NumberOfFaces / 6].GetDepth() };
   state.Numbers = { this->Size + 0.0, this->NumberOfFaces + 0.0 };
-  const double* world = request.View->WorldToView;
-  state.Numbers.insert(state.Numbers.end(), world, world + 16);
   for (int face = 0; face < this->NumberOfFaces; ++face)
   {
-    const double* matrix = this->ViewToMap[face];
-    state.Numbers.insert(state.Numbers.end(), matrix, matrix + 16);
+    for (const double* corner : this->Corners)
+    {
+      const double view[4] = { corner[0], corner[1], corner[2], 1.0 };
+      double place[4];
+      vtkMatrix4x4::MultiplyPoint(this->ViewToMap[face], view, place);
+      state.Places.insert(state.Places.end(), place, place + 4);
+    }
   }
   for (vtkProp* prop : *request.Occluders)
   {
@@ -205,6 +224,19 @@ vtkGodRaysShadowMap::State vtkGodRaysShadowMap::GetState(
     }
   }
   return state;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysShadowMap::State::IsSame(const State& other) const
+{
+  double largest = 0.0;
+  for (const double place : this->Places)
+  {
+    largest = std::max(largest, std::abs(place));
+  }
+  return this->Objects == other.Objects && this->Numbers == other.Numbers &&
+    std::equal(this->Places.begin(), this->Places.end(), other.Places.begin(), other.Places.end(),
+      [=](double one, double two) { return std::abs(one - two) <= 1e-9 * largest; });
 }
 
 //------------------------------------------------------------------------------
@@ -247,38 +279,37 @@ void vtkGodRaysShadowMap::Fit(const vtkGodRaysMediumIntegrator::Request& request
   {
     return;
   }
-  double corners[8][3]; // in view coordinates
   for (int i = 0; i < 8; ++i)
   {
     const double world[4] = { bounds[i & 1], bounds[2 + (i >> 1 & 1)], bounds[4 + (i >> 2)], 1.0 };
     double view[4];
     vtkMatrix4x4::MultiplyPoint(request.View->WorldToView, world, view);
-    std::copy_n(view, 3, corners[i]);
+    std::copy_n(view, 3, this->Corners[i]);
   }
-  this->Perspective = !request.Light->IsInfinite();
+  this->Perspective = this->Grids.Point = !request.Light->IsInfinite();
   if (this->Perspective)
   {
-    this->FitPoint(request, corners);
+    this->FitPoint(request);
   }
   else
   {
-    this->FitDirectional(request, corners);
+    this->FitDirectional(request);
   }
 }
 
 //------------------------------------------------------------------------------
-// What of the occluders' shadow may be seen: the part of both, across the light.
-void vtkGodRaysShadowMap::FitDirectional(
-  const vtkGodRaysMediumIntegrator::Request& request, const double corners[8][3])
+// Across the light, of the occluders' shadow what may be seen; all of it, which is the same wherever the
+// eye is, for one face if that is no more than four times as large.
+void vtkGodRaysShadowMap::FitDirectional(const vtkGodRaysMediumIntegrator::Request& request)
 {
   double axes[3][3];
-  SetAxes(request.Light->Direction, axes);
+  SetAxes(*request.View, request.Light->Direction, axes);
   double low[3] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
   double high[3] = { -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
   for (int i = 0; i < 8; ++i)
   {
     double along[3];
-    GetAlong(axes, Eye, corners[i], along);
+    GetAlong(axes, Eye, this->Corners[i], along);
     for (int k = 0; k < 3; ++k)
     {
       low[k] = std::min(low[k], along[k]);
@@ -310,14 +341,24 @@ void vtkGodRaysShadowMap::FitDirectional(
     see(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, farthest);
   }
   const double around = 1e-3 * (high[2] - low[2] + high[1] - low[1] + high[0] - low[0]) + 1e-30;
+  double whole = 1.0;
+  double seen = 1.0;
   for (int k = 0; k < 2; ++k)
   {
-    low[k] = std::max(low[k], seenLow[k]) - around;
-    high[k] = std::min(high[k], seenHigh[k]) + around;
-    if (!(low[k] < high[k]))
+    whole *= high[k] - low[k];
+    seenLow[k] = std::max(low[k], seenLow[k]);
+    seenHigh[k] = std::min(high[k], seenHigh[k]);
+    seen *= seenHigh[k] - seenLow[k];
+    if (!(seenLow[k] - around < seenHigh[k] + around))
     {
       return; // no shadow is seen
     }
+  }
+  const bool fitsView = this->Levels > 1 || seen < 0.25 * whole;
+  for (int k = 0; k < 2; ++k)
+  {
+    low[k] = (fitsView ? seenLow[k] : low[k]) - around;
+    high[k] = (fitsView ? seenHigh[k] : high[k]) + around;
   }
   this->NumberOfFaces = 1;
   this->Range[0] = -high[2] - around;
@@ -327,16 +368,11 @@ void vtkGodRaysShadowMap::FitDirectional(
   for (int k = 0; k < 2; ++k)
   {
     std::copy_n(axes[k], 3, this->Grids.Axes[k]);
-    this->Grids.Grids[0].Low[k] = low[k];
-    this->Grids.Grids[0].Texel[k] = high[k] - low[k]; // of its one pixel as yet
   }
   this->Grids.Levels = 1;
   this->Grids.HeightAtZero = -this->Range[0];
   this->Grids.HeightAtOne = -this->Range[1];
-  if (this->Nested)
-  {
-    this->Nest(axes, low, high);
-  }
+  this->Nest(axes, low, high);
 }
 
 //------------------------------------------------------------------------------
@@ -345,9 +381,8 @@ void vtkGodRaysShadowMap::FitDirectional(
 void vtkGodRaysShadowMap::Nest(const double axes[3][3], const double low[2], const double high[2])
 {
   double share = 0.5;
-  for (int level = 1; level < vtkGodRaysShadowGrids::MaximumLevels; ++level, share *= 0.5)
+  for (int level = 1; level < this->Levels; ++level, share *= 0.5)
   {
-    vtkGodRaysShadowGrids::Grid& grid = this->Grids.Grids[level];
     double ends[2][2];
     for (int k = 0; k < 2; ++k)
     {
@@ -357,8 +392,6 @@ void vtkGodRaysShadowMap::Nest(const double axes[3][3], const double low[2], con
       {
         return;
       }
-      grid.Low[k] = ends[0][k];
-      grid.Texel[k] = ends[1][k] - ends[0][k];
     }
     this->SetFace(level, axes, Eye, ends[0], ends[1]);
     this->NumberOfFaces = this->Grids.Levels = level + 1;
@@ -375,7 +408,7 @@ const vtkGodRaysShadowGrids& vtkGodRaysShadowMap::GetGrids()
   }
   if (this->Depths.empty())
   {
-    this->Depths = this->Maps[0].ReadDepth();
+    this->Depths = this->Maps[this->NumberOfFaces / 6].ReadDepth();
   }
   const std::ptrdiff_t columns = this->GetColumns();
   for (int level = 0; level < this->Grids.Levels; ++level)
@@ -389,8 +422,7 @@ const vtkGodRaysShadowGrids& vtkGodRaysShadowMap::GetGrids()
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysShadowMap::FitPoint(
-  const vtkGodRaysMediumIntegrator::Request& request, const double corners[8][3])
+void vtkGodRaysShadowMap::FitPoint(const vtkGodRaysMediumIntegrator::Request& request)
 {
   const double* light = request.Light->Position;
   double center[3] = { 0.0, 0.0, 0.0 };
@@ -399,9 +431,10 @@ void vtkGodRaysShadowMap::FitPoint(
   {
     for (int k = 0; k < 3; ++k)
     {
-      center[k] += 0.125 * corners[i][k];
+      center[k] += 0.125 * this->Corners[i][k];
     }
-    farthest = std::max(farthest, std::sqrt(vtkMath::Distance2BetweenPoints(light, corners[i])));
+    farthest =
+      std::max(farthest, std::sqrt(vtkMath::Distance2BetweenPoints(light, this->Corners[i])));
   }
   double axes[3][3];
   double backwards[3];
@@ -410,13 +443,13 @@ void vtkGodRaysShadowMap::FitPoint(
   {
     backwards[2] = 1.0;
   }
-  SetAxes(backwards, axes);
+  SetAxes(*request.View, backwards, axes);
   double tangents[2] = { 0.0, 0.0 };
   double nearest = farthest;
   for (int i = 0; i < 8; ++i)
   {
     double along[3];
-    GetAlong(axes, light, corners[i], along);
+    GetAlong(axes, light, this->Corners[i], along);
     nearest = std::min(nearest, -along[2]);
     for (int k = 0; k < 2; ++k)
     {
@@ -424,29 +457,35 @@ void vtkGodRaysShadowMap::FitPoint(
     }
   }
   const double widest = std::sqrt(3.0); // the tangent of 60 degrees
-  this->Range[1] = 1.001 * farthest;
+  this->Range[1] = this->Grids.Range[1] = 1.001 * farthest;
   if (nearest > 0.0 && std::max(tangents[0], tangents[1]) < widest)
   {
     this->NumberOfFaces = 1;
-    this->Range[0] = 0.999 * nearest;
+    this->Range[0] = this->Grids.Range[0] = 0.999 * nearest;
     const double high[2] = { 1.001 * tangents[0] + 1e-6, 1.001 * tangents[1] + 1e-6 };
     const double low[2] = { -high[0], -high[1] };
     this->Texel = 2.0 * std::max(high[0], high[1]);
     this->SetFace(0, axes, light, low, high);
+    this->Grids.Levels = 1;
     return;
   }
   this->NumberOfFaces = 6;
-  this->Range[0] = 1e-4 * farthest;
+  this->Range[0] = this->Grids.Range[0] = 1e-4 * farthest;
   this->Texel = 2.0;
   for (int face = 0; face < 6; ++face)
   {
-    double direction[3] = { 0.0, 0.0, 0.0 };
-    direction[face / 2] = face % 2 == 0 ? -1.0 : 1.0; // backwards
-    SetAxes(direction, axes);
+    double direction[3]; // backwards, along an axis of the world
+    for (int k = 0; k < 3; ++k)
+    {
+      direction[k] = request.View->WorldToView[4 * k + face / 2] * (face % 2 == 0 ? -1.0 : 1.0);
+    }
+    vtkMath::Normalize(direction);
+    SetAxes(*request.View, direction, axes);
     const double low[2] = { -1.0, -1.0 };
     const double high[2] = { 1.0, 1.0 };
     this->SetFace(face, axes, light, low, high);
   }
+  this->Grids.Levels = 6;
 }
 
 //------------------------------------------------------------------------------
@@ -454,6 +493,14 @@ void vtkGodRaysShadowMap::FitPoint(
 void vtkGodRaysShadowMap::SetFace(int face, const double axes[3][3], const double origin[3],
   const double low[2], const double high[2])
 {
+  vtkGodRaysShadowGrids::Grid& grid = this->Grids.Grids[face];
+  for (int k = 0; k < 2; ++k)
+  {
+    std::copy_n(axes[k], 3, grid.Axes[k]);
+    grid.Low[k] = low[k];
+    grid.Texel[k] = high[k] - low[k]; // of its one pixel as yet
+  }
+  std::transform(axes[2], axes[2] + 3, grid.Axes[2], std::negate<>());
   double* m = this->ViewToMap[face];
   double shift[3];
   for (int k = 0; k < 3; ++k)
@@ -495,6 +542,19 @@ void vtkGodRaysShadowMap::Set(vtkShaderProgram* program) const
     }
   }
   program->SetUniformMatrix4x4v("toMap", this->NumberOfFaces, matrices);
+  if (this->NumberOfFaces == 6)
+  {
+    float toCube[9]; // columns first
+    for (int i = 0; i < 3; ++i)
+    {
+      const double* axis = this->Grids.Grids[2 * i].Axes[2];
+      for (int k = 0; k < 3; ++k)
+      {
+        toCube[3 * k + i] = static_cast<float>(axis[k]);
+      }
+    }
+    program->SetUniformMatrix3x3("toCube", toCube);
+  }
 }
 
 //------------------------------------------------------------------------------

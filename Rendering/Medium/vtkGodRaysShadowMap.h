@@ -6,8 +6,9 @@
  *
  * One face, fitted to the occluders, for a light that is infinitely far or sees all of it within 60
  * degrees of one direction; else the six faces of a cube about the light, side by side in one texture. A
- * light that is infinitely far may have four nested faces instead, each half as wide as the one before.
- * What was drawn for the last light serves again while view, light, faces and occluders are the same. Of
+ * light that is infinitely far may have up to four nested faces instead, each half as wide as the one
+ * before. What was drawn for the last light serves again while light, faces and occluders are the same in
+ * the world; one face about all occluders, or about a fixed lamp, so serves while the camera moves. Of
  * plain actors VTK tells that; with any other prop, and on several processes, it is drawn anew.
  */
 
@@ -31,14 +32,14 @@ public:
 
   /**
    * Render the props that block into faces of so many pixels on each side, or as many as the driver
-   * takes. Nested, the faces of a light that is infinitely far are four of half as many, about the axis
-   * through the eye. All processes of a compositor call it. Returns false when the driver refuses.
+   * takes. For a light that is infinitely far there are up to so many levels; more than one are faces of
+   * half as many pixels, nested about the axis through the eye. All processes of a compositor call it.
+   * Returns false when the driver refuses.
    */
-  bool Draw(const vtkGodRaysMediumIntegrator::Request& request, int size, bool nested = false);
+  bool Draw(const vtkGodRaysMediumIntegrator::Request& request, int size, int levels = 1);
 
   /**
-   * The faces of a light that is infinitely far as numbers, read back where they were drawn anew. They
-   * are valid until the next Draw().
+   * The faces as numbers, read back where they were drawn anew. They are valid until the next Draw().
    */
   const vtkGodRaysShadowGrids& GetGrids();
 
@@ -68,14 +69,16 @@ private:
   {
     std::vector<const void*> Objects;
     std::vector<double> Numbers;
+    std::vector<double> Places; // of the occluders' bounds in the faces, the same but for rounding
+
+    bool IsSame(const State& other) const;
   };
   State GetState(const vtkGodRaysMediumIntegrator::Request& request) const;
 
   void Render(const vtkGodRaysMediumIntegrator::Request& request, vtkGodRaysTarget& map);
   void Fit(const vtkGodRaysMediumIntegrator::Request& request);
-  void FitDirectional(
-    const vtkGodRaysMediumIntegrator::Request& request, const double corners[8][3]);
-  void FitPoint(const vtkGodRaysMediumIntegrator::Request& request, const double corners[8][3]);
+  void FitDirectional(const vtkGodRaysMediumIntegrator::Request& request);
+  void FitPoint(const vtkGodRaysMediumIntegrator::Request& request);
   void Nest(const double axes[3][3], const double low[2], const double high[2]);
   void SetFace(int face, const double axes[3][3], const double origin[3], const double low[2],
     const double high[2]);
@@ -84,7 +87,7 @@ private:
   int GetRows() const { return this->NumberOfFaces == 1 ? 1 : 2; }
 
   vtkGodRaysTarget Maps[2]; // of one face or nested ones, and of six
-  bool Nested = false;
+  int Levels = 1;           // at most, of a light that is infinitely far
   vtkGodRaysShadowGrids Grids;
   std::vector<float> Depths; // that the grids have; empty: not read yet
   State Drawn;               // what is in the map
@@ -92,6 +95,7 @@ private:
   vtkSmartPointer<vtkCamera> Camera;
   int Size = 0; // of a face [pixels]
   int NumberOfFaces = 0;
+  double Corners[8][3];           // of the occluders' bounds, in view coordinates
   double ViewToMap[6][16];        // view coordinates to clip coordinates of a face
   double Range[2] = { 0.0, 1.0 }; // distances of window depths 0 and 1
   double Texel = 0.0; // width of a pixel, at distance 1 from a point light [scene units]

@@ -18,6 +18,7 @@ uniform sampler2D ends;    // view depths of where view rays end
 uniform sampler2D map;     // window depths, faces side by side
 uniform int mapSize;       // of a face [pixels]
 uniform mat4 toMap[6];     // view coordinates to clip coordinates of a face
+uniform mat3 toCube;       // view coordinates to the axes of a cube's faces
 uniform vec2 mapRange;     // distances from the light of window depths 0 and 1
 uniform float texel;       // size of a pixel, at distance 1 from a point light
 uniform int numberOfSteps;
@@ -25,7 +26,7 @@ uniform int numberOfSteps;
 // Of a pixel's size, so that what a step is on does not shade it.
 const float bias = 1.5;
 
-// The face of a cube about the light, along the axes of the view, that a direction from it meets.
+// The face of a cube about the light that a direction from it, along the cube's axes, meets.
 int GetFace(vec3 direction)
 {
   vec3 size = abs(direction);
@@ -95,7 +96,7 @@ void main()
   for (int i = 0; i < numberOfSteps; ++i)
   {
     float at = GetStep(ray, part, extinction, whole, (float(i) + noise) / float(numberOfSteps));
-    int face = cube ? GetFace(origin + at * direction - light.xyz) : 0;
+    int face = cube ? GetFace(toCube * (origin + at * direction - light.xyz)) : 0;
     float visible = GetVisibility(
       cube ? toMap[face] * vec4(origin + at * direction, 1.0) : start + at * change, face);
     if (uniformly && grey)

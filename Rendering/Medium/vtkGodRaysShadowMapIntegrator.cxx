@@ -3,7 +3,6 @@
 #include "vtkGodRaysShadowMapIntegrator.h"
 
 #include "vtkGodRaysLight.h"
-#include "vtkGodRaysMedium.h"
 #include "vtkGodRaysMediumModel.h"
 #include "vtkGodRaysMediumRays.h"
 #include "vtkGodRaysOpenGL.h"
@@ -14,7 +13,6 @@
 #include "vtkGodRaysSum.h"
 #include "vtkGodRaysSweptLight.h"
 #include "vtkGodRaysTarget.h"
-#include "vtkGodRaysView.h"
 #include "vtkGodRaysViewDepths.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -101,8 +99,7 @@ bool vtkGodRaysShadowMapIntegrator::Integrate(const Request& request)
 {
   Internals& self = *this->Internal;
   vtkGodRaysTarget* const ends = request.Depths->GetEnds();
-  self.IsSwept = this->Sweeps(request);
-  if (!ends || !self.Map.Draw(request, this->MapSize, self.IsSwept))
+  if (!ends || !this->DrawMap(request))
   {
     return false;
   }
@@ -141,10 +138,17 @@ bool vtkGodRaysShadowMapIntegrator::Integrate(const Request& request)
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysShadowMapIntegrator::Sweeps(const Request& request) const
+bool vtkGodRaysShadowMapIntegrator::CanSweep(const Request& request)
 {
-  return this->SweepMap && request.Light->IsInfinite() && !request.View->Parallel &&
-    !request.Medium->HasExponentialDensity();
+  return vtkGodRaysSweptLight::Supports(request, true);
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysShadowMapIntegrator::DrawMap(const Request& request)
+{
+  Internals& self = *this->Internal;
+  self.IsSwept = this->SweepMap && CanSweep(request);
+  return self.Map.Draw(request, this->MapSize, self.IsSwept ? this->NumberOfNestedMaps : 1);
 }
 
 //------------------------------------------------------------------------------
@@ -167,7 +171,7 @@ bool vtkGodRaysShadowMapIntegrator::Sweep(const Request& request)
 //------------------------------------------------------------------------------
 bool vtkGodRaysShadowMapIntegrator::Contribute(const Request& request)
 {
-  return this->Internal->Map.Draw(request, this->MapSize, this->Sweeps(request));
+  return this->DrawMap(request);
 }
 
 //------------------------------------------------------------------------------
@@ -211,4 +215,5 @@ void vtkGodRaysShadowMapIntegrator::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MapSize: " << this->MapSize << "\n";
   os << indent << "NumberOfSteps: " << this->NumberOfSteps << "\n";
   os << indent << "SweepMap: " << (this->SweepMap ? "On\n" : "Off\n");
+  os << indent << "NumberOfNestedMaps: " << this->NumberOfNestedMaps << "\n";
 }

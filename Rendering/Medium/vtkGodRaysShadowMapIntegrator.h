@@ -59,17 +59,33 @@ public:
 
   ///@{
   /**
-   * Set/Get whether a directional light in a homogeneous medium, seen in perspective, is summed on the
-   * processor in place of steps. In each plane through the eye and the light a sweep adds what comes from
-   * every pixel of the map, at a cost that does not depend on their number along a ray; there is neither
-   * noise nor a mean of pixels, and a shadow starts at what casts it. The map is then four nested ones of
-   * half of MapSize, each half as wide as the one before, about the axis through the eye. Other lights,
-   * media and projections take NumberOfSteps as ever. Default is off.
+   * Set/Get whether light is summed on the processor in place of steps, where views are in perspective: all
+   * but what vtkGodRaysCoverageSweep::Supports() excludes. In each plane through the eye and the light a
+   * sweep adds what comes from every pixel of the map, at a cost that does not depend on their number along
+   * a ray; there is neither noise nor a mean of pixels, and a shadow starts at what casts it. For a
+   * directional light the map is then NumberOfNestedMaps. Else there are NumberOfSteps as ever. Default is
+   * off.
    */
   vtkSetMacro(SweepMap, bool);
   vtkGetMacro(SweepMap, bool);
   vtkBooleanMacro(SweepMap, bool);
   ///@}
+
+  ///@{
+  /**
+   * Set/Get how many maps a directional light has for a sweep [no unit]: one of MapSize, which serves while
+   * the camera moves; or more of half of it, each half as wide as the one before, about the axis through the
+   * eye, which need drawing when the eye moves and are finer where shadows are seen small. Valid range:
+   * [1, 4]. Default is 4.
+   */
+  vtkSetClampMacro(NumberOfNestedMaps, int, 1, 4);
+  vtkGetMacro(NumberOfNestedMaps, int);
+  ///@}
+
+  /**
+   * Whether the request's light is summed on the processor, with SweepMap on.
+   */
+  VTK_WRAPEXCLUDE static bool CanSweep(const Request& request);
 
   VTK_WRAPEXCLUDE bool Integrate(const Request& request) override;
   VTK_WRAPEXCLUDE bool Contribute(const Request& request) override;
@@ -84,7 +100,7 @@ private:
   vtkGodRaysShadowMapIntegrator(const vtkGodRaysShadowMapIntegrator&) = delete;
   void operator=(const vtkGodRaysShadowMapIntegrator&) = delete;
 
-  bool Sweeps(const Request& request) const;
+  bool DrawMap(const Request& request);
   bool Sweep(const Request& request);
 
   struct Internals;
@@ -93,6 +109,7 @@ private:
   int MapSize = 1024;
   int NumberOfSteps = 16;
   bool SweepMap = false;
+  int NumberOfNestedMaps = 4;
 };
 
 #endif

@@ -5,6 +5,7 @@
 #include "vtkGodRaysLight.h"
 #include "vtkGodRaysMediumRays.h"
 #include "vtkGodRaysOpenGL.h"
+#include "vtkGodRaysShadowGrids.h"
 #include "vtkGodRaysSum.h"
 #include "vtkOpenGLRenderWindow.h"
 
@@ -29,6 +30,17 @@ vtkGodRaysCoverageSweep::Parameters vtkGodRaysSweptLight::GetParameters(
   parameters.Medium = *request.Medium;
   parameters.Spot = light.Spot;
   return parameters;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSweptLight::Supports(
+  const vtkGodRaysMediumIntegrator::Request& request, bool fromShadows)
+{
+  const int anySize[2] = { 16, 16 };
+  const vtkGodRaysShadowGrids noGrids;
+  auto parameters = GetParameters(request, anySize);
+  parameters.Shadows = fromShadows ? &noGrids : nullptr;
+  return vtkGodRaysCoverageSweep::Supports(parameters);
 }
 
 //------------------------------------------------------------------------------

@@ -227,7 +227,10 @@ class Parameters(unittest.TestCase):
 
     def test_a_medium_by_preset_or_name(self):
         window, renderer, _ = make_scene()
-        rays = godrays.enable(renderer, light=BEHIND, preset="fog", asymmetry=0.3, thickness=0.02)
+        coverage = godrays.vtkGodRaysEpipolarCoverageIntegrator()
+        rays = godrays.enable(
+            renderer, light=BEHIND, preset="fog", asymmetry=0.3, integrator=coverage, thickness=0.02
+        )
         self.assertEqual(rays.GetModel().GetClassName(), "vtkGodRaysHomogeneousModel")
         self.assertEqual(rays.GetModel().GetScatteringCoefficient(), (0.015,) * 3)
         self.assertEqual(rays.GetModel().GetAsymmetry(), 0.3)

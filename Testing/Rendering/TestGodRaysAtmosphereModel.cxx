@@ -8,6 +8,7 @@
 
 #include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysAtmosphereModel.h"
+#include "vtkGodRaysAutomaticIntegrator.h"
 #include "vtkGodRaysDepthWeightedTapsIntegrator.h"
 #include "vtkGodRaysEpipolarCoverageIntegrator.h"
 #include "vtkGodRaysShadowMapIntegrator.h"
@@ -97,7 +98,8 @@ TEST_F(GodRaysAtmosphereModel, IsTheGroundTruthWithOccluders)
   vtkNew<vtkGodRaysEpipolarCoverageIntegrator> coverage;
   vtkNew<vtkGodRaysShadowMapIntegrator> shadows;
   vtkNew<vtkGodRaysDepthWeightedTapsIntegrator> taps;
-  const std::array<vtkGodRaysIntegrator*, 3> integrators = { coverage, shadows, taps };
+  vtkNew<vtkGodRaysAutomaticIntegrator> automatic;
+  const std::array<vtkGodRaysIntegrator*, 4> integrators = { coverage, shadows, taps, automatic };
   const std::pair<std::array<double, 4>, double> cases[] = { { InFront, 0.01 }, { Beside, 0.005 },
     { Behind, 0.006 }, { LampInFront, 0.008 }, { LampBeside, 0.0002 } };
   for (const auto& [light, bound] : cases)

@@ -6,6 +6,7 @@
 
 #include "GodRaysMediumTesting.h"
 
+#include "vtkGodRaysAutomaticIntegrator.h"
 #include "vtkGodRaysDepthWeightedTapsIntegrator.h"
 #include "vtkGodRaysEpipolarCoverageIntegrator.h"
 #include "vtkGodRaysEpipolarIntegrator.h"
@@ -35,7 +36,7 @@ class GodRaysMedium : public MediumTest
 
 TEST_F(GodRaysMedium, ChoosesItsOwnIntegratorUnlessOneIsSet)
 {
-  EXPECT_TRUE(vtkGodRaysEpipolarCoverageIntegrator::SafeDownCast(this->Rays->GetIntegrator()));
+  EXPECT_TRUE(vtkGodRaysAutomaticIntegrator::SafeDownCast(this->Rays->GetIntegrator()));
   this->Rays->SetModel(nullptr);
   EXPECT_TRUE(vtkGodRaysEpipolarIntegrator::SafeDownCast(this->Rays->GetIntegrator()));
   vtkNew<vtkGodRaysEpipolarIntegrator> mine;
@@ -46,7 +47,7 @@ TEST_F(GodRaysMedium, ChoosesItsOwnIntegratorUnlessOneIsSet)
   this->Scene.Window->Render();
   EXPECT_TRUE(Says(this->VTKMessages.Take().at(0), "cannot evaluate"));
   this->Rays->SetIntegrator(nullptr);
-  EXPECT_TRUE(vtkGodRaysEpipolarCoverageIntegrator::SafeDownCast(this->Rays->GetIntegrator()));
+  EXPECT_TRUE(vtkGodRaysAutomaticIntegrator::SafeDownCast(this->Rays->GetIntegrator()));
 }
 
 // Nothing blocks, so that a closed form holds in each pixel; view rays are those of GetClip().
@@ -155,7 +156,8 @@ TEST_F(GodRaysMedium, SpotlightsShineInTheirCones)
   vtkNew<vtkGodRaysEpipolarCoverageIntegrator> coverage;
   vtkNew<vtkGodRaysShadowMapIntegrator> shadows;
   vtkNew<vtkGodRaysDepthWeightedTapsIntegrator> taps;
-  const std::array<vtkGodRaysIntegrator*, 3> integrators = { coverage, shadows, taps };
+  vtkNew<vtkGodRaysAutomaticIntegrator> automatic;
+  const std::array<vtkGodRaysIntegrator*, 4> integrators = { coverage, shadows, taps, automatic };
   for (vtkGodRaysIntegrator* integrator : integrators)
   {
     this->Rays->SetIntegrator(integrator);

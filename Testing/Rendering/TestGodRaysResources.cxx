@@ -470,8 +470,9 @@ TEST(GodRaysResources, AreNotMadeForSolidLayers)
   scene.AddPillarsAndSun();
   vtkNew<vtkGodRaysHomogeneousModel> model;
   scene.Rays->SetModel(model);
-  auto integrator = vtkGodRaysEpipolarCoverageIntegrator::SafeDownCast(scene.Rays->GetIntegrator());
+  vtkNew<vtkGodRaysEpipolarCoverageIntegrator> integrator;
   integrator->SetNumberOfLayers(2);
+  scene.Rays->SetIntegrator(integrator);
   Count(scene.Window);
   EXPECT_GT(Draw(scene).GetMade(), 10);
   for (int frame = 2; frame < 5; ++frame)
