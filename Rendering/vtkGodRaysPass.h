@@ -154,8 +154,9 @@ public:
   ///@{
   /**
    * Set/Get the error that the rays may have, root mean square over the picture, as a fraction of
-   * the brightest possible result [no unit]; the integrator chooses its work by it. Valid range: [1e-6, 0.1].
-   * Default is 1/255, a level of an 8-bit picture.
+   * the brightest possible result [no unit]; the integrator chooses its work by it. Of a look the exact
+   * result is its converged sum, of a medium single scattering in this scene, see
+   * vtkGodRaysAutomaticIntegrator. Valid range: [1e-6, 0.1]. Default is 1/255, a level of an 8-bit picture.
    */
   void SetErrorTolerance(double tolerance);
   vtkGetMacro(ErrorTolerance, double);
@@ -397,6 +398,7 @@ private:
     const vtkRenderState* s, const vtkGodRaysFramebuffer& bound, const int viewport[4]);
   void ShowNoLight(const vtkRenderState* s, vtkOpenGLState* state);
   void DescribeStages(bool screen);
+  std::string DescribeErrors() const;
   void Complain(const std::string& complaint);
 
   struct Internals;

@@ -305,8 +305,8 @@ bool vtkGodRaysPass::DrawLights(
   frame.Light = &self.Scattering;
   frame.Format = this->GetLayerFormat();
   frame.NumberOfLights = static_cast<int>(lights.size());
-  const bool interactive = self.Window->GetDesiredUpdateRate() >= 1.0;
-  frame.ErrorTolerance = interactive
+  frame.Interactive = self.Window->GetDesiredUpdateRate() >= 1.0;
+  frame.ErrorTolerance = frame.Interactive
     ? std::max(this->ErrorTolerance, this->InteractiveErrorTolerance)
     : this->ErrorTolerance;
   frame.KeepsLayers = this->Output == OCCLUSION || self.KeepAllLayers;
@@ -397,7 +397,7 @@ void vtkGodRaysPass::DescribeStages(bool screen)
   plan << "\nmodel: " << self.Model->Describe() << "\nscattering: "
        << (this->Output == OCCLUSION ? "skipped, the occlusion layer is shown"
                                      : self.Integrator->Describe(self.Model))
-       << "\nblend: "
+       << this->DescribeErrors() << "\nblend: "
        << (this->Output != COMPOSITE ? "skipped, one layer is shown"
               : screen               ? "screen"
                                      : "additive")
@@ -406,6 +406,23 @@ void vtkGodRaysPass::DescribeStages(bool screen)
                                                           : ", linear light by a power of 2.2")
        << "\n";
   self.StagePlan = plan.str();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysPass::DescribeErrors() const
+{
+  const Internals& self = *this->Internal;
+  const double estimate = self.Integrator->GetErrorEstimate();
+  if (this->Output == OCCLUSION || estimate < 0.0)
+  {
+    return "";
+  }
+  std::ostringstream text;
+  const std::string leftOut = self.Effect->DescribeErrors();
+  text << "\nerror: asked for " << this->ErrorTolerance << ", measured " << estimate << ", largest "
+       << self.Integrator->GetLargestVerifiedError() << " of the brightest ray"
+       << (leftOut.empty() ? "" : "; ") << leftOut;
+  return text.str();
 }
 
 //------------------------------------------------------------------------------

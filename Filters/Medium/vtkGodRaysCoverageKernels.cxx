@@ -213,7 +213,7 @@ private:
   Samples FindSamples(int row) const
   {
     const double scale = this->GetFlow(row) / this->GetFlow(this->Wedge.Widest);
-    const double step = CoverageSpacing * scale;
+    const double step = this->Wedge.Spacing * scale;
     const double x0 = this->Wedge.FirstLine +
       (this->Wedge.W * this->Wedge.FirstLine - this->Wedge.A) / this->GetFlow(this->Wedge.Widest) *
         (row - this->Wedge.Widest);
@@ -339,10 +339,10 @@ private:
     int last;
     FindCoveragePixels(this->Wedge, this->Image, row, first, last);
     const double flow = this->GetFlow(row);
-    const double gain = this->GetFlow(this->Wedge.Widest) / flow / CoverageSpacing;
+    const double gain = this->GetFlow(this->Wedge.Widest) / flow / this->Wedge.Spacing;
     const double bias =
       (-this->Wedge.A * (this->Wedge.Widest - row) / flow - this->Wedge.FirstLine) /
-      CoverageSpacing;
+      this->Wedge.Spacing;
     const auto find = [&](int line)
     {
       return static_cast<int>(
@@ -638,7 +638,8 @@ CoverageWedge MakeCoverageWedge(
     return wedge;
   }
   wedge.FirstLine = left;
-  wedge.Lines = static_cast<int>(std::ceil((right - left) / CoverageSpacing)) + 1;
+  wedge.Spacing = settings.Spacing;
+  wedge.Lines = static_cast<int>(std::ceil((right - left) / settings.Spacing)) + 1;
   wedge.Bands = (wedge.Lines + CoverageBandLines - 1) / CoverageBandLines;
   return wedge;
 }

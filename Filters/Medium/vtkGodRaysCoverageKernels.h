@@ -23,8 +23,8 @@
  * medium, a view ray is told from others by one number. See CoverageTable.
  *
  * The picture is divided into four wedges about the light, each swept row by row in the direction in
- * which light flows, along y or (transposed) along x; lines are 2 pixels apart where they are widest,
- * a pixel takes the nearest one. Bands of lines are independent of each other.
+ * which light flows, along y or (transposed) along x; lines are Spacing apart where they are widest, a
+ * pixel takes the nearest one. Bands of lines are independent of each other.
  */
 
 #ifndef vtkGodRaysCoverageKernels_h
@@ -102,6 +102,7 @@ struct CoverageSettings
   double PlanetRadius; // 0: layers are plane
   vtkGodRaysSpot Spot;
   int Layers;              // 0: depths of the first surfaces; else fronts and backs, up to 2 times
+  double Spacing = 2.0;    // of lines where they are widest apart [pixels]
   double Thickness = 0.01; // of what is seen from before, without layers [fraction of its depth]
   double Jump = 0.1;       // of depth between samples of one surface [fraction of the lesser]
   double Bend = 0.01;      // of 1/depth (parallel: depth) from a plane [fraction]
@@ -129,13 +130,13 @@ struct CoverageWedge
   int First; // row
   int Rows;
   int Widest;       // row
+  double Spacing;   // of lines in it [pixels]
   double FirstLine; // where it crosses the widest row
   int Lines;
   int Bands;
 };
 
 constexpr int CoverageBandLines = 128;
-constexpr double CoverageSpacing = 2.0; // [pixels]
 
 /// The wedge of one direction; no Rows if there is none. Depends on the image's size and centre alone.
 CoverageWedge MakeCoverageWedge(

@@ -231,6 +231,7 @@ private:
     this->FromShadows = parameters.Shadows != nullptr;
     settings.Layers = this->FromShadows ? 0 : parameters.Layers;
     settings.Thickness = parameters.Thickness;
+    settings.Spacing = parameters.LineSpacing;
     const bool layered = this->Layered;
     bool grey = true;
     bool alike = true; // whether components scatter all colours in one proportion
@@ -433,10 +434,10 @@ private:
   void PrepareWedges()
   {
     const CoverageImage& image = this->Image;
-    const std::array<double, 10> key = { image.Width + 0.0, image.Height + 0.0, image.Center[0],
+    const std::array<double, 11> key = { image.Width + 0.0, image.Height + 0.0, image.Center[0],
       image.Center[1], this->Settings.PixelSize, this->Settings.Parallel + 0.0,
       this->Settings.Point + 0.0, this->Settings.Light[0], this->Settings.Light[1],
-      this->Settings.Light[2] };
+      this->Settings.Light[2], this->Settings.Spacing };
     if (key == this->WedgeKey || this->HasNoLines())
     {
       return;
@@ -675,7 +676,7 @@ private:
   TableKey TableKeys[2]; // of the table, and of what is asked for
   std::array<double, 5> PhaseKeys[vtkGodRaysMedium::MaximumComponents];
   double PhasePeaks[vtkGodRaysMedium::MaximumComponents];
-  std::array<double, 10> WedgeKey = {};
+  std::array<double, 11> WedgeKey = {};
   CoverageWedge Wedges[4]; // of the transpose, then of the picture; each up and down
   std::vector<CoverageLinesPointer> BandLines;
   std::vector<long long> BandOverflows;

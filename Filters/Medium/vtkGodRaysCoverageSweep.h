@@ -58,7 +58,8 @@ public:
     vtkGodRaysMedium Medium;
     const vtkGodRaysShadowGrids* Shadows = nullptr; // of occluders; nullptr: the input has them
     int Layers = 0;                                 // of solid matter; 0: the first surfaces alone
-    double Thickness = 0.01;                        // of what has no back [fraction of its depth]
+    double LineSpacing = 2.0; // where lines are widest apart [pixels], [0.5, 2]
+    double Thickness = 0.01;  // of what has no back [fraction of its depth]
   };
 
   /**

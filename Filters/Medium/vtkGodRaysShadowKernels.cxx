@@ -87,7 +87,7 @@ private:
   Straight GetLine(double index) const
   {
     const CoverageWedge& wedge = this->Wedge;
-    const double x = wedge.FirstLine + index * CoverageSpacing;
+    const double x = wedge.FirstLine + index * wedge.Spacing;
     const double slope = (wedge.W * x - wedge.A) / (wedge.W * wedge.Widest - wedge.B);
     return { x + slope * (wedge.First - wedge.Widest), slope * wedge.Direction };
   }
@@ -461,6 +461,7 @@ private:
     const Float each = SetFloat(ShadowLadder::Each);
     const Float fine = SetFloat(1 << ShadowLadder::Octaves);
     const Float one = SetFloat(1.0);
+    const Float lastColumn = SetFloat(GetShadowColumn(this->Columns));
     const auto zero = hn::Zero(di);
     for (int i = 0; i < this->Pixels; i += GetLanes())
     {
@@ -474,7 +475,8 @@ private:
         hn::MulAdd(depth, hn::GatherIndex(d, this->Memory.Perpendicular.data(), row),
           SetFloat(-this->Start / this->Width));
       const Float at = hn::Min(hn::Max(end, hn::Zero(d)), SetFloat(1e6));
-      hn::StoreU(at, d, this->Memory.Width.data() + i);
+      this->StoreExcess(
+        i, hn::Min(at, lastColumn), hn::GatherIndex(d, this->Memory.Extinction.data(), row));
       // The column is told by exponent and first bits of the mantissa.
       const Float y = hn::Min(at, each) * fine;
       const auto bits = hn::ShiftRight<shift>(hn::BitCast(di, y));
@@ -504,41 +506,28 @@ private:
     }
   }
 
-  // What the sums of dark columns are to be times, so that all columns are as dark as they are: read
-  // between the steps, they are not quite. Of pixels from begin to end, whose sums are kept at a step.
-  void MeasureScales(int begin, int end, int step)
+  // Of what all columns up to a width hide, f(u) = 1 - e^-u with u = x width, the part that is too much in
+  // the middle between two steps, over 1/4: linear in ln x, it is L^2 (u f' + u^2 f'')/2 for steps of L.
+  HWY_INLINE void StoreExcess(int pixel, Float width, Float extinction)
   {
     const FloatTag d;
-    const IntTag di;
-    const double first = this->FirstColumn > 0 ? ShadowLadder::Each : 0.0;
-    const double last = GetShadowColumn(this->Columns);
-    double x[2];
-    Float before[2];
-    for (int node = 0; node < 2; ++node)
+    const Float one = SetFloat(1.0);
+    const double step = std::log(ShadowLadder::Ratio);
+    const auto bend = [&](Float u, Float absorbed) HWY_ATTR
+    { return u * (one - u) * (one - absorbed); };
+    const Float u = width * extinction;
+    Float hidden = Absorbed(d, u);
+    Float excess = bend(u, hidden);
+    if (this->FirstColumn > 0)
     {
-      x[node] = this->Ladder.First * std::pow(ShadowLadder::Ratio, step + node);
-      before[node] = SetFloat(std::exp(-x[node] * first));
+      const Float first = SetFloat(ShadowLadder::Each) * extinction;
+      const Float before = Absorbed(d, first);
+      excess = excess - bend(first, before);
+      hidden = hidden - before;
     }
-    for (int i = begin; i < end; i += GetLanes())
-    {
-      const auto inside = hn::RebindMask(di, hn::FirstN(d, std::min(end - i, GetLanes())));
-      const auto row = hn::IfThenElseZero(inside, hn::LoadU(di, this->Memory.Row.data() + i));
-      const Float extinction = hn::GatherIndex(d, this->Memory.Extinction.data(), row);
-      const Float part =
-        hn::GatherIndex(d, this->Memory.Step.data(), row) - SetFloat(static_cast<double>(step));
-      const Float width = hn::Max(
-        hn::Min(hn::LoadU(d, this->Memory.Width.data() + i), SetFloat(last)) - SetFloat(first),
-        SetFloat(1e-6));
-      const Float all = (SetFloat(1.0) - Absorbed(d, extinction * SetFloat(first))) *
-        Absorbed(d, extinction * width);
-      const Float low = before[0] * Absorbed(d, SetFloat(x[0]) * width);
-      const Float high = before[1] * Absorbed(d, SetFloat(x[1]) * width);
-      const Float read = hn::MulAdd(part, high - low, low);
-      // What is next to nothing need not be exact.
-      const Float scale = hn::IfThenElse(
-        hn::Gt(read, SetFloat(1e-6)), all / hn::Max(read, SetFloat(1e-6)), SetFloat(1.0));
-      hn::StoreU(scale, d, this->Memory.Scale.data() + i);
-    }
+    const Float part = SetFloat(0.5 * step * step) * excess / hn::Max(hidden, SetFloat(1e-12));
+    hn::StoreU(hn::Max(hn::Min(part, SetFloat(0.02)), SetFloat(-0.02)), d,
+      this->Memory.Excess.data() + pixel);
   }
 
   // Row by row in the direction of light, in stretches of pixels between the same steps of the ladder.
@@ -569,7 +558,6 @@ private:
         }
       }
       this->Sums.Build(step, needed);
-      this->MeasureScales(i, end, step);
       for (; i < end; ++i)
       {
         for (; row <= rows[i]; ++row)
@@ -584,8 +572,9 @@ private:
           }
         }
         const float place = std::min(this->Memory.Last[i], static_cast<float>(needed));
-        hidden[this->Memory.Offset[i]] = this->Sums.Read(place, steps[rows[i]] - step) *
-          this->Memory.Before[rows[i]] * this->Memory.Scale[i];
+        const float part = steps[rows[i]] - step;
+        hidden[this->Memory.Offset[i]] = this->Sums.Read(place, part) *
+          this->Memory.Before[rows[i]] * (1.0f - part * (1.0f - part) * this->Memory.Excess[i]);
       }
     }
   }

@@ -33,9 +33,8 @@ public:
   std::vector<int> Head;               // the first column that turns dark there, or -1
   // Of its pixels.
   std::vector<int> Offset, Row, Column;
-  std::vector<float> Last;  // where rays end [columns, and part of the light of one]
-  std::vector<float> Width; // the same [widths of whole columns]
-  std::vector<float> Scale; // of what is hidden, for what is between the ladder's steps
+  std::vector<float> Last;   // where rays end [columns, and part of the light of one]
+  std::vector<float> Excess; // of sums between the ladder's steps [fraction]
   // Of columns.
   std::vector<int> Flip, Next;
   std::vector<float> Dark;       // 1 or 0
@@ -68,7 +67,7 @@ public:
     this->Offset.resize(4 * paddedRows);
     this->Row.resize(4 * paddedRows);
     this->Column.resize(4 * paddedRows);
-    for (std::vector<float>* values : { &this->Last, &this->Width, &this->Scale })
+    for (std::vector<float>* values : { &this->Last, &this->Excess })
     {
       values->resize(4 * paddedRows);
     }

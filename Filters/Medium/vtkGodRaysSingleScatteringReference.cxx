@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysSingleScatteringReference.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkDoubleArray.h"
-#include "vtkGodRaysMath.h"
-#include "vtkGodRaysMedium.h"
 #include "vtkGodRaysSetGet.h"
+#include "vtkGodRaysSingleScattering.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -16,14 +13,10 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
-#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
-#include <vector>
 
 vtkStandardNewMacro(vtkGodRaysSingleScatteringReference);
 
@@ -31,477 +24,7 @@ vtkGodRaysSetFiniteMacro(vtkGodRaysSingleScatteringReference, Tolerance, 1e-12, 
 
 namespace
 {
-using vtkGodRays::Vec3;
-
 const double Infinity = std::numeric_limits<double>::infinity();
-constexpr double Parallel = 1e-9; // sine of the angle to the light below which a ray is along it
-
-struct Interval
-{
-  double Begin;
-  double End;
-};
-
-// Where a ray goes through a surface, into (1) or out of (-1) what it bounds.
-struct Crossing
-{
-  double Place;
-  int Sense;
-};
-
-using Triangle = std::array<Vec3, 3>;
-
-//------------------------------------------------------------------------------
-// Triangles in a tree of boxes.
-class TriangleTree
-{
-public:
-  explicit TriangleTree(std::vector<Triangle> triangles)
-    : Triangles(std::move(triangles))
-  {
-    if (!this->Triangles.empty())
-    {
-      this->Build(0, this->Triangles.size());
-    }
-  }
-
-  // Calls visit for every triangle in a box that meets the plane normal . p = offset, unless
-  // skip(centre, half size) is true.
-  template <typename Skip, typename Visit>
-  void Find(const Vec3& normal, double offset, const Skip& skip, const Visit& visit) const
-  {
-    const Vec3 size = vtkGodRays::abs(normal);
-    std::size_t i = 0;
-    while (i < this->Nodes.size())
-    {
-      const Node& node = this->Nodes[i];
-      const double reach = vtkGodRays::dot(size, node.HalfSize);
-      if (std::abs(vtkGodRays::dot(normal, node.Centre) - offset) >
-          reach + 1e-12 * (std::abs(offset) + reach) ||
-        skip(node.Centre, node.HalfSize))
-      {
-        i = node.Next;
-        continue;
-      }
-      for (std::size_t j = node.Begin; j < node.End; ++j)
-      {
-        visit(this->Triangles[j]);
-      }
-      ++i;
-    }
-  }
-
-private:
-  struct Node
-  {
-    Vec3 Centre;
-    Vec3 HalfSize;
-    std::size_t Begin; // triangles of a leaf
-    std::size_t End;
-    std::size_t Next; // node after this one and its children
-  };
-
-  void Build(std::size_t begin, std::size_t end)
-  {
-    Vec3 low(Infinity);
-    Vec3 high(-Infinity);
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      for (const Vec3& corner : this->Triangles[i])
-      {
-        low = vtkGodRays::min(low, corner);
-        high = vtkGodRays::max(high, corner);
-      }
-    }
-    const std::size_t self = this->Nodes.size();
-    this->Nodes.push_back({ 0.5 * (low + high), 0.5 * (high - low), begin, begin, 0 });
-    constexpr std::size_t leaf = 4;
-    if (end - begin <= leaf)
-    {
-      this->Nodes[self].End = end;
-    }
-    else
-    {
-      const Vec3 size = high - low;
-      const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-      const std::size_t middle = begin + (end - begin) / 2;
-      std::nth_element(this->Triangles.begin() + begin, this->Triangles.begin() + middle,
-        this->Triangles.begin() + end,
-        [axis](const Triangle& a, const Triangle& b)
-        { return a[0][axis] + a[1][axis] + a[2][axis] < b[0][axis] + b[1][axis] + b[2][axis]; });
-      this->Build(begin, middle);
-      this->Build(middle, end);
-    }
-    this->Nodes[self].Next = this->Nodes.size();
-  }
-
-  std::vector<Triangle> Triangles;
-  std::vector<Node> Nodes;
-};
-
-//------------------------------------------------------------------------------
-std::vector<Triangle> GetTriangles(vtkPolyData* data)
-{
-  std::vector<Triangle> triangles;
-  if (!data || !data->GetPoints())
-  {
-    return triangles;
-  }
-  const auto add = [&](vtkIdType a, vtkIdType b, vtkIdType c)
-  {
-    Triangle triangle;
-    const vtkIdType ids[3] = { a, b, c };
-    for (int i = 0; i < 3; ++i)
-    {
-      double point[3];
-      data->GetPoint(ids[i], point);
-      if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
-      {
-        return;
-      }
-      triangle[i] = Vec3(point[0], point[1], point[2]);
-    }
-    triangles.push_back(triangle);
-  };
-  vtkIdType count;
-  const vtkIdType* ids;
-  auto polygons = vtk::TakeSmartPointer(data->GetPolys()->NewIterator());
-  for (polygons->GoToFirstCell(); !polygons->IsDoneWithTraversal(); polygons->GoToNextCell())
-  {
-    polygons->GetCurrentCell(count, ids);
-    for (vtkIdType i = 2; i < count; ++i)
-    {
-      add(ids[0], ids[i - 1], ids[i]);
-    }
-  }
-  auto strips = vtk::TakeSmartPointer(data->GetStrips()->NewIterator());
-  for (strips->GoToFirstCell(); !strips->IsDoneWithTraversal(); strips->GoToNextCell())
-  {
-    strips->GetCurrentCell(count, ids);
-    for (vtkIdType i = 2; i < count; ++i)
-    {
-      add(ids[i - 2], ids[i - 1 + i % 2], ids[i - i % 2]);
-    }
-  }
-  return triangles;
-}
-
-//------------------------------------------------------------------------------
-// A view ray in the plane that it spans with the light. Places in it are (distance along the ray,
-// distance from the ray towards the light).
-class Slice
-{
-public:
-  // light: a position, or a direction of length 1. direction has length 1.
-  Slice(const Vec3& origin, const Vec3& direction, const Vec3& light, bool directional)
-    : Origin(origin)
-    , Along(direction)
-    , Directional(directional)
-  {
-    const Vec3 to = directional ? light : light - origin;
-    this->Foot = vtkGodRays::dot(to, direction);
-    const Vec3 across = to - this->Foot * direction;
-    this->Height = vtkGodRays::length(across);
-    this->AlongLight = !(this->Height > Parallel * std::abs(this->Foot));
-    if (this->AlongLight)
-    {
-      const Vec3 axis = std::abs(direction.x) < 0.6 ? Vec3(1.0, 0.0, 0.0) : Vec3(0.0, 1.0, 0.0);
-      const Vec3 side = vtkGodRays::cross(direction, axis);
-      this->Across = side / vtkGodRays::length(side);
-    }
-    else
-    {
-      this->Across = across / this->Height;
-    }
-    this->Normal = vtkGodRays::cross(this->Along, this->Across);
-  }
-
-  // What of the ray before end is hidden from the light, in any order, and where it meets surfaces.
-  void Cut(const TriangleTree& tree, double end, std::vector<Interval>& hidden,
-    std::vector<Crossing>& crossings) const
-  {
-    const auto skip = [&](const Vec3& centre, const Vec3& half)
-    {
-      const double y = vtkGodRays::dot(this->Across, centre - this->Origin);
-      const double reach = vtkGodRays::dot(vtkGodRays::abs(this->Across), half);
-      return y + reach < -1e-9 * reach ||
-        (this->AlongLight ? y - reach > 1e-9 * reach
-                          : !this->Directional && y - reach > this->Height);
-    };
-    const auto visit = [&](const Triangle& triangle)
-    { this->Cut(triangle, end, hidden, crossings); };
-    this->Find(tree, skip, visit);
-  }
-
-  // Distance from the eye of the foot of the light on the ray, and of the light from there; or the
-  // cosine of the angle to the light, and its sine.
-  double Foot;
-  double Height;
-  bool AlongLight;
-
-private:
-  template <typename Skip, typename Visit>
-  void Find(const TriangleTree& tree, const Skip& skip, const Visit& visit) const
-  {
-    tree.Find(this->Normal, vtkGodRays::dot(this->Normal, this->Origin), skip, visit);
-  }
-
-  struct Place
-  {
-    double Along;
-    double Across;
-  };
-
-  void Cut(const Triangle& triangle, double end, std::vector<Interval>& hidden,
-    std::vector<Crossing>& crossings) const
-  {
-    double side[3];
-    for (int i = 0; i < 3; ++i)
-    {
-      side[i] = vtkGodRays::dot(this->Normal, triangle[i] - this->Origin);
-    }
-    Place places[2];
-    int count = 0;
-    for (int i = 0; i < 3; ++i)
-    {
-      const int j = (i + 1) % 3;
-      if ((side[i] < 0.0) == (side[j] < 0.0))
-      {
-        continue;
-      }
-      // Both triangles of an edge find the same point.
-      const int low = side[i] < 0.0 ? i : j;
-      const int high = i + j - low;
-      const double t = side[low] / (side[low] - side[high]);
-      const Vec3 point = triangle[low] + t * (triangle[high] - triangle[low]) - this->Origin;
-      places[count++] = { vtkGodRays::dot(this->Along, point),
-        vtkGodRays::dot(this->Across, point) };
-    }
-    if (count < 2)
-    {
-      return;
-    }
-    Place low = places[0];
-    Place high = places[1];
-    if (low.Across > high.Across)
-    {
-      std::swap(low, high);
-    }
-    if (low.Across < 0.0 && high.Across >= 0.0)
-    {
-      const double t = low.Across / (low.Across - high.Across);
-      low.Along += t * (high.Along - low.Along);
-      low.Across = 0.0;
-      if (low.Along > 0.0)
-      {
-        const Vec3 normal = vtkGodRays::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
-        crossings.push_back({ low.Along, vtkGodRays::dot(normal, this->Along) < 0.0 ? 1 : -1 });
-      }
-    }
-    if (this->AlongLight || high.Across < 0.0)
-    {
-      return;
-    }
-    double ends[2];
-    if (this->Directional)
-    {
-      ends[0] = low.Along - low.Across * this->Foot / this->Height;
-      ends[1] = high.Along - high.Across * this->Foot / this->Height;
-    }
-    else
-    {
-      if (low.Across >= this->Height)
-      {
-        return;
-      }
-      // What is as far from the ray as the light hides its far end.
-      const double highest = this->Height * (1.0 - 1e-12);
-      if (high.Across > highest && low.Across < highest)
-      {
-        const double t = (highest - low.Across) / (high.Across - low.Across);
-        high.Along = low.Along + t * (high.Along - low.Along);
-        high.Across = highest;
-      }
-      ends[0] = this->Project(low);
-      ends[1] = this->Project(high);
-    }
-    const double begin = std::max(std::min(ends[0], ends[1]), 0.0);
-    const double last = std::min(std::max(ends[0], ends[1]), end);
-    if (last > begin)
-    {
-      hidden.push_back({ begin, last });
-    }
-  }
-
-  double Project(const Place& place) const
-  {
-    const double left = std::max(this->Height - place.Across, 1e-13 * this->Height);
-    return this->Foot + (place.Along - this->Foot) * (this->Height / left);
-  }
-
-  Vec3 Origin;
-  Vec3 Along;
-  Vec3 Across;
-  Vec3 Normal;
-  bool Directional;
-};
-
-//------------------------------------------------------------------------------
-// The integrand along one ray: radiance per length, or per angle at a point light.
-struct Scatter
-{
-  vtkGodRaysMedium Medium;
-  Vec3 Light;
-  bool Directional;
-  vtkGodRays::LitRay Ray;
-
-  // From a distance to the variable of integration.
-  double ToVariable(double s) const
-  {
-    return this->Directional ? s : std::atan2(s - this->Ray.Foot, this->Ray.Distance);
-  }
-
-  Vec3 operator()(double v) const
-  {
-    if (this->Directional)
-    {
-      return this->Light * this->Evaluate(v, this->Ray.Foot, 0.0);
-    }
-    const double s = std::max(this->Ray.Foot + this->Ray.Distance * std::tan(v), 0.0);
-    return this->Light / this->Ray.Distance *
-      this->Evaluate(s, -std::sin(v), this->Ray.Distance / std::cos(v));
-  }
-
-private:
-  // What is scattered at a distance and reaches the eye, of light that has a way to go to there.
-  Vec3 Evaluate(double s, double cosAngle, double way) const
-  {
-    Vec3 scattered(0.0);
-    Vec3 depth(0.0);
-    const double radius = this->Ray.PlanetRadius;
-    const double height = vtkGodRays::MediumHeight(radius, this->Ray.Height, this->Ray.Slope, s);
-    const double lightSlope = vtkGodRays::LightSlope(this->Ray, height, s, std::max(way, 1e-300));
-    if (vtkGodRays::IsInPlanetShadow(this->Ray, height, lightSlope, way))
-    {
-      return scattered;
-    }
-    for (int k = 0; k < this->Medium.NumberOfComponents; ++k)
-    {
-      const vtkGodRaysMedium::Component& component = this->Medium.Components[k];
-      const Vec3 scattering = GetVector(component.Scattering);
-      const double scaleHeight = component.ScaleHeight;
-      const bool even = scaleHeight == 0.0;
-      const double phase = (1.0 - component.SecondWeight) *
-          vtkGodRays::Phase({ component.PhaseFunction, component.Asymmetry }, cosAngle) +
-        component.SecondWeight *
-          vtkGodRays::Phase({ component.SecondPhaseFunction, component.SecondAsymmetry }, cosAngle);
-      double length =
-        vtkGodRays::MediumDepth(radius, this->Ray.Height, this->Ray.Slope, scaleHeight, s);
-      if (!this->Directional)
-      {
-        length += vtkGodRays::MediumDepth(radius, height, lightSlope, scaleHeight, way);
-      }
-      else if (!even)
-      {
-        length += lightSlope > 0.0 || radius > 0.0
-          ? vtkGodRays::MediumColumn(radius, height, lightSlope, scaleHeight)
-          : Infinity;
-      }
-      const double density = even ? 1.0 : vtkGodRays::ExponentialDensity(height, scaleHeight);
-      scattered += phase * density * scattering;
-      // No extinction is none even over an infinite way.
-      const Vec3 extinction = scattering + GetVector(component.Absorption);
-      for (int c = 0; c < 3; ++c)
-      {
-        depth[c] += extinction[c] > 0.0 ? extinction[c] * length : 0.0;
-      }
-    }
-    const double spot =
-      this->Directional ? 1.0 : vtkGodRays::SpotFactor(this->Ray, s, std::max(way, 1e-300));
-    return scattered * (spot * vtkGodRays::exp(-depth));
-  }
-
-  static Vec3 GetVector(const double* v) { return Vec3(v[0], v[1], v[2]); }
-};
-
-//------------------------------------------------------------------------------
-double GetLargest(const Vec3& v)
-{
-  return std::max({ std::abs(v.x), std::abs(v.y), std::abs(v.z) });
-}
-
-// The points and weights of QUADPACK's QK15: Kronrod's 15 points about Gauss-Legendre's 7.
-const double KronrodPoints[8] = { 0.991455371120812639206854697526329,
-  0.949107912342758524526189684047851, 0.864864423359769072789712788640926,
-  0.741531185599394439863864773280788, 0.586087235467691130294144691693013,
-  0.405845151377397166906606412076961, 0.207784955007898467600689403773245, 0.0 };
-const double KronrodWeights[8] = { 0.022935322010529224963732008058970,
-  0.063092092629978553290700663189204, 0.104790010322250183839876322541518,
-  0.140653259715525918745189590510238, 0.169004726639267902826583426598550,
-  0.190350578064785409913256402421014, 0.204432940075298892414161999234649,
-  0.209482141084727828012999174891714 };
-const double GaussWeights[4] = { 0.129484966168869693270611432679082,
-  0.279705391489276667901467771423780, 0.381830050505118944950369775488975,
-  0.417959183673469387755102040816327 };
-
-// To an absolute error, or as closely as it takes with halves of halves, depth times.
-Vec3 Integrate(const Scatter& f, double a, double b, double error, int depth)
-{
-  const double middle = 0.5 * (a + b);
-  const double half = 0.5 * (b - a);
-  const Vec3 centre = f(middle);
-  Vec3 kronrod = KronrodWeights[7] * centre;
-  Vec3 gauss = GaussWeights[3] * centre;
-  for (int i = 0; i < 7; ++i)
-  {
-    const double away = half * KronrodPoints[i];
-    const Vec3 sum = f(middle - away) + f(middle + away);
-    kronrod += KronrodWeights[i] * sum;
-    if (i % 2 == 1)
-    {
-      gauss += GaussWeights[i / 2] * sum;
-    }
-  }
-  // Below this there is only rounding.
-  const double rounding = 2e-14 * GetLargest(kronrod);
-  if (depth == 0 || GetLargest(kronrod - gauss) * half <= std::max(error, rounding * half))
-  {
-    return kronrod * half;
-  }
-  return Integrate(f, a, middle, 0.5 * error, depth - 1) +
-    Integrate(f, middle, b, 0.5 * error, depth - 1);
-}
-
-// Between two distances. Where the density falls, in parts that double, so that no layer near the
-// eye is overlooked.
-Vec3 IntegrateWay(const Scatter& f, double from, double to, double end, double error)
-{
-  constexpr int depth = 40;
-  const int parts = f.Medium.HasExponentialDensity() ? 13 : 1;
-  Vec3 sum(0.0);
-  double begin = from;
-  const auto add = [&](double place)
-  {
-    const double next = std::min(place, to);
-    if (next > begin)
-    {
-      sum += Integrate(f, f.ToVariable(begin), f.ToVariable(next), error / parts, depth);
-      begin = next;
-    }
-  };
-  for (int i = parts - 1; i >= 0; --i)
-  {
-    const double next = std::ldexp(end, -i);
-    // Layers far below an eye are thin for what is before them.
-    const int pieces = f.Ray.PlanetRadius > 0.0 && i < 3 ? 32 : 1;
-    const double last = begin;
-    for (int k = 1; k <= pieces; ++k)
-    {
-      add(last + (next - last) * k / pieces);
-    }
-  }
-  return sum;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -578,155 +101,53 @@ int vtkGodRaysSingleScatteringReference::RequestData(
   ends->SetName("End");
   ends->SetNumberOfTuples(pixels);
 
-  const TriangleTree tree(GetTriangles(vtkPolyData::GetData(input[0])));
-  const bool endsElsewhere = input[1]->GetNumberOfInformationObjects() > 0;
-  const TriangleTree seen(
-    endsElsewhere ? GetTriangles(vtkPolyData::GetData(input[1])) : std::vector<Triangle>());
   const View view = this->GetView(height);
-  const auto vector = [](const double* v) { return Vec3(v[0], v[1], v[2]); };
-  const Vec3 right = vector(view.Right);
-  const Vec3 up = vector(view.Up);
-  const Vec3 forward = vector(view.Forward);
-  const bool directional = this->Light[3] == 0.0;
-  Vec3 light = vector(this->Light);
-  light = light / (directional ? vtkGodRays::length(light) : this->Light[3]);
-  Scatter ray;
-  ray.Medium = this->GetMedium(view);
-  const vtkGodRaysMedium& medium = ray.Medium;
-  ray.Light = vector(this->LightColor);
-  ray.Directional = directional;
-  const Vec3 upwards = medium.Up[0] * right + medium.Up[1] * up + medium.Up[2] * forward;
-  const Vec3 position = vector(view.Position);
-  const vtkGodRaysSpot spot = this->GetSpot(view);
-  const Vec3 axis = spot.Axis[0] * right + spot.Axis[1] * up + spot.Axis[2] * forward;
+  vtkGodRaysSingleScattering::Parameters parameters;
+  std::copy_n(view.Position, 3, parameters.Position);
+  std::copy_n(view.Right, 3, parameters.Right);
+  std::copy_n(view.Up, 3, parameters.Up);
+  std::copy_n(view.Forward, 3, parameters.Forward);
+  parameters.Parallel = view.Parallel;
+  std::copy_n(this->Light, 4, parameters.Light);
+  std::copy_n(this->LightColor, 3, parameters.LightColor);
+  parameters.Spot = this->GetSpot(view);
+  parameters.Medium = this->GetMedium(view);
+  parameters.Tolerance = this->Tolerance;
+  vtkGodRaysSingleScattering scattering;
+  scattering.SetParameters(parameters);
+  scattering.SetOccluders(vtkPolyData::GetData(input[0]));
+  if (input[1]->GetNumberOfInformationObjects() > 0)
+  {
+    scattering.SetSeen(vtkPolyData::GetData(input[1]));
+  }
 
   const auto evaluateRow = [&](int y)
   {
-    std::vector<Interval> hidden;
-    std::vector<Crossing> crossings;
-    std::vector<Crossing> sights;
+    vtkGodRaysSingleScattering::Result ray;
     for (int x = 0; x < width; ++x)
     {
-      const double column = (x + 0.5 - 0.5 * width) * view.PixelSize;
-      const double row = (y + 0.5 - 0.5 * height) * view.PixelSize;
-      const Vec3 offset = column * right + row * up;
-      const Vec3 origin = vector(view.Position) + (view.Parallel ? offset : Vec3(0.0));
-      const Vec3 way = view.Parallel ? forward : forward + offset;
-      const double length = vtkGodRays::length(way); // for each unit of depth
-      const double farthest = length * this->FarLimit;
-      const Slice slice(origin, way / length, light, directional);
-      hidden.clear();
-      crossings.clear();
-      slice.Cut(tree, farthest, hidden, crossings);
-      std::sort(crossings.begin(), crossings.end(),
-        [](const Crossing& a, const Crossing& b) { return a.Place < b.Place; });
-      sights = crossings;
-      if (endsElsewhere)
-      {
-        std::vector<Interval> unhidden;
-        sights.clear();
-        slice.Cut(seen, farthest, unhidden, sights);
-      }
-      double sight = Infinity;
-      for (const Crossing& crossing : sights)
-      {
-        sight = std::min(sight, crossing.Place);
-      }
-      Scatter f = ray;
-      const auto start = [&](const Vec3& place, const Vec3& toward)
-      {
-        return vtkGodRays::MediumStart(
-          medium.PlanetRadius, medium.EyeHeight, upwards, place - position, toward);
-      };
-      const auto begin = start(origin, way / length);
-      f.Ray = { directional ? 1 : 0, slice.Foot, 0.0, begin.x, begin.y,
-        directional ? start(origin, light).y : start(light, light).x, medium.PlanetRadius,
-        vtkGodRays::dot(axis, origin - light), vtkGodRays::dot(axis, way) / length, spot.CosCone,
-        spot.Exponent };
-      const double end = vtkGodRays::MediumEnd(f.Ray, std::min(sight, farthest));
-      if (!directional)
-      {
-        f.Ray.Distance = vtkGodRays::PointLightHeight(slice.Foot, slice.Height, 0.0, end);
-        const auto part = vtkGodRays::SpotPart(f.Ray, end);
-        hidden.push_back({ 0.0, part.x });
-        hidden.push_back({ std::max(part.x, part.y), end });
-      }
-      if (slice.AlongLight && !crossings.empty())
-      {
-        // A point light hides behind what is before it; one behind the eye before all.
-        const double reach = directional ? Infinity : slice.Foot;
-        double first = 0.0;
-        for (const Crossing& crossing : crossings)
-        {
-          if (slice.Foot > 0.0 && crossing.Place < reach)
-          {
-            first = crossing.Place;
-          }
-        }
-        hidden.push_back({ 0.0, std::min(first, farthest) });
-        // And what is beyond hides behind what is between.
-        double last = Infinity;
-        for (const Crossing& crossing : crossings)
-        {
-          if (crossing.Place > (directional ? 0.0 : slice.Foot) &&
-            (!directional || slice.Foot < 0.0))
-          {
-            last = std::min(last, crossing.Place);
-          }
-        }
-        if (last < farthest)
-        {
-          hidden.push_back({ last, farthest });
-        }
-      }
-      std::sort(hidden.begin(), hidden.end(),
-        [](const Interval& a, const Interval& b) { return a.Begin < b.Begin; });
-
-      const auto integrate = [&](double from, double to, double error)
-      { return IntegrateWay(f, from, to, end, error); };
-      const Vec3 whole = integrate(0.0, end, 1e-3 * GetLargest(integrate(0.0, end, Infinity)));
-      const double error = this->Tolerance * GetLargest(whole);
-      Vec3 sum(0.0);
-      double lit = 0.0; // from here on
-      for (const Interval& interval : hidden)
-      {
-        if (interval.Begin >= end)
-        {
-          break;
-        }
-        if (interval.Begin > lit)
-        {
-          sum += integrate(lit, interval.Begin, error);
-        }
-        lit = std::max(lit, interval.End);
-      }
-      if (lit < end)
-      {
-        sum += integrate(lit, end, error);
-      }
-
+      scattering.Evaluate(
+        (x + 0.5 - 0.5 * width) * view.PixelSize, (y + 0.5 - 0.5 * height) * view.PixelSize, ray);
       const vtkIdType pixel = static_cast<vtkIdType>(y) * width + x;
-      double* radiance = radiances->GetPointer(3 * pixel);
-      radiance[0] = sum.x;
-      radiance[1] = sum.y;
-      radiance[2] = sum.z;
-      ends->SetValue(pixel, sight / length);
+      std::copy_n(ray.Radiance, 3, radiances->GetPointer(3 * pixel));
+      ends->SetValue(pixel, ray.Sight);
       double* depthsHere = depths->GetPointer(components * pixel);
       std::fill_n(depthsHere, components, Infinity);
       if (this->NumberOfLayers == 0)
       {
-        depthsHere[0] = crossings.empty() ? Infinity : crossings.front().Place / length;
+        depthsHere[0] =
+          ray.Crossings.empty() ? Infinity : ray.Crossings.front().Place / ray.LengthPerDepth;
         continue;
       }
       int inside = 0;
       int found = 0;
-      for (const Crossing& crossing : crossings)
+      for (const auto& crossing : ray.Crossings)
       {
         const int before = inside;
         inside += crossing.Sense;
         if (found < components && (found % 2 == 0 ? before <= 0 && inside > 0 : inside <= 0))
         {
-          depthsHere[found++] = crossing.Place / length;
+          depthsHere[found++] = crossing.Place / ray.LengthPerDepth;
         }
       }
     }

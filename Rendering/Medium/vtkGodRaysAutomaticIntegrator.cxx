@@ -6,6 +6,7 @@
 #include "vtkGodRaysEpipolarCoverageIntegrator.h"
 #include "vtkGodRaysLight.h"
 #include "vtkGodRaysShadowMapIntegrator.h"
+#include "vtkGodRaysViewDepths.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
@@ -16,16 +17,21 @@ vtkStandardNewMacro(vtkGodRaysAutomaticIntegrator);
 namespace
 {
 // Measured: on the twelve scenes of Documentation/ModelError.md, 95 of 100 cases are within 0.0093 with one
-// map of 1024 pixels, and within 0.0055, 0.0051, 0.0031 and 0.0029 with four nested ones of half of 768,
-// 1024, 1536 and 3072.
-constexpr double OneMapTolerance = 0.008;
+// map of 1024 pixels; with four nested ones within 0.0057 (half of 512 pixels, lines 2 apart), 0.0030 (1536),
+// 0.0019 (3072, lines 1 apart) and 0.0017 (lines 0.5 apart).
+constexpr double OneMapTolerance = 0.009;
 constexpr int OneMapSize = 1024;
 constexpr int NumberOfNestedMaps = 4;
 
 int GetNestedMapSize(double tolerance)
 {
   const double steps = std::round(6.0 / 256.0 / tolerance);
-  return 256 * static_cast<int>(std::min(std::max(steps, 3.0), 16.0));
+  return 256 * static_cast<int>(std::min(std::max(steps, 2.0), 16.0));
+}
+
+double GetLineSpacing(double tolerance)
+{
+  return tolerance > 0.003 ? 2.0 : tolerance > 0.0015 ? 1.0 : 0.5;
 }
 }
 
@@ -48,16 +54,39 @@ void vtkGodRaysAutomaticIntegrator::Choose(const Request& request)
     this->Chosen = this->Coverage;
     return;
   }
-  double tolerance = request.ErrorTolerance;
-  if (request.Compositor &&
-    request.Compositor->IsDistributed()) // whose maps are joined: of one size
+  double tolerance = this->GetCorrectedTolerance(request);
+  double moves = request.Interactive ? 1.0 : 0.0;
+  if (request.Compositor && request.Compositor->IsDistributed())
   {
+    // Maps are joined: they are of one size.
     request.Compositor->Reduce(&tolerance, 1, vtkGodRaysCompositor::GREATEST);
+    request.Compositor->Reduce(&moves, 1, vtkGodRaysCompositor::GREATEST);
   }
-  const bool nested = sweeps && request.Light->IsInfinite() && tolerance < OneMapTolerance;
+  const bool oneServes = moves > 0.0 && tolerance > OneMapTolerance;
+  const bool nested = sweeps && request.Light->IsInfinite() && !oneServes;
   this->Shadows->SetMapSize(nested ? GetNestedMapSize(tolerance) : OneMapSize);
+  this->Shadows->SetLineSpacing(GetLineSpacing(tolerance));
   this->Shadows->SetNumberOfNestedMaps(nested ? NumberOfNestedMaps : 1);
   this->Chosen = this->Shadows;
+}
+
+//------------------------------------------------------------------------------
+// Once a frame, however many lights it has.
+double vtkGodRaysAutomaticIntegrator::GetCorrectedTolerance(const Request& request)
+{
+  if (this->Tolerance != request.ErrorTolerance)
+  {
+    this->Tolerance = request.ErrorTolerance;
+    this->Correction = 1.0;
+  }
+  else if (request.Depths && request.Depths->GetFrame() != this->Frame &&
+    request.LastError > request.ErrorTolerance)
+  {
+    this->Correction =
+      std::max(this->Correction * request.ErrorTolerance / request.LastError, 0.01);
+  }
+  this->Frame = request.Depths ? request.Depths->GetFrame() : 0;
+  return request.ErrorTolerance * this->Correction;
 }
 
 //------------------------------------------------------------------------------

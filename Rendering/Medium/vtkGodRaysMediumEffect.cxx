@@ -8,6 +8,7 @@
 #include "vtkGodRaysMediumIntegrator.h"
 #include "vtkGodRaysMediumModel.h"
 #include "vtkGodRaysTimers.h"
+#include "vtkGodRaysVerification.h"
 #include "vtkGodRaysView.h"
 #include "vtkRenderer.h"
 
@@ -52,6 +53,8 @@ void vtkGodRaysMediumEffect::SetUp(
 //------------------------------------------------------------------------------
 void vtkGodRaysMediumEffect::Begin(const Frame& frame)
 {
+  this->LastError = frame.Integrator->GetErrorEstimate();
+  frame.Integrator->ForgetErrors();
   // On several processes the depth of the joined picture may be nowhere.
   vtkTextureObject* occluders = frame.Occlusion->GetDepth();
   const bool hasSeen =
@@ -80,6 +83,8 @@ bool vtkGodRaysMediumEffect::DrawLight(const Frame& frame, const vtkGodRaysLight
   request.Occluders = &frame.Occlusion->GetOccludingProps();
   request.Compositor = frame.Compositor;
   request.ErrorTolerance = frame.ErrorTolerance;
+  request.Interactive = frame.Interactive;
+  request.LastError = this->LastError;
   auto integrator = vtkGodRaysMediumIntegrator::SafeDownCast(frame.Integrator);
   frame.Timers->Start(vtkGodRaysTimers::SCATTERING);
   bool done = false;
@@ -91,7 +96,14 @@ bool vtkGodRaysMediumEffect::DrawLight(const Frame& frame, const vtkGodRaysLight
   {
     request.Depths = &this->Depths;
     request.Result = frame.Light;
+    // A scene on several processes is nowhere as a whole.
+    const bool isWhole = !frame.Compositor || !frame.Compositor->IsDistributed();
+    vtkGodRaysVerification verification(integrator, *frame.Light);
     done = integrator->Integrate(request);
+    if (done && isWhole && verification.IsWanted())
+    {
+      this->Verification.Measure(request, verification);
+    }
   }
   frame.Timers->Stop();
   return done;

@@ -11,6 +11,7 @@
 
 #include "vtkGodRaysEffect.h"
 #include "vtkGodRaysMedium.h"
+#include "vtkGodRaysMediumVerification.h"
 #include "vtkGodRaysViewDepths.h"
 
 class vtkGodRaysMediumModel;
@@ -35,11 +36,14 @@ public:
   bool HasLayers() const override { return false; }
   vtkGodRaysSum* GetLayers() override { return nullptr; }
   void Release(vtkWindow* window) override;
+  std::string DescribeErrors() const override { return this->Verification.Describe(); }
 
 private:
   vtkGodRaysMediumModel* Model;
   vtkGodRaysMedium Medium; // of this frame, in scene units
   vtkGodRaysViewDepths Depths;
+  vtkGodRaysMediumVerification Verification;
+  double LastError = -1.0;               // of the last frame
   vtkTextureObject* SeenDepth = nullptr; // where view rays end
   const vtkGodRaysView* View = nullptr;
 };

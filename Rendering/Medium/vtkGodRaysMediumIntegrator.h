@@ -49,6 +49,8 @@ public:
     vtkGodRaysCompositor* Compositor = nullptr;       ///< of a scene on several processes
     vtkGodRaysSum* Result = nullptr;     ///< the light scattered by all lights: add to it
     double ErrorTolerance = 1.0 / 255.0; ///< of this frame; see vtkGodRaysPass
+    bool Interactive = false;            ///< the user drags the camera, or the like
+    double LastError = -1.0;             ///< that was measured in the last frame; -1: none was
   };
 
   /**

@@ -7,6 +7,7 @@
 #include "vtkGodRaysMediumRays.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysQuad.h"
+#include "vtkGodRaysSetGet.h"
 #include "vtkGodRaysShadowMap.h"
 #include "vtkGodRaysShadowMapFS.h"
 #include "vtkGodRaysShadowMapFilterFS.h"
@@ -22,6 +23,8 @@
 #include <sstream>
 
 vtkStandardNewMacro(vtkGodRaysShadowMapIntegrator);
+
+vtkGodRaysSetFiniteMacro(vtkGodRaysShadowMapIntegrator, LineSpacing, 0.5, 2.0);
 
 //------------------------------------------------------------------------------
 struct vtkGodRaysShadowMapIntegrator::Internals
@@ -159,6 +162,7 @@ bool vtkGodRaysShadowMapIntegrator::Sweep(const Request& request)
   const int size[2] = { ends.GetWidth(), ends.GetHeight() };
   auto parameters = vtkGodRaysSweptLight::GetParameters(request, size);
   parameters.Shadows = &self.Map.GetGrids();
+  parameters.LineSpacing = this->LineSpacing;
   if (self.Frame != request.Depths->GetFrame())
   {
     const auto input = self.Swept.Sweep.PrepareInput(size[0], size[1], 1);
@@ -216,4 +220,5 @@ void vtkGodRaysShadowMapIntegrator::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfSteps: " << this->NumberOfSteps << "\n";
   os << indent << "SweepMap: " << (this->SweepMap ? "On\n" : "Off\n");
   os << indent << "NumberOfNestedMaps: " << this->NumberOfNestedMaps << "\n";
+  os << indent << "LineSpacing: " << this->LineSpacing << "\n";
 }

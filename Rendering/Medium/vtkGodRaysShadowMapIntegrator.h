@@ -82,6 +82,16 @@ public:
   vtkGetMacro(NumberOfNestedMaps, int);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get how far a sweep's lines through the light are apart where that is most [pixels]. A pixel takes
+   * the nearest line, which makes edges of shadows as uneven; the cost grows with the number of lines. Valid
+   * range: [0.5, 2]. Default is 2.
+   */
+  void SetLineSpacing(double pixels);
+  vtkGetMacro(LineSpacing, double);
+  ///@}
+
   /**
    * Whether the request's light is summed on the processor, with SweepMap on.
    */
@@ -110,6 +120,7 @@ private:
   int NumberOfSteps = 16;
   bool SweepMap = false;
   int NumberOfNestedMaps = 4;
+  double LineSpacing = 2.0;
 };
 
 #endif

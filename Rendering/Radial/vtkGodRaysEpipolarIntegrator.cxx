@@ -5,23 +5,18 @@
 #include "vtkGodRaysBlockMeans.h"
 #include "vtkGodRaysClippedTaps.h"
 #include "vtkGodRaysLight.h"
-#include "vtkGodRaysMath.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysRadialModel.h"
 #include "vtkGodRaysRadialSweep.h"
 #include "vtkGodRaysSum.h"
 #include "vtkGodRaysTapsIntegrator.h"
 #include "vtkGodRaysTarget.h"
-#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -74,90 +69,6 @@ struct vtkGodRaysEpipolarIntegrator::Internals
   bool IntegrateOnProcessor(const Request& request);
   bool IntegrateOnGraphics(const Request& request);
 };
-
-namespace
-{
-/// What a picture holds before and after the light of a layer was added to it, against that light.
-struct Verification
-{
-  double RootMeanSquare = 0.0; // [fraction of the brightest]
-  double Largest = 0.0;
-
-  void Measure(const vtkGodRaysRadialIntegrator::Request& request, vtkGodRaysRadialModel* model,
-    vtkImageData* before, int wanted);
-};
-
-void Verification::Measure(const vtkGodRaysRadialIntegrator::Request& request,
-  vtkGodRaysRadialModel* model, vtkImageData* before, int wanted)
-{
-  const int taps = 2048;
-  vtkNew<vtkImageData> after;
-  vtkNew<vtkImageData> layer;
-  if (!request.Result->Download(after))
-  {
-    return;
-  }
-  request.Layer->Download(layer, request.Light->Color);
-  const vtkGodRays::ImageLayer emitter = { static_cast<const float*>(layer->GetScalarPointer()),
-    request.Layer->GetWidth(), request.Layer->GetHeight(), vtkGodRays::BORDER_ZERO };
-  const float* values = static_cast<const float*>(after->GetScalarPointer());
-  const float* former = before->GetNumberOfPoints() > 0
-    ? static_cast<const float*>(before->GetScalarPointer())
-    : nullptr;
-  const int width = request.Result->GetWidth();
-  const int height = request.Result->GetHeight();
-  std::vector<vtkGodRays::TapSum> passes;
-  model->GetTapSums(passes, taps);
-  const double* light = request.Light->Clip;
-  const vtkGodRays::Vec3 clip(light[0], light[1], light[2]);
-
-  // one pixel at random of each of as many parts of the picture, the same ones every time
-  const std::int64_t total = static_cast<std::int64_t>(width) * height;
-  const std::int64_t pixels = std::min<std::int64_t>(wanted, total);
-  std::mt19937 generator(5489);
-  std::vector<std::int64_t> places;
-  for (std::int64_t i = 0; i < pixels; ++i)
-  {
-    const std::int64_t first = i * total / pixels;
-    const std::int64_t next = (i + 1) * total / pixels;
-    places.push_back(first + static_cast<std::int64_t>(generator()) % (next - first));
-  }
-  std::vector<double> errors(places.size(), 0.0); // of the worst channel
-  vtkSMPTools::For(0, pixels,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const vtkGodRays::Vec2 picture(
-          (places[i] % width + 0.5) / width, (places[i] / width + 0.5) / height);
-        const vtkGodRays::Vec2 uv = 0.5 + (picture - 0.5) * request.ViewScale;
-        const vtkGodRays::Vec3 exact = vtkGodRays::SumTaps(emitter, passes[0], uv,
-          vtkGodRays::MarchVector(clip, 2.0 * uv - 1.0, request.Light->MarchScale));
-        for (int c = 0; c < 3; ++c)
-        {
-          const std::size_t at = 3 * static_cast<std::size_t>(places[i]) + c;
-          const double got = values[at] - (former ? former[at] : 0.0f);
-          errors[i] = std::max(errors[i], std::abs(got - exact[c]));
-        }
-      }
-    });
-
-  double brightest = 0.0;
-  for (std::int64_t i = 0; i < 3 * total; ++i)
-  {
-    brightest = std::max(brightest, values[i] - (former ? former[i] : 0.0));
-  }
-  double squares = 0.0;
-  for (double error : errors)
-  {
-    squares += error * error;
-    this->Largest = std::max(this->Largest, error);
-  }
-  const double scale = brightest > 0.0 ? 1.0 / brightest : 1.0;
-  this->RootMeanSquare = std::sqrt(squares / pixels) * scale;
-  this->Largest *= scale;
-}
-}
 
 //------------------------------------------------------------------------------
 bool vtkGodRaysEpipolarIntegrator::Internals::IntegrateOnProcessor(const Request& request)
@@ -254,35 +165,12 @@ unsigned int vtkGodRaysEpipolarIntegrator::GetOneColorFormat(
 bool vtkGodRaysEpipolarIntegrator::Integrate(const Request& request)
 {
   Internals& self = *this->Internal;
-  auto model = vtkGodRaysRadialModel::SafeDownCast(request.Model);
-  const bool isFirst = request.Result->IsEmpty();
-  if (isFirst)
-  {
-    this->ErrorEstimate = -1.0;
-    this->LargestVerifiedError = -1.0;
-  }
-  if (!model)
+  if (!vtkGodRaysRadialModel::SafeDownCast(request.Model))
   {
     return self.Taps->Integrate(request);
   }
-  vtkNew<vtkImageData> before;
-  if (this->VerifyPixels > 0 && !isFirst)
-  {
-    request.Result->Download(before);
-  }
-  if (!(self.UsesProcessor(this->Backend, request.Window) ? self.IntegrateOnProcessor(request)
-                                                          : self.IntegrateOnGraphics(request)))
-  {
-    return false;
-  }
-  if (this->VerifyPixels > 0)
-  {
-    Verification verification;
-    verification.Measure(request, model, before, this->VerifyPixels);
-    this->ErrorEstimate = std::max(this->ErrorEstimate, verification.RootMeanSquare);
-    this->LargestVerifiedError = std::max(this->LargestVerifiedError, verification.Largest);
-  }
-  return true;
+  return self.UsesProcessor(this->Backend, request.Window) ? self.IntegrateOnProcessor(request)
+                                                           : self.IntegrateOnGraphics(request);
 }
 
 //------------------------------------------------------------------------------
@@ -311,7 +199,4 @@ void vtkGodRaysEpipolarIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Backend: " << this->Backend << "\n";
-  os << indent << "VerifyPixels: " << this->VerifyPixels << "\n";
-  os << indent << "ErrorEstimate: " << this->ErrorEstimate << "\n";
-  os << indent << "LargestVerifiedError: " << this->LargestVerifiedError << "\n";
 }

@@ -52,28 +52,6 @@ public:
   vtkGetMacro(Backend, int);
   ///@}
 
-  ///@{
-  /**
-   * Set/Get at how many pixels of each frame, at most all, chosen at random but the same every time,
-   * one in each of as many equal parts of the picture, the result is compared with the sum of 2048 taps
-   * in double precision, see GetErrorEstimate() [no unit]. 0 does not. It costs some 0.1 ms a pixel and,
-   * with the GRAPHICS back end, reading the result. Valid range: [0, 1000000]. Default is 0.
-   */
-  vtkSetClampMacro(VerifyPixels, int, 0, 1000000);
-  vtkGetMacro(VerifyPixels, int);
-  ///@}
-
-  ///@{
-  /**
-   * The root mean square, and the largest, error at the VerifyPixels pixels of the last frame, of
-   * its worst light [fraction of that light's brightest ray]; -1 when none were compared. With n
-   * pixels, at most a fraction ln(1/p)/n of the picture exceeds the largest one, with probability
-   * 1 - p.
-   */
-  vtkGetMacro(ErrorEstimate, double);
-  vtkGetMacro(LargestVerifiedError, double);
-  ///@}
-
   VTK_WRAPEXCLUDE unsigned int GetOneColorFormat(
     vtkOpenGLRenderWindow* window, vtkGodRaysModel* model, unsigned int precision) override;
   VTK_WRAPEXCLUDE bool Integrate(const Request& request) override;
@@ -92,9 +70,6 @@ private:
   std::unique_ptr<Internals> Internal;
 
   int Backend = AUTOMATIC;
-  int VerifyPixels = 0;
-  double ErrorEstimate = -1.0;
-  double LargestVerifiedError = -1.0;
 };
 
 #endif

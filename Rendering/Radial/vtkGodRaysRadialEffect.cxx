@@ -5,13 +5,19 @@
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysLight.h"
 #include "vtkGodRaysLightFinder.h"
-#include "vtkGodRaysRadialIntegrator.h"
+#include "vtkGodRaysMath.h"
+#include "vtkGodRaysRadialModel.h"
 #include "vtkGodRaysRadialSumModel.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysTimers.h"
+#include "vtkGodRaysVerification.h"
 #include "vtkGodRaysView.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 //------------------------------------------------------------------------------
 vtkGodRaysRadialEffect::vtkGodRaysRadialEffect(vtkGodRaysRadialSumModel* model)
@@ -51,6 +57,7 @@ void vtkGodRaysRadialEffect::SetUp(
 //------------------------------------------------------------------------------
 void vtkGodRaysRadialEffect::Begin(const Frame& frame)
 {
+  frame.Integrator->ForgetErrors();
   this->Composed = 0;
   this->KeepsAll = frame.NumberOfLights == 1 || frame.KeepsLayers;
 }
@@ -76,10 +83,44 @@ bool vtkGodRaysRadialEffect::DrawLight(const Frame& frame, const vtkGodRaysLight
   request.ViewScale = frame.View->ViewScale;
   request.ErrorTolerance = frame.ErrorTolerance;
   request.Result = frame.Light;
+  vtkGodRaysVerification verification(frame.Integrator, *frame.Light);
   frame.Timers->Start(vtkGodRaysTimers::SCATTERING);
   const bool done = vtkGodRaysRadialIntegrator::SafeDownCast(frame.Integrator)->Integrate(request);
   frame.Timers->Stop();
+  if (done && verification.IsWanted())
+  {
+    this->Verify(request, verification);
+  }
   return done;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRadialEffect::Verify(
+  const vtkGodRaysRadialIntegrator::Request& request, vtkGodRaysVerification& verification) const
+{
+  if (!vtkGodRaysRadialModel::SafeDownCast(this->Model))
+  {
+    return; // as published, there is no limit to compare with
+  }
+  vtkNew<vtkImageData> layer;
+  request.Layer->Download(layer, request.Light->Color);
+  const vtkGodRays::ImageLayer emitter = { static_cast<const float*>(layer->GetScalarPointer()),
+    request.Layer->GetWidth(), request.Layer->GetHeight(), vtkGodRays::BORDER_ZERO };
+  std::vector<vtkGodRays::TapSum> passes;
+  this->Model->GetTapSums(passes, 2048);
+  const double* light = request.Light->Clip;
+  const vtkGodRays::Vec3 clip(light[0], light[1], light[2]);
+  const int width = request.Result->GetWidth();
+  const int height = request.Result->GetHeight();
+  verification.Measure(
+    [&](int x, int y)
+    {
+      const vtkGodRays::Vec2 picture((x + 0.5) / width, (y + 0.5) / height);
+      const vtkGodRays::Vec2 uv = 0.5 + (picture - 0.5) * request.ViewScale;
+      const vtkGodRays::Vec3 sum = vtkGodRays::SumTaps(emitter, passes[0], uv,
+        vtkGodRays::MarchVector(clip, 2.0 * uv - 1.0, request.Light->MarchScale));
+      return std::array<double, 3>{ sum.x, sum.y, sum.z };
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -9,9 +9,11 @@
 #define vtkGodRaysRadialEffect_h
 
 #include "vtkGodRaysEffect.h"
+#include "vtkGodRaysRadialIntegrator.h" // For Request
 #include "vtkGodRaysSum.h"
 
 class vtkGodRaysRadialSumModel;
+class vtkGodRaysVerification;
 
 class vtkGodRaysRadialEffect : public vtkGodRaysEffect
 {
@@ -36,6 +38,8 @@ public:
 
 private:
   bool ComposeLayer(const Frame& frame, const vtkGodRaysLight& light);
+  void Verify(
+    const vtkGodRaysRadialIntegrator::Request& request, vtkGodRaysVerification& verification) const;
 
   vtkGodRaysRadialSumModel* Model;
   vtkGodRaysSum Layers; // of all lights; of several only if they are asked for

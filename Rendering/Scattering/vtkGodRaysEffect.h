@@ -47,6 +47,7 @@ public:
     unsigned int Format = 0;        ///< of layers: GL_RGBA16F or GL_RGBA32F
     int NumberOfLights = 0;
     double ErrorTolerance = 1.0 / 255.0;
+    bool Interactive = false; ///< the user drags the camera, or the like
     bool KeepsLayers = false; ///< the occlusion layers of all lights are asked for
     bool Scatters = true;     ///< the scattered light is asked for
   };
@@ -103,6 +104,11 @@ public:
   virtual bool HasLayers() const = 0;
   virtual vtkGodRaysSum* GetLayers() = 0;
   ///@}
+
+  /**
+   * What measured errors leave out, or nothing.
+   */
+  virtual std::string DescribeErrors() const { return ""; }
 
   /**
    * Free what is on the graphics card.

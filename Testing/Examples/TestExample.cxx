@@ -91,6 +91,10 @@ public:
 
   void Render(const vtkRenderState* s) override
   {
+    if (!this->GetIntegrator()->Supports(this->GetModel()))
+    {
+      this->SetIntegrator(nullptr); // the model's own
+    }
     this->Superclass::Render(s);
     auto medium = vtkGodRaysHomogeneousModel::SafeDownCast(this->GetModel());
     vtkNew<vtkImageData> light;

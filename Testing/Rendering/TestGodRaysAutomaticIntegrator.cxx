@@ -65,9 +65,9 @@ TEST_F(GodRaysAutomaticIntegrator, TakesMapsByTheTolerance)
 {
   this->AddPillars();
   this->SetLight({ 0.15, 0.1, -1.0, 0.0 });
-  for (const auto& [tolerance, words] :
-    { std::pair<double, const char*>{ 1.0 / 32.0, "1 of 1024" }, { 1.0 / 128.0, "4 of 384" },
-      { 1.0 / 255.0, "4 of 768" }, { 1.0 / 512.0, "4 of 1536" }, { 1e-6, "4 of 2048" } })
+  for (const auto& [tolerance, words] : { std::pair<double, const char*>{ 1.0 / 32.0, "4 of 256" },
+         { 1.0 / 64.0, "4 of 256" }, { 1.0 / 128.0, "4 of 384" }, { 1.0 / 255.0, "4 of 768" },
+         { 1.0 / 512.0, "4 of 1536" }, { 1e-6, "4 of 2048" } })
   {
     this->Rays->SetErrorTolerance(tolerance);
     EXPECT_TRUE(Says(this->GetPlan(), words)) << tolerance << "\n" << this->Rays->GetPlan();

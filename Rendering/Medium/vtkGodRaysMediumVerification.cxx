@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysMediumVerification.h"
+
+#include "vtkActor.h"
+#include "vtkAppendPolyData.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
+#include "vtkClipPolyData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkCompositePolyDataMapper.h"
+#include "vtkGodRaysLight.h"
+#include "vtkGodRaysMediumRays.h"
+#include "vtkGodRaysOpenGL.h"
+#include "vtkGodRaysSum.h"
+#include "vtkGodRaysTarget.h"
+#include "vtkGodRaysVerification.h"
+#include "vtkGodRaysView.h"
+#include "vtkGodRaysViewDepths.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMatrixToLinearTransform.h"
+#include "vtkNew.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkSmartPointer.h"
+#include "vtkTransformPolyDataFilter.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace
+{
+/// The surfaces that a mapper draws; empty if it draws others, or nothing.
+std::vector<vtkPolyData*> GetSurfaces(vtkMapper* mapper)
+{
+  std::vector<vtkPolyData*> surfaces;
+  const auto add = [&surfaces](vtkDataObject* data)
+  {
+    if (auto surface = vtkPolyData::SafeDownCast(data))
+    {
+      surfaces.push_back(surface);
+    }
+  };
+  vtkDataObject* input =
+    mapper && mapper->GetNumberOfInputPorts() > 0 && mapper->GetNumberOfInputConnections(0) > 0
+    ? mapper->GetInputDataObject(0, 0)
+    : nullptr;
+  auto composite = vtkCompositeDataSet::SafeDownCast(input);
+  if (composite && mapper->IsA("vtkCompositePolyDataMapper"))
+  {
+    auto blocks = vtk::TakeSmartPointer(composite->NewIterator());
+    for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
+    {
+      add(blocks->GetCurrentDataObject());
+    }
+  }
+  // Not glyphs or splats, whose class is another one.
+  else if (std::string(vtkPolyDataMapper::SafeDownCast(mapper) ? mapper->GetClassName() : "") ==
+    "vtkOpenGLPolyDataMapper")
+  {
+    add(input);
+  }
+  return surfaces;
+}
+
+/// Add what an actor shows, in the world; false if that is no surface.
+bool AddActor(vtkActor* actor, vtkMatrix4x4* matrix, vtkAppendPolyData* all)
+{
+  const auto surfaces = GetSurfaces(actor->GetMapper());
+  if (surfaces.empty() || actor->GetProperty()->GetRepresentation() != VTK_SURFACE)
+  {
+    return false;
+  }
+  vtkNew<vtkMatrixToLinearTransform> toWorld;
+  toWorld->SetInput(matrix);
+  for (vtkPolyData* surface : surfaces)
+  {
+    vtkNew<vtkTransformPolyDataFilter> moved;
+    moved->SetTransform(toWorld);
+    moved->SetInputData(surface);
+    vtkSmartPointer<vtkPolyDataAlgorithm> last = moved.Get();
+    vtkPlaneCollection* planes = actor->GetMapper()->GetClippingPlanes();
+    for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
+    {
+      vtkNew<vtkClipPolyData> clip;
+      clip->SetClipFunction(planes->GetItem(i));
+      clip->SetInputConnection(last->GetOutputPort());
+      last = clip.Get();
+    }
+    last->Update();
+    all->AddInputData(last->GetOutput());
+  }
+  return true;
+}
+
+/// When what a prop shows changed last.
+vtkMTimeType GetTime(vtkProp* prop)
+{
+  vtkMTimeType time = prop->GetRedrawMTime();
+  if (auto prop3D = vtkProp3D::SafeDownCast(prop))
+  {
+    time = std::max(time, prop3D->GetUserTransformMatrixMTime());
+  }
+  auto actor = vtkActor::SafeDownCast(prop);
+  vtkPlaneCollection* planes =
+    actor && actor->GetMapper() ? actor->GetMapper()->GetClippingPlanes() : nullptr;
+  for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
+  {
+    time = std::max(time, planes->GetItem(i)->GetMTime());
+  }
+  return time;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysMediumVerification::TakeOccluders(const std::vector<vtkProp*>& props)
+{
+  std::vector<std::pair<const void*, vtkMTimeType>> now;
+  for (vtkProp* prop : props)
+  {
+    now.emplace_back(prop, GetTime(prop));
+  }
+  if (this->HasTaken && now == this->Taken)
+  {
+    return;
+  }
+  this->Taken = std::move(now);
+  this->HasTaken = true;
+  this->LeftOut = 0;
+  vtkNew<vtkAppendPolyData> all;
+  for (vtkProp* prop : props)
+  {
+    prop->InitPathTraversal();
+    while (vtkAssemblyPath* path = prop->GetNextPath())
+    {
+      vtkAssemblyNode* node = path->GetLastNode();
+      vtkProp* part = node->GetViewProp();
+      auto actor = vtkActor::SafeDownCast(part);
+      if (!part->GetVisibility() || !part->HasOpaqueGeometry())
+      {
+        continue;
+      }
+      if (!actor || !AddActor(actor, node->GetMatrix(), all))
+      {
+        ++this->LeftOut;
+      }
+    }
+  }
+  if (all->GetNumberOfInputConnections(0) > 0)
+  {
+    all->Update();
+  }
+  this->Exact.SetOccluders(all->GetNumberOfInputConnections(0) > 0 ? all->GetOutput() : nullptr);
+}
+
+//------------------------------------------------------------------------------
+// In world coordinates, so that the polygons are the same wherever the eye is.
+void vtkGodRaysMediumVerification::SetParameters(const vtkGodRaysMediumIntegrator::Request& request)
+{
+  double toWorld[16];
+  vtkMatrix4x4::Invert(request.View->WorldToView, toWorld);
+  vtkGodRaysSingleScattering::Parameters parameters;
+  for (int i = 0; i < 3; ++i)
+  {
+    parameters.Right[i] = toWorld[4 * i];
+    parameters.Up[i] = toWorld[4 * i + 1];
+    parameters.Forward[i] = toWorld[4 * i + 2];
+    parameters.Position[i] = toWorld[4 * i + 3];
+  }
+  vtkMatrix4x4::MultiplyPoint(toWorld, request.Light->Position, parameters.Light);
+  parameters.Parallel = request.View->Parallel;
+  for (int i = 0; i < 3; ++i)
+  {
+    parameters.LightColor[i] = request.Light->Power * request.Light->Color[i];
+  }
+  parameters.Spot = request.Light->Spot;
+  parameters.Medium = *request.Medium;
+  this->Exact.SetParameters(parameters);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysMediumVerification::Measure(
+  const vtkGodRaysMediumIntegrator::Request& request, vtkGodRaysVerification& verification)
+{
+  vtkGodRaysTarget* const ends = request.Depths->GetEnds();
+  if (!ends)
+  {
+    return;
+  }
+  this->TakeOccluders(*request.Occluders);
+  this->SetParameters(request);
+  const int size[2] = { ends->GetWidth(), ends->GetHeight() };
+  std::vector<float> depths(static_cast<std::size_t>(size[0]) * size[1]);
+  ends->Read(GL_RED, GL_FLOAT, depths.data(), size[0]);
+  const vtkGodRaysMediumRays rays(request, size);
+  const vtkGodRaysView::Pinhole pinhole = rays.GetPinhole();
+  const int margin[2] = { (size[0] - request.Result->GetWidth()) / 2,
+    (size[1] - request.Result->GetHeight()) / 2 };
+  verification.Measure(
+    [&](int x, int y)
+    {
+      const int column = x + margin[0];
+      const int row = y + margin[1];
+      vtkGodRaysSingleScattering::Result ray;
+      this->Exact.Evaluate((column + 0.5 - pinhole.Center[0]) * pinhole.PixelSize,
+        (row + 0.5 - pinhole.Center[1]) * pinhole.PixelSize, ray,
+        depths[static_cast<std::size_t>(row) * size[0] + column]);
+      return std::array<double, 3>{ ray.Radiance[0], ray.Radiance[1], ray.Radiance[2] };
+    });
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysMediumVerification::Describe() const
+{
+  return this->LeftOut > 0
+    ? std::to_string(this->LeftOut) + " props that are no surfaces are left out"
+    : "";
+}

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysMediumVerification
+ * @brief   single scattering among the scene's polygons, evaluated exactly at some pixels; private to this
+ * module
+ *
+ * The polygons of opaque actors block light, wherever they are, as their mappers have them: those of
+ * vtkPolyDataMapper and vtkCompositePolyDataMapper, moved and clipped, drawn as surfaces. They are taken
+ * once, and again when an occluder changes. View rays end where the picture's depths are.
+ */
+
+#ifndef vtkGodRaysMediumVerification_h
+#define vtkGodRaysMediumVerification_h
+
+#include "vtkGodRaysMediumIntegrator.h" // For Request
+#include "vtkGodRaysSingleScattering.h"
+#include "vtkType.h" // For vtkMTimeType
+
+#include <string>
+#include <utility> // For std::pair
+#include <vector>
+
+class vtkGodRaysVerification;
+
+class vtkGodRaysMediumVerification
+{
+public:
+  /**
+   * Compare what an integrator made of the request.
+   */
+  void Measure(
+    const vtkGodRaysMediumIntegrator::Request& request, vtkGodRaysVerification& verification);
+
+  /**
+   * What is left out, for the plan; empty if nothing is.
+   */
+  std::string Describe() const;
+
+private:
+  void TakeOccluders(const std::vector<vtkProp*>& props);
+  void SetParameters(const vtkGodRaysMediumIntegrator::Request& request);
+
+  vtkGodRaysSingleScattering Exact;
+  std::vector<std::pair<const void*, vtkMTimeType>> Taken; // props, and when they changed
+  bool HasTaken = false;
+  int LeftOut = 0; // props that are no surfaces
+};
+
+#endif
