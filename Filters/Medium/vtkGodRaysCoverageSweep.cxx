@@ -3,6 +3,7 @@
 #include "vtkGodRaysCoverageSweep.h"
 
 #include "vtkGodRaysCoverageKernels.h"
+#include "vtkGodRaysCoveragePhase.h"
 #include "vtkGodRaysCoverageTable.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysShadowKernels.h"
@@ -52,46 +53,6 @@ void Transpose(const float* from, int width, int height, float* to)
 }
 
 //------------------------------------------------------------------------------
-// What of a component decides the shape of its phase function.
-std::array<double, 5> GetPhaseKey(const Component& component)
-{
-  return { static_cast<double>(component.PhaseFunction), component.Asymmetry,
-    static_cast<double>(component.SecondPhaseFunction), component.SecondAsymmetry,
-    component.SecondWeight };
-}
-
-//------------------------------------------------------------------------------
-double GetPhase(const Component& component, double cosAngle)
-{
-  return PhaseMix({ component.PhaseFunction, component.Asymmetry },
-    { component.SecondPhaseFunction, component.SecondAsymmetry }, component.SecondWeight, cosAngle);
-}
-
-//------------------------------------------------------------------------------
-void MakeTable(const Component& component, CoveragePhase& table)
-{
-  const auto sharpness = [](int kind, double asymmetry)
-  { return PhaseHasAsymmetry(kind) ? 1.0 - std::abs(asymmetry) : 1.0; };
-  const double least = std::min(sharpness(component.PhaseFunction, component.Asymmetry),
-    component.SecondWeight > 0.0
-      ? sharpness(component.SecondPhaseFunction, component.SecondAsymmetry)
-      : 1.0);
-  int half = 768;
-  while (half * least < 640.0)
-  {
-    half *= 2;
-  }
-  table.resize(2 * half + 1);
-  for (int i = 0; i <= half; ++i)
-  {
-    const double chord = i / static_cast<double>(half);
-    const double cosine = 1.0 - chord * chord;
-    table[i] = static_cast<float>(GetPhase(component, cosine));
-    table[2 * half - i] = static_cast<float>(GetPhase(component, -cosine));
-  }
-}
-
-//------------------------------------------------------------------------------
 bool IsGrey(const double* color)
 {
   return color[0] == color[1] && color[1] == color[2];
@@ -114,7 +75,7 @@ void MakeTableKey(const Parameters& parameters, int width, int height, TableKey&
     const Component& component = medium.Components[k];
     key.insert(key.end(), component.Scattering, component.Scattering + 3);
     key.insert(key.end(), component.Absorption, component.Absorption + 3);
-    const auto phase = GetPhaseKey(component);
+    const auto phase = GetCoveragePhaseKey(component);
     key.insert(key.end(), phase.begin(), phase.end());
     key.push_back(component.ScaleHeight);
   }
@@ -314,10 +275,10 @@ private:
   double PreparePhase(const Component& component, int k)
   {
     CoveragePhase& table = this->Shade.Table[k];
-    if (table.empty() || this->PhaseKeys[k] != GetPhaseKey(component))
+    if (table.empty() || this->PhaseKeys[k] != GetCoveragePhaseKey(component))
     {
-      MakeTable(component, table);
-      this->PhaseKeys[k] = GetPhaseKey(component);
+      MakeCoveragePhase(component, table);
+      this->PhaseKeys[k] = GetCoveragePhaseKey(component);
       this->PhasePeaks[k] = *std::max_element(table.begin(), table.end());
     }
     return this->PhasePeaks[k];
@@ -567,9 +528,14 @@ private:
     {
       std::fill(this->Hidden[p].begin(), this->Hidden[p].end(), 0.0f);
     }
-    if (grids.Levels == 0 || this->HasNoLines())
+    if (grids.Levels == 0)
     {
-      return; // nothing blocks, or nothing that a light in the eye does not see
+      return; // nothing blocks
+    }
+    if (this->HasNoLines())
+    {
+      this->HideAlongRays(grids);
+      return;
     }
     if (grids.Point)
     {
@@ -577,7 +543,7 @@ private:
     }
     else
     {
-      const bool weighs = this->Table.Kind == CoverageTable::NONE;
+      const bool weighs = this->Table.Kind == CoverageTable::NONE && !settings.Parallel;
       const double* extinctions = settings.Extinction;
       const auto range = std::minmax_element(extinctions, extinctions + settings.Channels);
       MakeShadowLadder(
@@ -631,6 +597,36 @@ private:
     }
   }
 
+  // View rays along light rays: of a light in the eye, to which all that is seen is lit, or of a directional
+  // light along parallel rays.
+  void HideAlongRays(const vtkGodRaysShadowGrids& grids)
+  {
+    const CoverageSettings& settings = this->Settings;
+    if (settings.Point)
+    {
+      return;
+    }
+    const bool isAhead = settings.Light[2] > 0.0;
+    vtkSMPTools::For(0, this->Image.Height, 16,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType row = begin; row < end; ++row)
+        {
+          for (int column = 0; column < this->Image.Width; ++column)
+          {
+            const double x = (column - this->Image.Center[0]) * settings.PixelSize;
+            const double y = (row - this->Image.Center[1]) * settings.PixelSize;
+            const double height = grids.GetHeight(x * grids.Axes[0][0] + y * grids.Axes[0][1],
+              x * grids.Axes[1][0] + y * grids.Axes[1][1]);
+            const float depth = static_cast<float>(isAhead ? height : -height);
+            HideCoverageInterval(settings, this->Image, row * this->Image.Width + column,
+              isAhead ? std::max(depth, 0.0f) : 0.0f,
+              isAhead ? CoverageSky : std::min(std::max(depth, 0.0f), CoverageSky));
+          }
+        }
+      });
+  }
+
   // What occluders on the line through the eye and the light leave dark of the view ray along it: all before
   // a view depth, and all from another one on.
   void FindDarkEnds(const vtkGodRaysShadowGrids& grids, float& before, float& from) const
@@ -646,8 +642,12 @@ private:
       from = isAhead ? CoverageSky : std::min(depth, CoverageSky);
       return;
     }
-    const double distance = std::hypot(std::hypot(light[0], light[1]), light[2]);
-    const double away[3] = { light[0] / distance, light[1] / distance, light[2] / distance };
+    const bool parallel = this->Settings.Parallel;
+    const double distance =
+      parallel ? std::abs(light[2]) : std::hypot(std::hypot(light[0], light[1]), light[2]);
+    const double forward = isAhead ? 1.0 : -1.0;
+    const double away[3] = { parallel ? 0.0 : light[0] / distance,
+      parallel ? 0.0 : light[1] / distance, parallel ? forward : light[2] / distance };
     const double towards[3] = { -away[0], -away[1], -away[2] };
     const double toOccluder = grids.GetDistance(towards); // on the eye's side of the light
     if (isAhead)
@@ -732,10 +732,6 @@ bool vtkGodRaysCoverageSweep::Execute(const Parameters& parameters, const Monito
 bool vtkGodRaysCoverageSweep::Supports(const Parameters& parameters)
 {
   const vtkGodRaysMedium& medium = parameters.Medium;
-  if (parameters.Shadows && parameters.Parallel)
-  {
-    return false;
-  }
   if (!medium.HasExponentialDensity())
   {
     return true;

@@ -108,8 +108,7 @@ public:
 
   /**
    * Whether it can be computed: all but a directional light in a medium of exponential density over a
-   * planet, and a spotlight that fades from its axis, which is not vertical, in such a medium. With
-   * Shadows, the same in perspective.
+   * planet, and a spotlight that fades from its axis, which is not vertical, in such a medium.
    */
   static bool Supports(const Parameters& parameters);
 

@@ -19,11 +19,6 @@ namespace vtkGodRays
 {
 namespace HWY_NAMESPACE
 {
-HWY_INLINE Float SetFloat(double value)
-{
-  return hn::Set(FloatTag(), static_cast<float>(value));
-}
-
 //------------------------------------------------------------------------------
 // The sums of what is dark, at two steps of the ladder.
 class DarkSums
@@ -196,14 +191,20 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// Where columns begin along view rays: the ray (P, Q) of depth 1 is there at the depth
-// Scale Places[j]/(P Slope Places[j] + Q Shares[j]).
+// Where columns begin along view rays: a ray is there at the depth (A x + B y)/(C x + D y), whose x and y are
+// the column's and A to D the ray's,
+//
+//                         x        y         A    B    C    D
+//     directional         t        1         1    0    0    Q
+//     point               sin a    -cos a    d    0    P    Q
+//     directional, rays parallel             1   -t0   0    Q
+//     point, rays parallel                   z   -t0   1    0
+//
+// where a parallel ray begins at t0, and the point light is at the depth z.
 struct ColumnEdges
 {
-  const float* Places;
-  const float* Shares;
-  float Scale;
-  float Slope;
+  const float* X;
+  const float* Y;
 };
 
 //------------------------------------------------------------------------------
@@ -234,9 +235,9 @@ public:
     this->Ends[pixel] = static_cast<int>(m.SeenBegin.size());
   }
 
-  // Along rays (P, Q), between their first and last depths.
+  // Along rays that meet edges as four numbers tell, between their first and last depths.
   void Measure(const CoverageSettings& settings, const ColumnEdges& edges,
-    const Rays<FloatTag>& rays, Float p, Float q, Float first, Float last)
+    const Rays<FloatTag>& rays, const Float meeting[4], Float first, Float last)
   {
     const FloatTag d;
     const IntTag di;
@@ -257,15 +258,17 @@ public:
       const auto indices = hn::IndicesFromVec(d, seers);
       const Float begin = hn::TableLookupLanes(first, indices);
       const Float end = hn::TableLookupLanes(last, indices);
-      const Float along = hn::TableLookupLanes(p, indices) * hn::Set(d, edges.Slope);
-      const Float across = hn::TableLookupLanes(q, indices);
+      const Float a = hn::TableLookupLanes(meeting[0], indices);
+      const Float b = hn::TableLookupLanes(meeting[1], indices);
+      const Float c = hn::TableLookupLanes(meeting[2], indices);
+      const Float e = hn::TableLookupLanes(meeting[3], indices);
       const auto toDepth = [&](const int* columns) HWY_ATTR
       {
         const auto column = hn::LoadU(di, columns + i);
-        const Float place = hn::GatherIndex(d, edges.Places, column);
-        const Float share = hn::GatherIndex(d, edges.Shares, column);
-        const Float rate = hn::Max(hn::MulAdd(along, place, across * share), hn::Set(d, 1e-30f));
-        return hn::Max(hn::Min(hn::Set(d, edges.Scale) * place / rate, end), begin);
+        const Float x = hn::GatherIndex(d, edges.X, column);
+        const Float y = hn::GatherIndex(d, edges.Y, column);
+        const Float rate = hn::Max(hn::MulAdd(c, x, e * y), hn::Set(d, 1e-30f));
+        return hn::Max(hn::Min(hn::MulAdd(a, x, b * y) / rate, end), begin);
       };
       const Float low = toDepth(m.SeenBegin.data());
       const Float high = toDepth(m.SeenEnd.data());

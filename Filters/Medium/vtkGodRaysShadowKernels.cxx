@@ -13,6 +13,7 @@
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysShadowDark-inl.h"
 #include "vtkGodRaysShadowKernels.h"
+#include "vtkGodRaysShadowLine-inl.h"
 #include "vtkGodRaysShadowLines.h"
 
 #include <hwy/contrib/math/math-inl.h>
@@ -27,35 +28,17 @@ namespace vtkGodRays
 namespace HWY_NAMESPACE
 {
 //------------------------------------------------------------------------------
-class ShadowSweep
+class ShadowSweep : private ShadowLine
 {
 public:
   ShadowSweep(const CoverageSettings& settings, const CoverageImage& image,
     const CoverageWedge& wedge, const vtkGodRaysShadowGrids& grids, const ShadowTables& tables,
     const ShadowPicture& picture, ShadowLines& memory)
-    : Settings(settings)
-    , Image(image)
-    , Wedge(wedge)
-    , Grids(grids)
-    , Ladder(tables.Ladder)
-    , Fan(tables.Fan)
-    , Picture(picture)
-    , Memory(memory)
+    : ShadowLine(settings, image, wedge, grids, tables, picture, memory)
     , Sums(memory, tables.Ladder)
     , Runs(memory)
     , Seen(memory)
-    , Distance(length(Vec3(settings.Light[0], settings.Light[1], settings.Light[2])))
-    , Light(Vec3(settings.Light[0], settings.Light[1], settings.Light[2]) / this->Distance)
   {
-    memory.Reserve(wedge.Rows, grids.Point ? this->Fan.Columns : this->Ladder.Columns);
-    for (int k = 0; k < wedge.Rows; ++k)
-    {
-      int first;
-      int last;
-      FindCoveragePixels(wedge, image, wedge.First + k * wedge.Direction, first, last);
-      memory.RowFirst[k] = static_cast<float>(first);
-      memory.RowEnd[k] = static_cast<float>(std::max(last + 1, first));
-    }
   }
 
   void Sweep(int line)
@@ -64,7 +47,7 @@ public:
     {
       return;
     }
-    if (this->Settings.Table->Kind != CoverageTable::NONE)
+    if (this->Settings.Table->Kind != CoverageTable::NONE || this->Settings.Parallel)
     {
       this->HideRuns();
       return;
@@ -78,200 +61,6 @@ public:
   }
 
 private:
-  // A line, x = At + Slope n in the n-th row of the wedge.
-  struct Straight
-  {
-    double At;
-    double Slope;
-  };
-  Straight GetLine(double index) const
-  {
-    const CoverageWedge& wedge = this->Wedge;
-    const double x = wedge.FirstLine + index * wedge.Spacing;
-    const double slope = (wedge.W * x - wedge.A) / (wedge.W * wedge.Widest - wedge.B);
-    return { x + slope * (wedge.First - wedge.Widest), slope * wedge.Direction };
-  }
-
-  // The rows in which the line's strip meets the picture, and the pixels in it.
-  bool FindPixels(int line)
-  {
-    const Straight left = this->GetLine(line - 0.5);
-    const Straight right = this->GetLine(line + 0.5);
-    double low = 0.0;
-    double high = this->Wedge.Rows - 1.0;
-    const auto clip = [&](double value, double slope) // value + slope n >= 0
-    {
-      if (slope > 1e-14)
-      {
-        low = std::max(low, std::ceil(-value / slope));
-      }
-      else if (slope < -1e-14)
-      {
-        high = std::min(high, std::floor(-value / slope));
-      }
-      else if (value < 0.0)
-      {
-        high = -1.0;
-      }
-    };
-    clip(right.At + 1.0, right.Slope);
-    clip(this->Image.Width - left.At, -left.Slope);
-    if (!(low <= high))
-    {
-      return false;
-    }
-    this->FirstRow = static_cast<int>(low);
-    this->Rows = static_cast<int>(high) - this->FirstRow + 1;
-    this->FindEdges(left, this->Memory.Begin.data());
-    this->FindEdges(right, this->Memory.End.data());
-    this->Center = this->GetLine(line);
-    const int row = this->Wedge.First + this->FirstRow * this->Wedge.Direction;
-    const std::ptrdiff_t step = this->Picture.Along * this->Wedge.Direction;
-    std::ptrdiff_t base = row * this->Picture.Along;
-    int n = 0;
-    for (int k = 0; k < this->Rows; ++k, base += step)
-    {
-      const int begin = this->Memory.Begin[k];
-      const int count = std::min(this->Memory.End[k] - begin, 3);
-      for (int i = 0; i < 3; ++i) // without branches; what is too much is written over
-      {
-        this->Memory.Offset[n + i] = static_cast<int>(base + (begin + i) * this->Picture.Across);
-        this->Memory.Row[n + i] = k;
-        this->Memory.Column[n + i] = begin + i;
-      }
-      n += std::max(count, 0);
-    }
-    this->Pixels = n;
-    return n > 0;
-  }
-
-  // Neighbours round their common edge alike: rows are counted from the wedge's first.
-  void FindEdges(const Straight& edge, int* columns) const
-  {
-    const FloatTag d;
-    const IntTag di;
-    for (int k = 0; k < this->Rows; k += GetLanes())
-    {
-      const int n = this->FirstRow + k;
-      const Float x =
-        hn::Ceil(SetFloat(edge.At) + SetFloat(edge.Slope) * hn::Iota(d, static_cast<float>(n)));
-      const Float first = hn::LoadU(d, this->Memory.RowFirst.data() + n);
-      const Float end = hn::LoadU(d, this->Memory.RowEnd.data() + n);
-      hn::StoreU(hn::ConvertTo(di, hn::Min(hn::Max(x, first), end)), di, columns + k);
-    }
-  }
-
-  Vec3 GetRay(double k) const
-  {
-    const double n = this->FirstRow + k;
-    const double x = this->Center.At + this->Center.Slope * n;
-    const double row = this->Wedge.First + n * this->Wedge.Direction;
-    return Vec3((x - this->Image.Center[0]) * this->Settings.PixelSize,
-      (row - this->Image.Center[1]) * this->Settings.PixelSize, 1.0);
-  }
-
-  // The line's plane, and the columns of the map in it; false if there are none.
-  bool FindColumns()
-  {
-    const Vec3 ray = this->GetRay(0.0);
-    const Vec3 next = this->GetRay(1.0) - ray;
-    const Vec3 last = this->GetRay(this->Rows - 1.0);
-    // Across the light, from the ray that is farther from the axis.
-    Vec3 across = last - dot(last, this->Light) * this->Light;
-    const Vec3 other = ray - dot(ray, this->Light) * this->Light;
-    across = normalize(dot(other, other) > dot(across, across) ? other : across);
-    this->Along[0] = dot(ray, this->Light);
-    this->Along[1] = dot(next, this->Light);
-    this->Across[0] = dot(ray, across);
-    this->Across[1] = dot(next, across);
-    this->Square[0] = dot(ray, ray);
-    this->Square[1] = 2.0 * dot(ray, next);
-    this->Square[2] = dot(next, next);
-    return this->Grids.Point ? this->FindWedges(across) : this->FindStrips(across);
-  }
-
-  // Of a point light: wedges in the map, and not beyond where the first ray goes.
-  bool FindWedges(const Vec3& across)
-  {
-    const double pi = std::acos(-1.0);
-    double low = std::max(0.0, std::atan2(this->Across[0], this->Along[0]));
-    double high = pi;
-    for (int face = 0; face < this->Grids.Levels; ++face)
-    {
-      const vtkGodRaysShadowGrids::Grid& grid = this->Grids.Grids[face];
-      for (int i = 0; i < 3; ++i)
-      {
-        const Vec3 axis(grid.Axes[i][0], grid.Axes[i][1], grid.Axes[i][2]);
-        this->Faces[face][i][0] = dot(axis, this->Light);
-        this->Faces[face][i][1] = dot(axis, across);
-      }
-    }
-    if (this->Grids.Levels == 1) // within a cone about the third axis
-    {
-      const vtkGodRaysShadowGrids::Grid& grid = this->Grids.Grids[0];
-      double square = 1.0;
-      for (int i = 0; i < 2; ++i)
-      {
-        const double end = grid.Low[i] + grid.Size[i] * grid.Texel[i];
-        square += std::pow(std::max(std::abs(grid.Low[i]), std::abs(end)), 2);
-      }
-      const double* axis = this->Faces[0][2];
-      const double cosine =
-        1.0 / (std::sqrt(square) * std::max(std::hypot(axis[0], axis[1]), 1e-12));
-      if (cosine >= 1.0)
-      {
-        return false;
-      }
-      const double half = std::acos(cosine);
-      const double middle = std::atan2(axis[1], axis[0]);
-      const double turns = middle + half < 0.0 ? 2.0 * pi : 0.0;
-      low = std::max(low, middle - half + turns);
-      high = std::min(high, middle + half + turns);
-    }
-    this->FirstColumn = static_cast<int>(std::max((pi - high) / this->Fan.Angle, 0.0));
-    this->Columns =
-      static_cast<int>(std::min(std::ceil((pi - low) / this->Fan.Angle), this->Fan.Columns + 0.0));
-    return this->FirstColumn < this->Columns;
-  }
-
-  bool FindStrips(const Vec3& across)
-  {
-    const vtkGodRaysShadowGrids::Grid& grid = this->Grids.Grids[0];
-    double begin = 0.0;
-    double end = 1e30;
-    double most = 0.0;
-    for (int i = 0; i < 2; ++i)
-    {
-      const double* axis = this->Grids.Axes[i];
-      this->Direction[i] = dot(across, Vec3(axis[0], axis[1], axis[2]));
-      most = std::max(most, std::abs(this->Direction[i]) / grid.Texel[i]);
-      const double low = grid.Low[i];
-      const double high = low + grid.Size[i] * grid.Texel[i];
-      if (std::abs(this->Direction[i]) < 1e-12)
-      {
-        end = low <= 0.0 && high >= 0.0 ? end : -1.0;
-        continue;
-      }
-      const double one = low / this->Direction[i];
-      const double two = high / this->Direction[i];
-      begin = std::max(begin, std::min(one, two));
-      end = std::min(end, std::max(one, two));
-    }
-    if (!(begin < end) || !(most > 0.0))
-    {
-      return false;
-    }
-    // From the eye on; if the map begins later, from there, as if by Each columns before it.
-    this->Width = 1.0 / most;
-    this->Start = begin > 0.0 ? begin - ShadowLadder::Each * this->Width : 0.0;
-    this->FirstColumn = begin > 0.0 ? ShadowLadder::FirstWhole : 0;
-    const double whole = (end - this->Start) / this->Width - ShadowLadder::Each;
-    const double room = this->Ladder.Columns - 64.0;
-    this->Columns =
-      static_cast<int>(std::min(std::ceil(std::max(whole, 0.0)) + ShadowLadder::FirstWhole, room));
-    return true;
-  }
-
   // The row in which each column turns dark; false if none does.
   bool FindFlips()
   {
@@ -327,7 +116,8 @@ private:
     {
       const double perLength = this->Direction[i] / grid.Texel[i];
       gain[i] = SetFloat(perLength * this->Width);
-      offset[i] = SetFloat(perLength * this->Start - grid.Low[i] / grid.Texel[i]);
+      offset[i] =
+        SetFloat(perLength * this->Start + (this->Offset[i] - grid.Low[i]) / grid.Texel[i]);
     }
     const auto stride = hn::Set(di, static_cast<int>(grid.Stride));
     for (int j = begin; j < end; j += GetLanes())
@@ -340,7 +130,18 @@ private:
         hn::MulAdd(depth, SetFloat(this->Grids.HeightAtOne - this->Grids.HeightAtZero),
           SetFloat(this->Grids.HeightAtZero));
       const Float t = hn::MulAdd(middle, SetFloat(this->Width), SetFloat(this->Start));
-      this->StoreFlips(j, h, t, hn::Ge(depth, SetFloat(1.0)));
+      const auto empty = hn::Ge(depth, SetFloat(1.0));
+      if (this->Settings.Parallel)
+      {
+        // At t the ray (P, Q) from (Along, Across) has h = Along + (t - Across) P/Q.
+        const double p = this->Axis.z;
+        const double q = this->Meeting[3][0];
+        const Float excess = hn::MulAdd(t, SetFloat(p),
+          hn::NegMulAdd(h, SetFloat(q), SetFloat(q * this->Along[0] - p * this->Across[0])));
+        this->StoreFlips(j, excess, SetFloat(q * this->Along[1] - p * this->Across[1]), empty);
+        continue;
+      }
+      this->StoreFlips(j, this->GetExcess(0, h, t), this->GetExcess(1, h, t), empty);
     }
   }
 
@@ -389,9 +190,15 @@ private:
         const auto blocks = hn::And(inside, hn::Lt(depth, one));
         nearness = hn::IfThenElse(blocks, nearnessAlong * ahead, nearness);
       }
-      // times 1/r
-      const Float h = hn::MulAdd(nearness, SetFloat(this->Distance), cosine);
-      this->StoreFlips(j, h, sine, hn::Lt(nearness, zero));
+      const auto empty = hn::Lt(nearness, zero);
+      if (this->Settings.Parallel)
+      {
+        this->StoreFlips(j, hn::NegMulAdd(nearness, SetFloat(this->Across[0]), sine),
+          nearness * SetFloat(-this->Across[1]), empty);
+        continue;
+      }
+      const Float h = hn::MulAdd(nearness, SetFloat(this->Distance), cosine); // times 1/r
+      this->StoreFlips(j, this->GetExcess(0, h, sine), this->GetExcess(1, h, sine), empty);
     }
   }
 
@@ -403,23 +210,24 @@ private:
       hn::Max(hn::ConvertTo(di, place), hn::Zero(di)), hn::Set(di, grid.Size[axis] - 1));
   }
 
-  // The rows in which columns turn dark whose occluders are at (h, t), or that have none.
-  HWY_INLINE void StoreFlips(int column, Float h, Float t, hn::Mask<FloatTag> empty)
+  // t P - h Q of the first row's ray, or its change from row to row.
+  HWY_INLINE Float GetExcess(int i, Float h, Float t) const
+  {
+    return t * SetFloat(this->Along[i]) - h * SetFloat(this->Across[i]);
+  }
+
+  // The rows k from which columns are dark, where excess + change k <= 0; none of what is empty.
+  HWY_INLINE void StoreFlips(int column, Float excess, Float change, hn::Mask<FloatTag> empty)
   {
     const FloatTag d;
     const IntTag di;
     const Float zero = hn::Zero(d);
-    const Float p0 = SetFloat(this->Along[0]);
-    const Float p1 = SetFloat(this->Along[1]);
-    const Float q0 = SetFloat(this->Across[0]);
-    const Float q1 = SetFloat(this->Across[1]);
     const Float rows = SetFloat(this->Rows);
-    const Float lastP = SetFloat(this->Along[0] + this->Along[1] * (this->Rows - 1));
-    const Float lastQ = SetFloat(this->Across[0] + this->Across[1] * (this->Rows - 1));
-    const Float quotient = hn::Ceil((h * q0 - t * p0) / (t * p1 - h * q1));
-    Float row = hn::Max(zero, hn::Min(quotient, rows - SetFloat(1.0)));
-    row = hn::IfThenElse(hn::Le(t * p0, h * q0), zero, row); // before the first row
-    const auto never = hn::Or(hn::Or(hn::Gt(t * lastP, h * lastQ), hn::Le(t, zero)), empty);
+    const Float last = rows - SetFloat(1.0);
+    const Float quotient = hn::Ceil(hn::Neg(excess) / change);
+    Float row = hn::Max(zero, hn::Min(quotient, last));
+    row = hn::IfThenElse(hn::Le(excess, zero), zero, row); // before the first row
+    const auto never = hn::Or(hn::Gt(hn::MulAdd(change, last, excess), zero), empty);
     row = hn::IfThenElse(never, rows, row);
     // A quotient that is not a number is of a column at the very edge of both conditions.
     row = hn::IfThenElse(hn::Eq(row, row), row, rows);
@@ -622,9 +430,13 @@ private:
       const Float begin = this->Picture.Begins
         ? hn::Min(hn::GatherIndex(d, this->Picture.Begins, offset), last)
         : hn::Zero(d);
-      this->Seen.Measure(this->Settings, edges, FindRays(this->Settings, x, y),
-        number(this->Along[0], this->Along[1], k), number(this->Across[0], this->Across[1], k),
-        begin, last);
+      Float meeting[4];
+      for (int j = 0; j < 4; ++j)
+      {
+        meeting[j] = number(this->Meeting[j][0], this->Meeting[j][1], k);
+      }
+      this->Seen.Measure(
+        this->Settings, edges, FindRays(this->Settings, x, y), meeting, begin, last);
       HWY_ALIGN float sums[8];
       for (int plane = 0; plane < this->Settings.Planes; ++plane)
       {
@@ -641,8 +453,7 @@ private:
   {
     if (this->Grids.Point)
     {
-      return { this->Fan.EdgeSines.data(), this->Fan.EdgeMinusCosines.data(),
-        static_cast<float>(this->Distance), 1.0f };
+      return { this->Fan.EdgeSines.data(), this->Fan.EdgeMinusCosines.data() };
     }
     const FloatTag d;
     for (int j = this->FirstColumn; j <= this->Columns; j += GetLanes())
@@ -651,37 +462,12 @@ private:
                    SetFloat(this->Start)),
         d, this->Memory.EdgePlaces.data() + j);
     }
-    return { this->Memory.EdgePlaces.data(), this->Memory.Ones.data(), 1.0f, 0.0f };
+    return { this->Memory.EdgePlaces.data(), this->Memory.Ones.data() };
   }
 
-  const CoverageSettings& Settings;
-  const CoverageImage& Image;
-  const CoverageWedge& Wedge;
-  const vtkGodRaysShadowGrids& Grids;
-  const ShadowLadder& Ladder;
-  const ShadowFan& Fan;
-  const ShadowPicture& Picture;
-  ShadowLines& Memory;
   DarkSums Sums;
   DarkRuns Runs;
   SeenRuns Seen;
-  const double Distance; // of a point light, else 1
-  const Vec3 Light;      // the direction to it
-  // Of the line:
-  Straight Center = {};
-  int FirstRow = 0;
-  int Rows = 0;
-  int Pixels = 0;
-  double Along[2] = {};     // P of the first row, and its change from row to row
-  double Across[2] = {};    // Q
-  double Square[3] = {};    // of D's length, a polynomial of the row
-  double Direction[2] = {}; // of t along the map's axes
-  double Faces[vtkGodRaysShadowGrids::MaximumGrids][3]
-              [2] = {}; // of e and v along a point light's axes
-  double Width = 0.0;   // of a whole column [scene units]
-  double Start = 0.0;   // t from which columns are counted
-  int FirstColumn = 0;
-  int Columns = 0; // one beyond the map's last
 };
 
 //------------------------------------------------------------------------------

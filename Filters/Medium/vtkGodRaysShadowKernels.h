@@ -4,12 +4,10 @@
  * @file    vtkGodRaysShadowKernels.h
  * @brief   what a shadow map hides of each view ray, swept along lines through the light
  *
- * Private. For view rays through the eye.
- *
- * A line of the picture through the light is a plane through eye and light. In it a point is (h, t), h
- * along the direction e to the light and t its distance from the axis along e through the eye. The view
- * ray of row k is D(k), P = D.e, Q = D.v, v being the direction of t: its points have h = t P/Q. The map
- * tells of each column t the height h(t) below which all is dark; so the ray is dark there if
+ * Private. A line of the picture through the light is a plane through eye and light. In it a point is
+ * (h, t), h along the direction e to the light and t its distance from the axis along e through the eye.
+ * The view ray of row k is D(k), P = D.e, Q = D.v, v being the direction of t: its points have h = t P/Q.
+ * The map tells of each column t the height h(t) below which all is dark; so the ray is dark there if
  * t P(k) <= h Q(k). P and Q are affine in k, and rows are counted in the direction in which light flows:
  * each column turns dark in one row at most and stays dark, the row where its occluder is seen.
  *
@@ -18,8 +16,12 @@
  * is: farther from the light is farther along the rows. Wedges are counted from the direction to the eye;
  * a ray (P, Q) of depth 1 meets the one at a at the depth d sin a/(P sin a - Q cos a).
  *
+ * Parallel view rays begin at (h0, t0), which are affine in k, along one (P, Q); h of a ray at t is
+ * h0 + (t - t0) P/Q. Of a point light, e is their direction and (h, t) are counted from the light: a wedge
+ * is dark for rays with t0 >= r sin a.
+ *
  * What dark columns hide is what MeasureRays() finds between the ends of their runs. For a directional
- * light in a homogeneous medium it is a sum over dark columns before the end of the ray,
+ * light in a homogeneous medium, in perspective, it is a sum over dark columns before the end of the ray,
  *
  *     hidden = sum e^(-x b_j) - e^(-x b_(j+1)),     x = sigma |D|/Q [1/column]
  *

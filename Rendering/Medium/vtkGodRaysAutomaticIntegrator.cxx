@@ -3,7 +3,6 @@
 #include "vtkGodRaysAutomaticIntegrator.h"
 
 #include "vtkGodRaysCompositor.h"
-#include "vtkGodRaysEpipolarCoverageIntegrator.h"
 #include "vtkGodRaysLight.h"
 #include "vtkGodRaysShadowMapIntegrator.h"
 #include "vtkGodRaysViewDepths.h"
@@ -23,7 +22,7 @@ constexpr double OneMapTolerance = 0.009;
 constexpr int OneMapSize = 1024;
 constexpr int NumberOfNestedMaps = 4;
 
-int GetNestedMapSize(double tolerance)
+int GetMapSize(double tolerance)
 {
   const double steps = std::round(6.0 / 256.0 / tolerance);
   return 256 * static_cast<int>(std::min(std::max(steps, 2.0), 16.0));
@@ -48,12 +47,6 @@ vtkGodRaysAutomaticIntegrator::~vtkGodRaysAutomaticIntegrator() = default;
 //------------------------------------------------------------------------------
 void vtkGodRaysAutomaticIntegrator::Choose(const Request& request)
 {
-  const bool sweeps = vtkGodRaysShadowMapIntegrator::CanSweep(request);
-  if (!sweeps && vtkGodRaysEpipolarCoverageIntegrator::Evaluates(request))
-  {
-    this->Chosen = this->Coverage;
-    return;
-  }
   double tolerance = this->GetCorrectedTolerance(request);
   double moves = request.Interactive ? 1.0 : 0.0;
   if (request.Compositor && request.Compositor->IsDistributed())
@@ -63,11 +56,10 @@ void vtkGodRaysAutomaticIntegrator::Choose(const Request& request)
     request.Compositor->Reduce(&moves, 1, vtkGodRaysCompositor::GREATEST);
   }
   const bool oneServes = moves > 0.0 && tolerance > OneMapTolerance;
-  const bool nested = sweeps && request.Light->IsInfinite() && !oneServes;
-  this->Shadows->SetMapSize(nested ? GetNestedMapSize(tolerance) : OneMapSize);
+  const bool isPoint = !request.Light->IsInfinite();
+  this->Shadows->SetMapSize(isPoint || oneServes ? OneMapSize : GetMapSize(tolerance));
   this->Shadows->SetLineSpacing(GetLineSpacing(tolerance));
-  this->Shadows->SetNumberOfNestedMaps(nested ? NumberOfNestedMaps : 1);
-  this->Chosen = this->Shadows;
+  this->Shadows->SetNumberOfNestedMaps(oneServes ? 1 : NumberOfNestedMaps);
 }
 
 //------------------------------------------------------------------------------
@@ -93,27 +85,26 @@ double vtkGodRaysAutomaticIntegrator::GetCorrectedTolerance(const Request& reque
 bool vtkGodRaysAutomaticIntegrator::Integrate(const Request& request)
 {
   this->Choose(request);
-  return this->Chosen->Integrate(request);
+  return this->Shadows->Integrate(request);
 }
 
 //------------------------------------------------------------------------------
 bool vtkGodRaysAutomaticIntegrator::Contribute(const Request& request)
 {
   this->Choose(request);
-  return this->Chosen->Contribute(request);
+  return this->Shadows->Contribute(request);
 }
 
 //------------------------------------------------------------------------------
 std::string vtkGodRaysAutomaticIntegrator::Describe(vtkGodRaysModel* model)
 {
-  return this->Chosen ? "automatic: " + this->Chosen->Describe(model) : "automatic: nothing yet";
+  return "automatic: " + this->Shadows->Describe(model);
 }
 
 //------------------------------------------------------------------------------
 void vtkGodRaysAutomaticIntegrator::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Shadows->ReleaseGraphicsResources(window);
-  this->Coverage->ReleaseGraphicsResources(window);
 }
 
 //------------------------------------------------------------------------------
@@ -122,6 +113,4 @@ void vtkGodRaysAutomaticIntegrator::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Shadows:\n";
   this->Shadows->PrintSelf(os, indent.GetNextIndent());
-  os << indent << "Coverage:\n";
-  this->Coverage->PrintSelf(os, indent.GetNextIndent());
 }

@@ -6,23 +6,21 @@
  *
  * The default of vtkGodRaysMediumModel. For each light of a frame it takes
  *
- * - in perspective, a sweep over a shadow map: it sees the shadows of all props, whether the picture shows
- *   them or not, and is the closed form where no shadow can be seen. Of a directional light there are four
- *   nested maps about the axis through the eye. Their size and the number of lines follow from
+ * - a sweep over a shadow map: it sees the shadows of all props, whether the picture shows them or not,
+ *   and is the closed form where no shadow can be seen. Of a directional light, seen in perspective, there
+ *   are four nested maps about the axis through the eye; else one, or a cube of six about a lamp, which
+ *   serves while the camera moves. The maps' size and the number of lines follow from
  *   vtkGodRaysPass::SetErrorTolerance(). While a camera is dragged, to a tolerance above 0.009, there is one
- *   map of 1024 pixels, which serves wherever the eye is, and so does a point light's map or cube of six;
- * - for parallel views, the picture's own depths (vtkGodRaysEpipolarCoverageIntegrator). They do not tell
- *   what is outside the picture or behind other things: the error is that of these depths, whatever the
- *   tolerance;
+ *   map in the place of nested ones;
  * - for a directional light over a planet, and a spotlight that fades from an axis that is not vertical in
  *   an atmosphere, 32 steps through a shadow map, whatever the tolerance.
  *
  * Where VerifyPixels has found an error above the tolerance, the next frames take a map for a smaller one,
  * until the tolerance changes.
  *
- * Documentation/ModelError.md has the errors and the costs of all three.
+ * Documentation/ModelError.md has the errors and the costs.
  *
- * @sa vtkGodRaysShadowMapIntegrator vtkGodRaysEpipolarCoverageIntegrator vtkGodRaysMediumModel
+ * @sa vtkGodRaysShadowMapIntegrator vtkGodRaysMediumModel
  */
 
 #ifndef vtkGodRaysAutomaticIntegrator_h
@@ -34,7 +32,6 @@
 
 #include <string> // For std::string
 
-class vtkGodRaysEpipolarCoverageIntegrator;
 class vtkGodRaysShadowMapIntegrator;
 
 class VTKGODRAYSRENDERING_EXPORT vtkGodRaysAutomaticIntegrator : public vtkGodRaysMediumIntegrator
@@ -61,11 +58,9 @@ private:
   double GetCorrectedTolerance(const Request& request);
 
   vtkNew<vtkGodRaysShadowMapIntegrator> Shadows;
-  vtkNew<vtkGodRaysEpipolarCoverageIntegrator> Coverage;
-  vtkGodRaysMediumIntegrator* Chosen = nullptr; // one of them, for the last light
-  double Tolerance = 0.0;                       // that was asked for last
-  double Correction = 1.0;                      // what it is times
-  unsigned int Frame = 0;                       // in which that was looked at
+  double Tolerance = 0.0;  // that was asked for last
+  double Correction = 1.0; // what it is times
+  unsigned int Frame = 0;  // in which that was looked at
 };
 
 #endif

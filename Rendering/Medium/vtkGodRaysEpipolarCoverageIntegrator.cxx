@@ -83,12 +83,6 @@ vtkGodRaysEpipolarCoverageIntegrator::vtkGodRaysEpipolarCoverageIntegrator()
 vtkGodRaysEpipolarCoverageIntegrator::~vtkGodRaysEpipolarCoverageIntegrator() = default;
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysEpipolarCoverageIntegrator::Evaluates(const Request& request)
-{
-  return vtkGodRaysSweptLight::Supports(request, false);
-}
-
-//------------------------------------------------------------------------------
 bool vtkGodRaysEpipolarCoverageIntegrator::Integrate(const Request& request)
 {
   Internals& self = *this->Internal;

@@ -57,11 +57,6 @@ public:
   vtkGetMacro(NumberOfLayers, int);
   ///@}
 
-  /**
-   * Whether it can evaluate the request's light in its medium; see vtkGodRaysCoverageSweep::Supports().
-   */
-  VTK_WRAPEXCLUDE static bool Evaluates(const Request& request);
-
   VTK_WRAPEXCLUDE bool Integrate(const Request& request) override;
   std::string Describe(vtkGodRaysModel* model) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;

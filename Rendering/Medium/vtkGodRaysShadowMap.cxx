@@ -155,7 +155,7 @@ bool vtkGodRaysShadowMap::Draw(
   const vtkGodRaysMediumIntegrator::Request& request, int size, int levels)
 {
   this->Kept = false;
-  this->Levels = request.Light->IsInfinite() ? levels : 1;
+  this->Levels = request.Light->IsInfinite() && !request.View->Parallel ? levels : 1;
   this->Fit(request);
   if (this->NumberOfFaces == 0)
   {

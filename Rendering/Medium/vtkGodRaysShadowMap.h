@@ -32,9 +32,9 @@ public:
 
   /**
    * Render the props that block into faces of so many pixels on each side, or as many as the driver
-   * takes. For a light that is infinitely far there are up to so many levels; more than one are faces of
-   * half as many pixels, nested about the axis through the eye. All processes of a compositor call it.
-   * Returns false when the driver refuses.
+   * takes. For a light that is infinitely far, seen in perspective, there are up to so many levels; more
+   * than one are faces of half as many pixels, nested about the axis through the eye. All processes of a
+   * compositor call it. Returns false when the driver refuses.
    */
   bool Draw(const vtkGodRaysMediumIntegrator::Request& request, int size, int levels = 1);
 

@@ -143,7 +143,7 @@ bool vtkGodRaysShadowMapIntegrator::Integrate(const Request& request)
 //------------------------------------------------------------------------------
 bool vtkGodRaysShadowMapIntegrator::CanSweep(const Request& request)
 {
-  return vtkGodRaysSweptLight::Supports(request, true);
+  return vtkGodRaysSweptLight::Supports(request);
 }
 
 //------------------------------------------------------------------------------

@@ -5,7 +5,6 @@
 #include "vtkGodRaysLight.h"
 #include "vtkGodRaysMediumRays.h"
 #include "vtkGodRaysOpenGL.h"
-#include "vtkGodRaysShadowGrids.h"
 #include "vtkGodRaysSum.h"
 #include "vtkOpenGLRenderWindow.h"
 
@@ -33,14 +32,10 @@ vtkGodRaysCoverageSweep::Parameters vtkGodRaysSweptLight::GetParameters(
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysSweptLight::Supports(
-  const vtkGodRaysMediumIntegrator::Request& request, bool fromShadows)
+bool vtkGodRaysSweptLight::Supports(const vtkGodRaysMediumIntegrator::Request& request)
 {
   const int anySize[2] = { 16, 16 };
-  const vtkGodRaysShadowGrids noGrids;
-  auto parameters = GetParameters(request, anySize);
-  parameters.Shadows = fromShadows ? &noGrids : nullptr;
-  return vtkGodRaysCoverageSweep::Supports(parameters);
+  return vtkGodRaysCoverageSweep::Supports(GetParameters(request, anySize));
 }
 
 //------------------------------------------------------------------------------

@@ -27,9 +27,9 @@ public:
     const vtkGodRaysMediumIntegrator::Request& request, const int size[2]);
 
   /**
-   * Whether the sweep supports the request's light in its medium; from shadows, or from the picture's depths.
+   * Whether the sweep supports the request's light in its medium.
    */
-  static bool Supports(const vtkGodRaysMediumIntegrator::Request& request, bool fromShadows);
+  static bool Supports(const vtkGodRaysMediumIntegrator::Request& request);
 
   /**
    * Compute it, and add it to the request's result. Returns false, after an error, if that failed.
