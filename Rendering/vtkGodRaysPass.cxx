@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysPass.h"
 
+#include "vtkCamera.h"
 #include "vtkGodRaysPassInternals.h"
 #include "vtkGodRaysPresets.h"
 #include "vtkGodRaysRadialModel.h"
 #include "vtkGodRaysRole.h"
 #include "vtkGodRaysSetGet.h"
+#include "vtkGodRaysSunPlacer.h"
 #include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
@@ -83,6 +86,81 @@ void vtkGodRaysPass::RemoveAllLights()
     this->Internal->Lights.clear();
     this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+vtkLight* vtkGodRaysPass::PlaceSun(vtkRenderer* renderer)
+{
+  if (!renderer)
+  {
+    vtkErrorMacro("PlaceSun needs a vtkRenderer, not null; nothing is changed.");
+    return nullptr;
+  }
+  Internals& self = *this->Internal;
+  vtkNew<vtkGodRaysSunPlacer> placer;
+  if (!self.Compositor || !self.Compositor->IsDistributed()) // else others see other props
+  {
+    placer->Find(renderer);
+  }
+  vtkLight* sun = this->PlaceSun(renderer, placer->GetPlace()[0], placer->GetPlace()[1]);
+  self.SunIsKept = placer->GetCoverage() > 0.0;
+  return sun;
+}
+
+//------------------------------------------------------------------------------
+vtkLight* vtkGodRaysPass::PlaceSun(vtkRenderer* renderer, double x, double y)
+{
+  const bool isLamp = renderer && renderer->GetActiveCamera()->GetParallelProjection();
+  double place[3];
+  if (!(isLamp ? vtkGodRaysSunPlacer::GetPosition(renderer, x, y, place)
+               : vtkGodRaysSunPlacer::GetDirection(renderer, x, y, place)))
+  {
+    vtkErrorMacro(
+      "PlaceSun needs a vtkRenderer with a camera that sees something; nothing is changed.");
+    return nullptr;
+  }
+  Internals& self = *this->Internal;
+  if (!self.PlacedSun)
+  {
+    self.PlacedSun = vtkSmartPointer<vtkLight>::New();
+    self.PlacedSun->SetLightTypeToSceneLight();
+    self.PlacedSun->SetConeAngle(90.0);
+    self.PlacedSun->SetFocalPoint(0.0, 0.0, 0.0);
+    self.PlacedSun->SetDiffuseColor(1.0, 0.9, 0.7);
+  }
+  self.PlacedSun->SetPositional(isLamp);
+  self.PlacedSun->SetPosition(place);
+  self.SunIsKept = true;
+  this->AddLight(self.PlacedSun);
+  return self.PlacedSun;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysPass::UpdateSun(vtkRenderer* renderer)
+{
+  if (this->SunPlacement == SUN_BY_HAND)
+  {
+    return;
+  }
+  Internals& self = *this->Internal;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  std::array<double, 33> view;
+  std::copy_n(camera->GetViewTransformMatrix()->GetData(), 16, view.begin());
+  std::copy_n(
+    camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)->GetData(), 16,
+    view.begin() + 16);
+  // Not the clipping range, which follows props that move.
+  view[16 + 10] = view[16 + 11] = 0.0;
+  view[32] = renderer->GetTiledAspectRatio();
+  const bool isThere = self.PlacedSun && self.SunIsKept &&
+    std::find(self.Lights.begin(), self.Lights.end(), self.PlacedSun) != self.Lights.end();
+  const bool isDragged = renderer->GetRenderWindow()->GetDesiredUpdateRate() >= 1.0;
+  if (isThere && (this->SunPlacement == SUN_ONCE || isDragged || view == self.SunView))
+  {
+    return;
+  }
+  this->PlaceSun(renderer);
+  self.SunView = view;
 }
 
 //------------------------------------------------------------------------------
@@ -374,6 +452,7 @@ void vtkGodRaysPass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   const vtkIndent next = indent.GetNextIndent();
   os << indent << "Intensity: " << this->Intensity << "\n";
+  os << indent << "SunPlacement: " << this->SunPlacement << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "InteractiveErrorTolerance: " << this->InteractiveErrorTolerance << "\n";
   os << indent << "UntaggedPropsOcclude: " << (this->UntaggedPropsOcclude ? "on" : "off") << "\n";

@@ -109,6 +109,38 @@ public:
   vtkLight* GetLight(int index);
   ///@}
 
+  /// Who says where a sun stands.
+  enum SunPlacementType
+  {
+    SUN_BY_HAND = 0,   ///< who adds lights, or calls PlaceSun()
+    SUN_ONCE = 1,      ///< the first frame that has something to see
+    SUN_EVERY_VIEW = 2 ///< each still frame with a new view
+  };
+
+  ///@{
+  /**
+   * Put a sun behind the scene: where it makes the most shafts in the renderer's present view, see
+   * vtkGodRaysSunPlacer, or at a place of the picture, from (0, 0) at the lower left to (1, 1). It is a
+   * directional vtkLight, or, in a parallel projection, which sees no sun but straight ahead, a lamp far
+   * behind the scene, of the diffuse colour (1, 0.9, 0.7) at first. It is this pass's alone: the renderer
+   * keeps the lights by which it shades the scene. It stays where it is in the world while the camera moves;
+   * a further call moves it. On several processes the place is (0.35, 0.75). Returns the light; null, after
+   * an error, without a renderer.
+   */
+  vtkLight* PlaceSun(vtkRenderer* renderer);
+  vtkLight* PlaceSun(vtkRenderer* renderer, double x, double y);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get who places a sun, one of SunPlacementType. Default is SUN_BY_HAND. SUN_ONCE and
+   * SUN_EVERY_VIEW call PlaceSun() before a frame is drawn; the second does so again for each view that is
+   * drawn while no camera is dragged.
+   */
+  vtkSetClampMacro(SunPlacement, int, SUN_BY_HAND, SUN_EVERY_VIEW);
+  vtkGetMacro(SunPlacement, int);
+  ///@}
+
   ///@{
   /**
    * Set/Get what is summed. Null restores the default, a vtkGodRaysRadialModel.
@@ -399,12 +431,14 @@ private:
   void ShowNoLight(const vtkRenderState* s, vtkOpenGLState* state);
   void DescribeStages(bool screen);
   std::string DescribeErrors() const;
+  void UpdateSun(vtkRenderer* renderer);
   void Complain(const std::string& complaint);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;
 
   double Intensity = 1.0;
+  int SunPlacement = SUN_BY_HAND;
   double ErrorTolerance = 1.0 / 255.0;
   double InteractiveErrorTolerance = 0.01;
   bool UntaggedPropsOcclude = true;

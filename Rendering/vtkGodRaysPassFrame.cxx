@@ -71,6 +71,7 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
     self.Transfer = self.Effect->SumsShownValues()
       ? vtkGodRaysTransfer::NONE
       : vtkGodRaysFindTransfer(this->DisplayTransfer, renderer, this);
+    this->UpdateSun(renderer);
     lights = this->FindLights(renderer, view);
     reason = lights.empty() && !this->DimsScene() ? "no light reaches the picture" : nullptr;
     const std::string obstacle = self.Effect->FindObstacle(view, viewport + 2);

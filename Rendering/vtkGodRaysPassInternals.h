@@ -29,6 +29,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,6 +37,9 @@
 struct vtkGodRaysPass::Internals
 {
   std::vector<vtkSmartPointer<vtkLight>> Lights;
+  vtkSmartPointer<vtkLight> PlacedSun; // by PlaceSun()
+  bool SunIsKept = false;              // it was placed by something to see
+  std::array<double, 33> SunView = {}; // for which view
   vtkSmartPointer<vtkGodRaysSun> Sun = vtkSmartPointer<vtkGodRaysSun>::New();
   vtkSmartPointer<vtkGodRaysModel> Model;
   std::unique_ptr<vtkGodRaysEffect> Effect; // the model's

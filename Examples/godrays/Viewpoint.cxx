@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Viewpoint.h"
 
-#include "Silhouette.h"
-
 #include "vtkCamera.h"
+#include "vtkGodRaysSunPlacer.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkPropCollection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -313,18 +313,25 @@ private:
    */
   double ChooseLight(vtkCamera* camera, bool use)
   {
-    const Silhouette silhouette(this->Data, camera, this->Aspect);
+    vtkNew<vtkPropCollection> props;
+    for (const auto& prop : this->Data.Props)
+    {
+      props->AddItem(prop);
+    }
     const double lowest =
       this->Data.IsTerrain() ? this->FindHeightInPicture(camera, LowestSunOverTerrain) : -1.0;
-    const Silhouette::Place place = silhouette.FindSun(lowest);
+    vtkNew<vtkGodRaysSunPlacer> placer;
+    placer->SetLowest(0.5 * (lowest + 1.0));
+    placer->Find(props, camera, this->Aspect);
     if (use)
     {
-      const double y = std::clamp(std::max(place.Y, lowest), -0.9, 0.9);
-      this->PlaceLight(camera, place.X, y);
+      const double x = 2.0 * placer->GetPlace()[0] - 1.0;
+      const double y = 2.0 * placer->GetPlace()[1] - 1.0;
+      this->PlaceLight(camera, x, std::clamp(std::max(y, lowest), -0.9, 0.9));
       this->Result.LightWasChosen = true;
     }
     // The data should neither fill the picture nor be a strip at its foot.
-    return place.Score - std::abs(silhouette.GetCoveredFraction() - 0.6);
+    return placer->GetScore() - std::abs(placer->GetCoverage() - 0.6);
   }
 
   //----------------------------------------------------------------------------

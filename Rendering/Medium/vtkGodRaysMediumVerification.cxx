@@ -52,7 +52,8 @@ std::vector<vtkPolyData*> GetSurfaces(vtkMapper* mapper)
     ? mapper->GetInputDataObject(0, 0)
     : nullptr;
   auto composite = vtkCompositeDataSet::SafeDownCast(input);
-  if (composite && mapper->IsA("vtkCompositePolyDataMapper"))
+  if (composite &&
+    (mapper->IsA("vtkCompositePolyDataMapper") || mapper->IsA("vtkCompositePolyDataMapper2")))
   {
     auto blocks = vtk::TakeSmartPointer(composite->NewIterator());
     for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())

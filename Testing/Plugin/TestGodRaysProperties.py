@@ -8,7 +8,8 @@ from plugin_testing import *
 ELSEWHERE = {
     # the view knows by itself how colours stand for light
     "vtkGodRaysPass": {
-        "Model", "Integrator", "Role", "DelegatePass", "Compositor", "DisplayTransfer", "Sun"},  # fmt: skip
+        "Model", "Integrator", "Role", "DelegatePass", "Compositor", "DisplayTransfer", "Sun",
+        "SunPlacement"},  # fmt: skip
     "vtkGodRaysReferenceFilter": set(),
     "vtkGodRaysScatteringFilter": set(),
     "vtkGodRaysSkySource": {"Atmosphere", "Sun"},

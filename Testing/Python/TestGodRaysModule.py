@@ -67,6 +67,34 @@ class Enable(unittest.TestCase):
         self.assertEqual(pixels(window), before)
         self.assertIsNone(renderer.GetPass())
 
+    def test_a_sun_is_placed_where_nothing_shines(self):
+        window, renderer, _ = make_scene()
+        before = pixels(window)
+        rays = godrays.enable(renderer)
+        self.assertEqual(rays.GetSunPlacement(), vtkGodRaysPass.SUN_ONCE)
+        changed = sum(a != b for a, b in zip(before, pixels(window)))
+        self.assertGreater(changed, 1000, rays.GetPlan())
+        self.assertEqual(rays.GetNumberOfLights(), 1)
+        placed = rays.GetLight(0).GetPosition()
+        self.assertTrue(all(light.LightTypeIsHeadlight() for light in renderer.GetLights()))
+        godrays.enable(renderer, intensity=0.5)  # keeps it
+        pixels(window)
+        self.assertEqual(rays.GetLight(0).GetPosition(), placed)
+        godrays.enable(renderer, sun_at=(0.9, 0.8))
+        self.assertEqual(rays.GetSunPlacement(), vtkGodRaysPass.SUN_BY_HAND)
+        pixels(window)
+        self.assertEqual(rays.GetNumberOfLights(), 1)
+        self.assertNotEqual(rays.GetLight(0).GetPosition(), placed)
+        godrays.enable(renderer, light=BEHIND)
+        pixels(window)
+        self.assertEqual(rays.GetNumberOfLights(), 1)
+        self.assertEqual(rays.GetLight(0).GetPosition(), BEHIND)
+        godrays.enable(renderer, sun_placement="sun_every_view")
+        self.assertEqual(rays.GetSunPlacement(), vtkGodRaysPass.SUN_EVERY_VIEW)
+        for wrong in ((0.5,), (0.5, math.nan), (1, 2, 3)):
+            with self.assertRaisesRegex(ValueError, "a place in the picture"):
+                godrays.enable(renderer, sun_at=wrong)
+
     def test_the_sun_of_a_date_and_place(self):
         # the example of the solar position algorithm, [RedaAndreas2004]
         zone = datetime.timezone(datetime.timedelta(hours=-7))
@@ -145,12 +173,12 @@ class Enable(unittest.TestCase):
         headlight = vtkLight()
         headlight.SetLightTypeToHeadlight()
         renderer.AddLight(headlight)
-        with self.assertRaisesRegex(ValueError, "light="):
-            godrays.enable(renderer)
-        self.assertIsNone(renderer.GetPass())
+        rays = godrays.enable(renderer)
+        self.assertEqual(rays.GetSunPlacement(), vtkGodRaysPass.SUN_ONCE)
         lamp = vtkLight()
         renderer.AddLight(lamp)
         rays = godrays.enable(renderer)
+        self.assertEqual(rays.GetSunPlacement(), vtkGodRaysPass.SUN_BY_HAND)
         self.assertEqual([rays.GetLight(i) for i in range(rays.GetNumberOfLights())], [lamp])
 
     def test_a_tagged_prop_is_light_enough(self):

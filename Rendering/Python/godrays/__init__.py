@@ -63,6 +63,7 @@ def enable(
     occluders: Props | None = (),
     ignored: Props | None = (),
     preset: str | None = None,
+    sun_at: Sequence[float] | None = None,
     **parameters: Any,
 ) -> vtkGodRaysPass:
     """Put god rays into a scene and return their vtkGodRaysPass, attached to the renderer.
@@ -73,11 +74,15 @@ def enable(
         as props and lights. Effects of a plotter can be put on before and after.
     light: what shines. A vtkLight; a prop, which shines in the colours in which it is drawn; three
         numbers, the direction from which sunlight comes, such as sun() gives; or a list of these. None
-        takes the props tagged "light", or else the renderer's own lights that stand in the scene.
+        takes the props tagged "light", or else the renderer's own lights that stand in the scene, or
+        else places a sun behind it, where it makes the most shafts in the first picture; the scene is
+        lit as before. See vtkGodRaysPass.PlaceSun().
     occluders, ignored: props to tag. Props without a tag block light unless
         untagged_props_occlude=False.
     preset: the name of a look or of a medium, see vtkGodRaysPresets.ListNames. It chooses the model that
         has it, unless one is given.
+    sun_at: a place in the picture, from (0, 0) at its lower left to (1, 1), at which a sun is put with the
+        camera as it is.
     parameters: every property of the pass, its model and its integrator, in the spelling
         ``sun_angular_radius`` or ``SunAngularRadius``. Constants can be given by name:
         output="occlusion". They come after the preset. model is an object, or one of "radial",
@@ -98,16 +103,17 @@ def enable(
     occluders = [_prop(prop) for prop in _list(occluders)]
     ignored = [_prop(prop) for prop in _list(ignored)]
     tagged = _shining(renderer)
-    if not lights and not tagged and rays.GetNumberOfLights() == 0:
+    if sun_at is not None:
+        sun_at = [float(number) for number in sun_at]
+        if len(sun_at) != 2 or not all(map(math.isfinite, sun_at)):
+            raise ValueError(f"sun_at={sun_at} should be a place in the picture, such as (0.7, 0.8)")
+    elif not lights and not tagged and rays.GetNumberOfLights() == 0:
         lights = [each for each in renderer.GetLights() if each.LightTypeIsSceneLight()]
-        if not lights:
-            raise ValueError(
-                "nothing shines: the renderer has no light that stands in the scene (headlights "
-                "and camera lights make no shafts) and no prop tagged \"light\". Give one, such as "
-                "light=(1, 2, 1) for a sun in that direction, light=actor, or light=vtkLight()."
-            )
+        by_hand, once = vtkGodRaysPass.SUN_BY_HAND, vtkGodRaysPass.SUN_ONCE
+        settings.setdefault("SunPlacement", by_hand if lights else once)
 
-    if known and light is not None:
+    if known and (light is not None or sun_at is not None):
+        rays.SetSunPlacement(vtkGodRaysPass.SUN_BY_HAND)
         rays.RemoveAllLights()
         for prop in tagged:
             tag(prop, "automatic")
@@ -131,6 +137,8 @@ def enable(
         owner = next(owner for owner in owners if name in _properties(owner))
         getattr(owner, "Set" + name)(value)
 
+    if sun_at is not None:
+        rays.PlaceSun(renderer, *sun_at)
     if not known:
         rays.Attach(renderer)
         _rebuild(renderer)

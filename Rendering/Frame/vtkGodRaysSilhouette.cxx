@@ -1,13 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Silhouette.h"
+#include "vtkGodRaysSilhouette.h"
 
+#include "vtkAbstractVolumeMapper.h"
 #include "vtkActor.h"
+#include "vtkAlgorithm.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkGodRaysRole.h"
 #include "vtkImageData.h"
-#include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -15,12 +22,16 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPropCollection.h"
+#include "vtkSmartPointer.h"
 #include "vtkVolume.h"
-#include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace
 {
@@ -31,28 +42,100 @@ double GetSide(const double a[2], const double b[2], double x, double y)
 }
 
 //------------------------------------------------------------------------------
-Silhouette::Silhouette(const Scene& scene, vtkCamera* camera, double aspect)
-  : Columns(std::max(16, static_cast<int>(this->Rows * aspect)))
+vtkGodRaysSilhouette::vtkGodRaysSilhouette(
+  vtkPropCollection* props, vtkCamera* camera, double aspect)
+  : Columns(std::max(16, static_cast<int>(this->Rows * std::min(aspect, 64.0))))
   , ToClip(camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0))
   , Covered(static_cast<std::size_t>(this->Columns) * this->Rows)
 {
-  for (const auto& prop : scene.Props)
+  vtkCollectionSimpleIterator cookie;
+  props->InitTraversal(cookie);
+  while (vtkProp* prop = props->GetNextProp(cookie))
   {
-    if (auto* actor = vtkActor::SafeDownCast(prop))
+    const vtkGodRaysRole role = vtkGodRaysGetRole(prop);
+    if (!prop->GetVisibility() || role == vtkGodRaysRole::LIGHT || role == vtkGodRaysRole::IGNORED)
     {
-      this->DrawSurface(
-        vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput()), actor->GetMatrix());
+      continue;
     }
-    else if (auto* volume = vtkVolume::SafeDownCast(prop))
+    prop->InitPathTraversal();
+    while (vtkAssemblyPath* path = prop->GetNextPath())
     {
-      this->DrawVolume(volume);
+      vtkAssemblyNode* node = path->GetLastNode();
+      vtkProp* part = node->GetViewProp();
+      if (auto actor = vtkActor::SafeDownCast(part))
+      {
+        this->DrawActor(actor, node->GetMatrix());
+      }
+      else if (auto volume = vtkVolume::SafeDownCast(part))
+      {
+        this->DrawVolume(volume, node->GetMatrix());
+      }
     }
   }
   this->SumUp();
 }
 
 //------------------------------------------------------------------------------
-bool Silhouette::Project(const double* point, vtkMatrix4x4* matrix, double pixel[2]) const
+void vtkGodRaysSilhouette::DrawActor(vtkActor* actor, vtkMatrix4x4* toWorld)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  if (!actor->GetVisibility() || !mapper || mapper->GetNumberOfInputConnections(0) == 0)
+  {
+    return;
+  }
+  mapper->GetInputAlgorithm()->Update();
+  const bool isSurface = vtkPolyDataMapper::SafeDownCast(mapper) ||
+    mapper->IsA("vtkDataSetMapper") || mapper->IsA("vtkCompositePolyDataMapper");
+  const auto draw = [&](vtkDataObject* object)
+  {
+    auto data = vtkDataSet::SafeDownCast(object);
+    if (auto surface = vtkPolyData::SafeDownCast(data))
+    {
+      isSurface ? this->DrawSurface(surface, toWorld) : this->DrawPoints(surface, toWorld);
+    }
+    else if (data && isSurface)
+    {
+      vtkNew<vtkDataSetSurfaceFilter> surface;
+      surface->SetInputData(data);
+      surface->Update();
+      this->DrawSurface(surface->GetOutput(), toWorld);
+    }
+    else if (data)
+    {
+      this->DrawPoints(data, toWorld);
+    }
+  };
+  vtkDataObject* input = mapper->GetInputDataObject(0, 0);
+  if (auto composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    auto blocks = vtk::TakeSmartPointer(composite->NewIterator());
+    for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
+    {
+      draw(blocks->GetCurrentDataObject());
+    }
+    return;
+  }
+  draw(input);
+}
+
+//------------------------------------------------------------------------------
+// Of glyphs and splats, whose size is not known.
+void vtkGodRaysSilhouette::DrawPoints(vtkDataSet* data, vtkMatrix4x4* toWorld)
+{
+  vtkNew<vtkMatrix4x4> matrix;
+  vtkMatrix4x4::Multiply4x4(this->ToClip, toWorld, matrix);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    double pixel[2];
+    if (this->Project(data->GetPoint(i), matrix, pixel))
+    {
+      this->DrawPoint(pixel, 1);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSilhouette::Project(const double* point, vtkMatrix4x4* matrix, double pixel[2]) const
 {
   double homogeneous[4] = { point[0], point[1], point[2], 1.0 };
   matrix->MultiplyPoint(homogeneous, homogeneous);
@@ -69,7 +152,7 @@ bool Silhouette::Project(const double* point, vtkMatrix4x4* matrix, double pixel
 }
 
 //------------------------------------------------------------------------------
-void Silhouette::DrawSurface(vtkPolyData* surface, vtkMatrix4x4* toWorld)
+void vtkGodRaysSilhouette::DrawSurface(vtkPolyData* surface, vtkMatrix4x4* toWorld)
 {
   if (!surface || !surface->GetPoints())
   {
@@ -136,13 +219,23 @@ void Silhouette::DrawSurface(vtkPolyData* surface, vtkMatrix4x4* toWorld)
 }
 
 //------------------------------------------------------------------------------
-void Silhouette::DrawVolume(vtkVolume* volume)
+void vtkGodRaysSilhouette::DrawVolume(vtkVolume* volume, vtkMatrix4x4* toWorld)
 {
-  auto* image = vtkImageData::SafeDownCast(volume->GetMapper()->GetDataSetInput());
+  vtkAbstractVolumeMapper* mapper = volume->GetMapper();
+  if (!volume->GetVisibility() || !mapper || mapper->GetNumberOfInputConnections(0) == 0)
+  {
+    return;
+  }
+  mapper->GetInputAlgorithm()->Update();
+  auto image = vtkImageData::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  vtkDataArray* scalars = image ? image->GetPointData()->GetScalars() : nullptr;
+  if (!scalars)
+  {
+    return;
+  }
   vtkNew<vtkMatrix4x4> matrix;
-  vtkMatrix4x4::Multiply4x4(this->ToClip, volume->GetMatrix(), matrix);
+  vtkMatrix4x4::Multiply4x4(this->ToClip, toWorld, matrix);
   vtkPiecewiseFunction* opacity = volume->GetProperty()->GetScalarOpacity();
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
   constexpr double most = 64.0;
   constexpr double opaque = 0.1;
   int size[3];
@@ -172,7 +265,7 @@ void Silhouette::DrawVolume(vtkVolume* volume)
 }
 
 //------------------------------------------------------------------------------
-void Silhouette::DrawPoint(const double pixel[2], int radius)
+void vtkGodRaysSilhouette::DrawPoint(const double pixel[2], int radius)
 {
   const int column = static_cast<int>(std::floor(pixel[0]));
   const int row = static_cast<int>(std::floor(pixel[1]));
@@ -187,7 +280,7 @@ void Silhouette::DrawPoint(const double pixel[2], int radius)
 }
 
 //------------------------------------------------------------------------------
-void Silhouette::DrawTriangle(const double a[2], const double b[2], const double c[2])
+void vtkGodRaysSilhouette::DrawTriangle(const double a[2], const double b[2], const double c[2])
 {
   const auto [left, right] = std::minmax({ a[0], b[0], c[0] });
   const auto [bottom, top] = std::minmax({ a[1], b[1], c[1] });
@@ -210,7 +303,7 @@ void Silhouette::DrawTriangle(const double a[2], const double b[2], const double
 }
 
 //------------------------------------------------------------------------------
-void Silhouette::SumUp()
+void vtkGodRaysSilhouette::SumUp()
 {
   const int width = this->Columns + 1;
   this->Sums.assign(static_cast<std::size_t>(width) * (this->Rows + 1), 0);
@@ -226,7 +319,7 @@ void Silhouette::SumUp()
 }
 
 //------------------------------------------------------------------------------
-bool Silhouette::IsCovered(double column, double row) const
+bool vtkGodRaysSilhouette::IsCovered(double column, double row) const
 {
   const int x = std::clamp(static_cast<int>(column), 0, this->Columns - 1);
   const int y = std::clamp(static_cast<int>(row), 0, this->Rows - 1);
@@ -234,7 +327,7 @@ bool Silhouette::IsCovered(double column, double row) const
 }
 
 //------------------------------------------------------------------------------
-double Silhouette::GetCoveredFraction(int column, int row, int radius) const
+double vtkGodRaysSilhouette::GetCoveredFraction(int column, int row, int radius) const
 {
   const int left = std::max(column - radius, 0);
   const int right = std::min(column + radius + 1, this->Columns);
@@ -247,7 +340,7 @@ double Silhouette::GetCoveredFraction(int column, int row, int radius) const
 }
 
 //------------------------------------------------------------------------------
-int Silhouette::CountEdges(int column, int row, double radius) const
+int vtkGodRaysSilhouette::CountEdges(int column, int row, double radius) const
 {
   constexpr int directions = 48;
   int edges = 0;
@@ -264,7 +357,7 @@ int Silhouette::CountEdges(int column, int row, double radius) const
 }
 
 //------------------------------------------------------------------------------
-double Silhouette::GetScore(int column, int row) const
+double vtkGodRaysSilhouette::GetScore(int column, int row) const
 {
   const double near = this->GetCoveredFraction(column, row, this->Rows / 24);
   if (near < 0.2 || near > 0.75)
@@ -285,11 +378,10 @@ double Silhouette::GetScore(int column, int row) const
 }
 
 //------------------------------------------------------------------------------
-Silhouette::Place Silhouette::FindSun(double lowest) const
+vtkGodRaysSilhouette::Place vtkGodRaysSilhouette::FindSun(double lowest) const
 {
   Place best;
-  const int firstRow =
-    std::max(this->Rows / 4, static_cast<int>(0.5 * (lowest + 1.0) * this->Rows));
+  const int firstRow = std::max(this->Rows / 4, static_cast<int>(lowest * this->Rows));
   for (int row = firstRow; row < this->Rows * 9 / 10; ++row)
   {
     for (int column = this->Columns / 8; column < this->Columns * 7 / 8; ++column)
@@ -297,8 +389,8 @@ Silhouette::Place Silhouette::FindSun(double lowest) const
       const double score = this->GetScore(column, row);
       if (score > best.Score)
       {
-        best.X = 2.0 * (column + 0.5) / this->Columns - 1.0;
-        best.Y = 2.0 * (row + 0.5) / this->Rows - 1.0;
+        best.X = (column + 0.5) / this->Columns;
+        best.Y = (row + 0.5) / this->Rows;
         best.Score = score;
       }
     }
@@ -307,7 +399,7 @@ Silhouette::Place Silhouette::FindSun(double lowest) const
 }
 
 //------------------------------------------------------------------------------
-double Silhouette::GetCoveredFraction() const
+double vtkGodRaysSilhouette::GetCoveredFraction() const
 {
   return this->Sums.back() / static_cast<double>(this->Columns * this->Rows);
 }

@@ -1,35 +1,36 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The parts of a picture that a scene covers, on a coarse grid, and the place in it where a sun
- * behind the scene would make the best shafts. Computed without a graphics card.
+ * @class   vtkGodRaysSilhouette
+ * @brief   what of a picture props cover, on a coarse grid; private to this module
  */
 
-#ifndef Silhouette_h
-#define Silhouette_h
+#ifndef vtkGodRaysSilhouette_h
+#define vtkGodRaysSilhouette_h
 
-#include "Scene.h"
+#include <vector>
 
-#include <vector> // For std::vector
-
+class vtkActor;
 class vtkCamera;
+class vtkDataSet;
 class vtkMatrix4x4;
 class vtkPolyData;
+class vtkPropCollection;
 class vtkVolume;
 
-class Silhouette
+class vtkGodRaysSilhouette
 {
 public:
   /**
-   * Of a scene that is seen by a camera, in a picture of this ratio of width to height.
+   * Of props that are seen by a camera, in a picture of this ratio of width to height.
    */
-  Silhouette(const Scene& scene, vtkCamera* camera, double aspect);
+  vtkGodRaysSilhouette(vtkPropCollection* props, vtkCamera* camera, double aspect);
 
-  /// A place in the picture, from (-1, -1) at the lower left to (1, 1), and how good it is.
+  /// A place in the picture, from (0, 0) at the lower left to (1, 1), and how good it is.
   struct Place
   {
-    double X = -0.3;
-    double Y = 0.5;
+    double X = 0.35;
+    double Y = 0.75;
     double Score = 0.0;
   };
 
@@ -45,8 +46,10 @@ public:
   double GetCoveredFraction() const;
 
 private:
+  void DrawActor(vtkActor* actor, vtkMatrix4x4* toWorld);
   void DrawSurface(vtkPolyData* surface, vtkMatrix4x4* toWorld);
-  void DrawVolume(vtkVolume* volume);
+  void DrawPoints(vtkDataSet* data, vtkMatrix4x4* toWorld);
+  void DrawVolume(vtkVolume* volume, vtkMatrix4x4* toWorld);
   bool Project(const double* point, vtkMatrix4x4* matrix, double pixel[2]) const;
   void DrawPoint(const double pixel[2], int radius);
   void DrawTriangle(const double a[2], const double b[2], const double c[2]);
@@ -61,7 +64,7 @@ private:
   int Columns;
   vtkMatrix4x4* ToClip;
   std::vector<unsigned char> Covered;
-  std::vector<int> Sums; ///< of Covered, over all to the lower left
+  std::vector<int> Sums; // of Covered, over all to the lower left
 };
 
 #endif
