@@ -703,7 +703,8 @@ void ModelErrors::WritePage() const
        "behind "
        "other things (*canopy*, *lattice*).\nLayers know the latter, shadow maps both; what is "
        "left of "
-       "theirs is edges of less than a pixel, and of the map's.\n\n![Model error against "
+       "theirs is edges of less than a pixel, and of the map's.\nSteps among leaves (*canopy*) are "
+       "no better than their one map: swept, it has the same error.\n\n![Model error against "
        "cost](Charts/model-error.png)\n\n"
     << this->MakeTables() << "\n## Pictures\n\n"
     << "Truth, the radial sum, " << BestModel
