@@ -395,7 +395,7 @@ void vtkGodRaysPass::DescribeStages(bool screen)
   {
     plan << ", margin " << self.Margin;
   }
-  plan << "\nmodel: " << self.Model->Describe() << "\nscattering: "
+  plan << "\nmodel: " << self.Model->Describe() << self.Effect->Describe() << "\nscattering: "
        << (this->Output == OCCLUSION ? "skipped, the occlusion layer is shown"
                                      : self.Integrator->Describe(self.Model))
        << this->DescribeErrors() << "\nblend: "

@@ -5,9 +5,11 @@
 #include "vtkGodRaysMedium.h"
 #include "vtkGodRaysPresetTable.h"
 #include "vtkGodRaysSetGet.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <sstream>
 
@@ -24,6 +26,8 @@ vtkGodRaysSetFiniteMacro(vtkGodRaysHomogeneousModel, SecondWeight, 0.0, 1.0);
 
 namespace
 {
+const double LeftOverDepth = -std::log(0.05); // optical depth over which 5 % of a contrast is left
+
 struct Preset
 {
   const char* Name;
@@ -46,6 +50,41 @@ const Preset Presets[] = {
   { "sea-water", "coastal water, which swallows red", { 0.219, 0.219, 0.219 },
     { 0.61, 0.20, 0.151 }, vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.924 },
 };
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysHomogeneousModel::SetVisibility(double meters)
+{
+  if (!(meters > 0.0) || !std::isfinite(meters))
+  {
+    vtkErrorMacro("Visibility must be a number above 0, not " << meters << "; it stays "
+                                                              << this->GetVisibility() << ".");
+    return;
+  }
+  const double wanted = LeftOverDepth / std::min(std::max(meters, 1e-9), 1e12);
+  const double now = this->ScatteringCoefficient[1] + this->AbsorptionCoefficient[1];
+  if (!(now > 0.0))
+  {
+    this->SetScatteringCoefficient(wanted, wanted, wanted);
+    return;
+  }
+  const double factor = wanted / now;
+  double scattering[3];
+  double absorption[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    scattering[i] = factor * this->ScatteringCoefficient[i];
+    absorption[i] = factor * this->AbsorptionCoefficient[i];
+  }
+  this->SetScatteringCoefficient(scattering);
+  this->SetAbsorptionCoefficient(absorption);
+}
+
+//------------------------------------------------------------------------------
+double vtkGodRaysHomogeneousModel::GetVisibility()
+{
+  const double extinction = this->ScatteringCoefficient[1] + this->AbsorptionCoefficient[1];
+  return extinction > 0.0 ? LeftOverDepth / extinction : vtkMath::Inf();
 }
 
 //------------------------------------------------------------------------------

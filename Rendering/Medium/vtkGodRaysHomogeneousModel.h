@@ -40,6 +40,17 @@ public:
 
   ///@{
   /**
+   * Set/Get the distance at which 5 % of a contrast is left, in green [m]: the meteorological optical range,
+   * -ln(0.05)/sigma_t [Koschmieder1924], [WMO8]. To set it scales both coefficients of all colours by one
+   * factor; where there is nothing to scale, it sets equal scattering. Valid range: [1e-9, 1e12]; a number
+   * that is not above 0 is an error and changes nothing. Infinite without extinction. Default is 149.8.
+   */
+  void SetVisibility(double meters);
+  double GetVisibility();
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the phase function, one of PhaseFunctionType. Default is HENYEY_GREENSTEIN.
    */
   void SetPhaseFunction(int phaseFunction);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysMediumEffect.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysLightFinder.h"
@@ -11,6 +12,8 @@
 #include "vtkGodRaysVerification.h"
 #include "vtkGodRaysView.h"
 #include "vtkRenderer.h"
+
+#include <sstream>
 
 //------------------------------------------------------------------------------
 vtkGodRaysMediumEffect::vtkGodRaysMediumEffect(vtkGodRaysMediumModel* model)
@@ -65,6 +68,37 @@ void vtkGodRaysMediumEffect::Begin(const Frame& frame)
     frame.Window, *frame.View, occluders, this->SeenDepth == occluders ? nullptr : this->SeenDepth);
   const double* range = frame.Renderer->GetActiveCamera()->GetClippingRange();
   this->Medium = this->Model->GetMedium(frame.View->WorldToView, range[1]);
+  this->SceneDepth = 0.0;
+  if (!this->Medium.HasExponentialDensity())
+  {
+    double bounds[6];
+    frame.Renderer->ComputeVisiblePropBounds(bounds);
+    const vtkBoundingBox box(bounds);
+    const vtkGodRaysMedium::Component& air = this->Medium.Components[0];
+    this->SceneDepth =
+      box.IsValid() ? box.GetDiagonalLength() * (air.Scattering[1] + air.Absorption[1]) : 0.0;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Between the limits pictures are believable.
+std::string vtkGodRaysMediumEffect::Describe() const
+{
+  if (!(this->SceneDepth > 0.0))
+  {
+    return "";
+  }
+  std::ostringstream text;
+  text << ", optical depth across the scene " << this->SceneDepth;
+  if (this->SceneDepth > 5.0)
+  {
+    text << ": it hides the scene; set WorldUnitInMeters, or less scattering";
+  }
+  else if (this->SceneDepth < 0.01)
+  {
+    text << ": it hardly shows; set WorldUnitInMeters, or more scattering";
+  }
+  return text.str();
 }
 
 //------------------------------------------------------------------------------

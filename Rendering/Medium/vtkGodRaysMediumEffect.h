@@ -36,6 +36,7 @@ public:
   bool HasLayers() const override { return false; }
   vtkGodRaysSum* GetLayers() override { return nullptr; }
   void Release(vtkWindow* window) override;
+  std::string Describe() const override;
   std::string DescribeErrors() const override { return this->Verification.Describe(); }
 
 private:
@@ -43,7 +44,8 @@ private:
   vtkGodRaysMedium Medium; // of this frame, in scene units
   vtkGodRaysViewDepths Depths;
   vtkGodRaysMediumVerification Verification;
-  double LastError = -1.0;               // of the last frame
+  double LastError = -1.0; // of the last frame
+  double SceneDepth = 0.0; // optical depth across the scene; 0 if that is not one number
   vtkTextureObject* SeenDepth = nullptr; // where view rays end
   const vtkGodRaysView* View = nullptr;
 };

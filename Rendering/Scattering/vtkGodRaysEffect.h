@@ -106,6 +106,11 @@ public:
   ///@}
 
   /**
+   * What the plan adds to the model's description, or nothing.
+   */
+  virtual std::string Describe() const { return ""; }
+
+  /**
    * What measured errors leave out, or nothing.
    */
   virtual std::string DescribeErrors() const { return ""; }

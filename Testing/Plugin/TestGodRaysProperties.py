@@ -10,6 +10,7 @@ ELSEWHERE = {
     "vtkGodRaysPass": {
         "Model", "Integrator", "Role", "DelegatePass", "Compositor", "DisplayTransfer", "Sun",
         "SunPlacement"},  # fmt: skip
+    "vtkGodRaysHomogeneousModel": {"Visibility"},  # another form of its coefficients
     "vtkGodRaysReferenceFilter": set(),
     "vtkGodRaysScatteringFilter": set(),
     "vtkGodRaysSkySource": {"Atmosphere", "Sun"},

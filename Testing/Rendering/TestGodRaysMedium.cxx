@@ -172,6 +172,49 @@ TEST_F(GodRaysMedium, SpotlightsShineInTheirCones)
   }
 }
 
+TEST_F(GodRaysMedium, HasAVisibility)
+{
+  vtkNew<vtkGodRaysHomogeneousModel> model;
+  EXPECT_NEAR(model->GetVisibility(), 149.8, 0.1);
+  model->SetScatteringCoefficient(0.2, 0.1, 0.05);
+  model->SetAbsorptionCoefficient(0.1, 0.1, 0.4);
+  model->SetVisibility(200.0);
+  EXPECT_NEAR(model->GetVisibility(), 200.0, 1e-9);
+  const double* scattering = model->GetScatteringCoefficient();
+  const double* absorption = model->GetAbsorptionCoefficient();
+  EXPECT_NEAR(std::exp(-200.0 * (scattering[1] + absorption[1])), 0.05, 1e-12);
+  EXPECT_NEAR(scattering[0] / scattering[2], 4.0, 1e-9);
+  EXPECT_NEAR(absorption[2] / scattering[1], 4.0, 1e-9);
+  model->SetScatteringCoefficient(0.0, 0.0, 0.0);
+  model->SetAbsorptionCoefficient(0.0, 0.0, 0.0);
+  EXPECT_TRUE(std::isinf(model->GetVisibility()));
+  model->SetVisibility(100.0);
+  EXPECT_NEAR(model->GetVisibility(), 100.0, 1e-9);
+  EXPECT_EQ(scattering[0], scattering[2]);
+  for (const double wrong : { 0.0, -1.0, std::nan(""), HUGE_VAL })
+  {
+    model->SetVisibility(wrong);
+    EXPECT_NEAR(model->GetVisibility(), 100.0, 1e-9);
+  }
+  EXPECT_EQ(this->VTKMessages.Take().size(), 4u);
+}
+
+TEST_F(GodRaysMedium, TellsItsDepthAcrossTheScene)
+{
+  this->AddPillars();
+  this->AddSun({ 0.15, 0.1, -1.0 });
+  const auto getPlan = [this](double scattering)
+  {
+    this->Model->SetScatteringCoefficient(scattering, scattering, scattering);
+    this->Scene.Window->Render();
+    return this->Rays->GetPlan();
+  };
+  EXPECT_TRUE(Says(getPlan(0.05), "optical depth across the scene 0.")) << this->Rays->GetPlan();
+  EXPECT_FALSE(Says(getPlan(0.05), "WorldUnitInMeters"));
+  EXPECT_TRUE(Says(getPlan(2.0), "it hides the scene; set WorldUnitInMeters"));
+  EXPECT_TRUE(Says(getPlan(1e-4), "it hardly shows; set WorldUnitInMeters"));
+}
+
 TEST_F(GodRaysMedium, DimsTheScene)
 {
   this->AddPillars();
