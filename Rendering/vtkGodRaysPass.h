@@ -151,8 +151,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how the sum is evaluated. Null restores the default, a
-   * vtkGodRaysEpipolarIntegrator.
+   * Set/Get how the sum is evaluated. Null restores the default, that of the model: a
+   * vtkGodRaysEpipolarIntegrator, or, of a medium, a vtkGodRaysAutomaticIntegrator.
    */
   void SetIntegrator(vtkGodRaysIntegrator* integrator);
   vtkGodRaysIntegrator* GetIntegrator();

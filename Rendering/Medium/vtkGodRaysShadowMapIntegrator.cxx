@@ -20,6 +20,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
 #include <sstream>
 
 vtkStandardNewMacro(vtkGodRaysShadowMapIntegrator);
@@ -33,19 +34,32 @@ struct vtkGodRaysShadowMapIntegrator::Internals
     vtkGodRaysMediumRays::Complete(vtkGodRaysShadowMapFS) };
   vtkGodRaysQuad Filter{ "vtkGodRaysShadowMapFilterFS",
     vtkGodRaysMediumRays::Complete(vtkGodRaysShadowMapFilterFS) };
-  vtkGodRaysShadowMap Map;
+  vtkGodRaysShadowMap Maps[4]; // of the first lights of a frame; the last one serves the rest, too
+  int Light = 0;               // of the frame
+  unsigned int LightsFrame = 0;
   vtkGodRaysTarget Lit[2];      // the part that is lit, of one channel, and of three, and the depth
   vtkGodRaysTarget RowMeans[2]; // its means of rows, alike
   vtkGodRaysSweptLight Swept;
   bool IsSwept = false;   // the last light
   unsigned int Frame = 0; // whose ends of view rays the sweep has
 
+  vtkGodRaysShadowMap& GetMap() { return this->Maps[std::min(this->Light, 3)]; }
+  void CountLight(const Request& request);
   bool Bind(vtkGodRaysTarget& target, const Request& request, bool grey);
   vtkShaderProgram* Begin(
     vtkGodRaysQuad& quad, const Request& request, const vtkGodRaysMediumRays& rays, bool rows);
   bool DrawMean(
     const Request& request, const vtkGodRaysMediumRays& rays, bool rows, vtkGodRaysTarget& lit);
 };
+
+//------------------------------------------------------------------------------
+// Processes that have no picture have no frames, and keep no maps.
+void vtkGodRaysShadowMapIntegrator::Internals::CountLight(const Request& request)
+{
+  const unsigned int frame = request.Depths ? request.Depths->GetFrame() : 0;
+  this->Light = frame != 0 && frame == this->LightsFrame ? this->Light + 1 : 0;
+  this->LightsFrame = frame;
+}
 
 //------------------------------------------------------------------------------
 bool vtkGodRaysShadowMapIntegrator::Internals::Bind(
@@ -66,7 +80,7 @@ vtkShaderProgram* vtkGodRaysShadowMapIntegrator::Internals::Begin(
   vtkShaderProgram* program = quad.Begin(request.Window,
     { { "parallel", rays.IsParallel() }, { "infinite", rays.IsInfinite() },
       { "uniformly", rays.IsUniform() }, { "grey", rays.IsGrey() },
-      { "cube", this->Map.GetNumberOfFaces() == 6 }, { "rows", rows } });
+      { "cube", this->GetMap().GetNumberOfFaces() == 6 }, { "rows", rows } });
   if (program)
   {
     rays.Set(program);
@@ -118,7 +132,7 @@ bool vtkGodRaysShadowMapIntegrator::Integrate(const Request& request)
   {
     return false;
   }
-  if (self.Map.GetNumberOfFaces() == 0)
+  if (self.GetMap().GetNumberOfFaces() == 0)
   {
     vtkOpenGLState* state = request.Window->GetState();
     state->vtkglClearColor(1.0f, 1.0f, 1.0f, 1.0f);
@@ -131,9 +145,9 @@ bool vtkGodRaysShadowMapIntegrator::Integrate(const Request& request)
     {
       return false;
     }
-    self.Map.Set(march);
+    self.GetMap().Set(march);
     march->SetUniformi("numberOfSteps", this->NumberOfSteps);
-    self.March.SetTexture("map", self.Map.GetDepth());
+    self.March.SetTexture("map", self.GetMap().GetDepth());
     self.March.End();
   }
   return self.Bind(rows, request, rays.IsGrey()) && self.DrawMean(request, rays, true, lit) &&
@@ -151,7 +165,8 @@ bool vtkGodRaysShadowMapIntegrator::DrawMap(const Request& request)
 {
   Internals& self = *this->Internal;
   self.IsSwept = this->SweepMap && CanSweep(request);
-  return self.Map.Draw(request, this->MapSize, self.IsSwept ? this->NumberOfNestedMaps : 1);
+  self.CountLight(request);
+  return self.GetMap().Draw(request, this->MapSize, self.IsSwept ? this->NumberOfNestedMaps : 1);
 }
 
 //------------------------------------------------------------------------------
@@ -161,7 +176,7 @@ bool vtkGodRaysShadowMapIntegrator::Sweep(const Request& request)
   vtkGodRaysTarget& ends = *request.Depths->GetEnds();
   const int size[2] = { ends.GetWidth(), ends.GetHeight() };
   auto parameters = vtkGodRaysSweptLight::GetParameters(request, size);
-  parameters.Shadows = &self.Map.GetGrids();
+  parameters.Shadows = &self.GetMap().GetGrids();
   parameters.LineSpacing = this->LineSpacing;
   if (self.Frame != request.Depths->GetFrame())
   {
@@ -182,7 +197,7 @@ bool vtkGodRaysShadowMapIntegrator::Contribute(const Request& request)
 std::string vtkGodRaysShadowMapIntegrator::Describe(vtkGodRaysModel*)
 {
   std::ostringstream text;
-  const vtkGodRaysShadowMap& map = this->Internal->Map;
+  const vtkGodRaysShadowMap& map = this->Internal->GetMap();
   text << "shadow map: " << map.GetNumberOfFaces() << " of " << map.GetSize() << " x "
        << map.GetSize() << " pixels for the last light"
        << (map.WasKept() ? ", kept, " : ", drawn, ");
@@ -203,7 +218,10 @@ void vtkGodRaysShadowMapIntegrator::ReleaseGraphicsResources(vtkWindow* window)
   Internals& self = *this->Internal;
   self.March.Release();
   self.Filter.Release();
-  self.Map.Release(window);
+  for (vtkGodRaysShadowMap& map : self.Maps)
+  {
+    map.Release(window);
+  }
   self.Swept.Release(window);
   for (int i = 0; i < 2; ++i)
   {

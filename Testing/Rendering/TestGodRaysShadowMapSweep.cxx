@@ -152,4 +152,8 @@ TEST_F(GodRaysShadowMapSweep, AddsLights)
     const double sum = GetValue(alone, x, 80) + GetValue(rest, x, 80);
     EXPECT_NEAR(GetValue(both, x, 80), sum, 2e-3 * sum);
   }
+  first->SwitchOn();
+  this->Scene.Window->Render();
+  this->Scene.Window->Render();
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), ", kept")) << "each light has a map of its own";
 }
