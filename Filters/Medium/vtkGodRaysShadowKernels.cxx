@@ -283,8 +283,10 @@ private:
         hn::MulAdd(depth, hn::GatherIndex(d, this->Memory.Perpendicular.data(), row),
           SetFloat(-this->Start / this->Width));
       const Float at = hn::Min(hn::Max(end, hn::Zero(d)), SetFloat(1e6));
-      this->StoreExcess(
-        i, hn::Min(at, lastColumn), hn::GatherIndex(d, this->Memory.Extinction.data(), row));
+      const auto column = hn::IfThenElseZero(inside, hn::LoadU(di, this->Memory.Column.data() + i));
+      this->StoreCorrections(i, hn::Min(at, lastColumn),
+        hn::GatherIndex(d, this->Memory.Extinction.data(), row),
+        this->GetLonger(hn::ConvertTo(d, column), hn::ConvertTo(d, row)));
       // The column is told by exponent and first bits of the mantissa.
       const Float y = hn::Min(at, each) * fine;
       const auto bits = hn::ShiftRight<shift>(hn::BitCast(di, y));
@@ -314,9 +316,26 @@ private:
     }
   }
 
-  // Of what all columns up to a width hide, f(u) = 1 - e^-u with u = x width, the part that is too much in
-  // the middle between two steps, over 1/4: linear in ln x, it is L^2 (u f' + u^2 f'')/2 for steps of L.
-  HWY_INLINE void StoreExcess(int pixel, Float width, Float extinction)
+  // How much longer pixels' rays are than the line's in their rows, for each unit of depth [fraction].
+  HWY_INLINE Float GetLonger(Float column, Float row) const
+  {
+    const double size = this->Settings.PixelSize;
+    const double start =
+      this->Center.At + this->Center.Slope * this->FirstRow - this->Image.Center[0];
+    const Float ofLine =
+      hn::MulAdd(row, SetFloat(this->Center.Slope * size), SetFloat(start * size));
+    const Float ofPixel = (column - SetFloat(this->Image.Center[0])) * SetFloat(size);
+    const Float square =
+      hn::MulAdd(row, hn::MulAdd(row, SetFloat(this->Square[2]), SetFloat(this->Square[1])),
+        SetFloat(this->Square[0]));
+    return (ofPixel - ofLine) * (ofPixel + ofLine) * SetFloat(0.5) / square;
+  }
+
+  // What all columns up to a width hide is f(u) = 1 - e^-u with u = x width. Of the sums, the part that is
+  // too much in the middle between two steps, over 1/4: linear in ln x, it is L^2 (u f' + u^2 f'')/2 for
+  // steps of L. And what they are times for a ray that is longer: 1 + longer u f'/f. So what is all dark
+  // is dark.
+  HWY_INLINE void StoreCorrections(int pixel, Float width, Float extinction, Float longer)
   {
     const FloatTag d;
     const Float one = SetFloat(1.0);
@@ -326,14 +345,19 @@ private:
     const Float u = width * extinction;
     Float hidden = Absorbed(d, u);
     Float excess = bend(u, hidden);
+    const Float shift = extinction * SetFloat(this->Start / this->Width);
+    Float change = (u + shift) * (one - hidden);
     if (this->FirstColumn > 0)
     {
       const Float first = SetFloat(ShadowLadder::Each) * extinction;
       const Float before = Absorbed(d, first);
       excess = excess - bend(first, before);
+      change = change - (first + shift) * (one - before);
       hidden = hidden - before;
     }
-    const Float part = SetFloat(0.5 * step * step) * excess / hn::Max(hidden, SetFloat(1e-12));
+    const Float all = hn::Max(hidden, SetFloat(1e-12));
+    const Float part = SetFloat(0.5 * step * step) * excess / all;
+    hn::StoreU(hn::MulAdd(longer, change / all, one), d, this->Memory.Stretch.data() + pixel);
     hn::StoreU(hn::Max(hn::Min(part, SetFloat(0.02)), SetFloat(-0.02)), d,
       this->Memory.Excess.data() + pixel);
   }
@@ -382,7 +406,8 @@ private:
         const float place = std::min(this->Memory.Last[i], static_cast<float>(needed));
         const float part = steps[rows[i]] - step;
         hidden[this->Memory.Offset[i]] = this->Sums.Read(place, part) *
-          this->Memory.Before[rows[i]] * (1.0f - part * (1.0f - part) * this->Memory.Excess[i]);
+          this->Memory.Before[rows[i]] * (1.0f - part * (1.0f - part) * this->Memory.Excess[i]) *
+          this->Memory.Stretch[i];
       }
     }
   }

@@ -33,8 +33,9 @@ public:
   std::vector<int> Head;               // the first column that turns dark there, or -1
   // Of its pixels.
   std::vector<int> Offset, Row, Column;
-  std::vector<float> Last;   // where rays end [columns, and part of the light of one]
-  std::vector<float> Excess; // of sums between the ladder's steps [fraction]
+  std::vector<float> Last;    // where rays end [columns, and part of the light of one]
+  std::vector<float> Excess;  // of sums between the ladder's steps [fraction]
+  std::vector<float> Stretch; // what sums are times, as the pixel's ray is not the line's
   // Of columns.
   std::vector<int> Flip, Next;
   std::vector<float> Dark;       // 1 or 0
@@ -67,7 +68,7 @@ public:
     this->Offset.resize(4 * paddedRows);
     this->Row.resize(4 * paddedRows);
     this->Column.resize(4 * paddedRows);
-    for (std::vector<float>* values : { &this->Last, &this->Excess })
+    for (std::vector<float>* values : { &this->Last, &this->Excess, &this->Stretch })
     {
       values->resize(4 * paddedRows);
     }

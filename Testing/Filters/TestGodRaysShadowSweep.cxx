@@ -484,6 +484,37 @@ TEST(ShadowSweep, ThePixelOfTheLight)
 }
 
 //------------------------------------------------------------------------------
+// Below a roof without end all is dark, whatever is between the steps of the ladder.
+TEST(ShadowSweep, AllDarkIsDark)
+{
+  const Picture ends = MakeEnds(Width, Height);
+  const std::vector<float> roof(64 * 64, 0.0f);
+  for (const Direction& direction : Directions)
+  {
+    Sweep::Parameters parameters = MakeParameters(Width, Height, direction.Light);
+    vtkGodRaysShadowGrids grids;
+    parameters.Shadows = &grids;
+    Sweep sweep;
+    const double brightest = Execute(sweep, parameters, ends).GetMaximum();
+    vtkMath::Perpendiculars(parameters.Light, grids.Axes[0], grids.Axes[1], 0.3);
+    grids.Levels = 1;
+    grids.HeightAtZero = 1000.0;
+    grids.HeightAtOne = -1000.0;
+    grids.Grids[0].Depths = roof.data();
+    grids.Grids[0].Stride = 64;
+    for (int k = 0; k < 2; ++k)
+    {
+      grids.Grids[0].Size[k] = 64;
+      grids.Grids[0].Low[k] = -40.0;
+      grids.Grids[0].Texel[k] = 80.0 / 64.0;
+    }
+    const double left = Execute(sweep, parameters, ends).GetMaximum();
+    std::cout << direction.Name << ": left " << left / brightest << "\n";
+    EXPECT_LT(left, 5e-4 * brightest) << direction.Name;
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(ShadowSweep, SaysWhatItLacks)
 {
   const double light[3] = { 0.0, 0.0, 1.0 };
