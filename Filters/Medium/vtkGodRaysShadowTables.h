@@ -39,10 +39,10 @@ struct ShadowFan
 {
   int Columns = 0;    // to the direction away from the eye
   double Angle = 0.0; // of each [radians]
-  std::vector<float>
-    MiddleSines; // of the angle between a column's middle and the way from the eye to
-  std::vector<float> MiddleCosines; // the light; padded
-  std::vector<float> EdgeSines;     // of where it begins, alike, and one more
+  // Of the angle between the way from the eye to the light and a column's middle, or where it begins; padded.
+  std::vector<float> MiddleSines;
+  std::vector<float> MiddleCosines;
+  std::vector<float> EdgeSines;
   std::vector<float> EdgeMinusCosines;
 };
 

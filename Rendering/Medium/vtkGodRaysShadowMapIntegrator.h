@@ -93,11 +93,6 @@ public:
   vtkGetMacro(LineSpacing, double);
   ///@}
 
-  /**
-   * Whether the request's light is summed on the processor, with SweepMap on.
-   */
-  VTK_WRAPEXCLUDE static bool CanSweep(const Request& request);
-
   VTK_WRAPEXCLUDE bool Integrate(const Request& request) override;
   VTK_WRAPEXCLUDE bool Contribute(const Request& request) override;
   std::string Describe(vtkGodRaysModel* model) override;
@@ -111,6 +106,7 @@ private:
   vtkGodRaysShadowMapIntegrator(const vtkGodRaysShadowMapIntegrator&) = delete;
   void operator=(const vtkGodRaysShadowMapIntegrator&) = delete;
 
+  static bool CanSweep(const Request& request);
   bool DrawMap(const Request& request);
   bool Sweep(const Request& request);
 
