@@ -5,9 +5,10 @@
 #
 # Build Examples/<Name>/<Name>.cxx as the program build/bin/<Name>, and test it and its twin in
 # Python, <Name>.py, if there is one: each draws Testing/Baseline/Example-<Name>.png. An example
-# takes one argument, the PNG file to write; without it, it opens a window.
+# takes two arguments, the PNG file to write and its size, such as 400x300; without the first, it opens a
+# window.
 #
-# godrays_add_example(<Name> <variant>...): with a second argument, <variant>, it draws
+# godrays_add_example(<Name> <variant>...): with a third argument, <variant>, it draws
 # Testing/Baseline/Example-<Name>-<variant>.png. If there are Testing/Examples/Test<Name>.cxx and
 # .py, they test what else the example does, as in its window; Test<Name>.py gets the script and the
 # program, and leaves its files where it runs. They are the only tests of an example WITHOUT_RAYS.
@@ -19,8 +20,8 @@ function(godrays_add_example name)
   set(components
     CommonColor CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral
     FiltersGeometry FiltersHybrid FiltersModeling FiltersSources IOGeometry IOImage IOImport IOLegacy
-    IOOggTheora IOPLY IOXML InteractionStyle InteractionWidgets RenderingCore RenderingFreeType
-    RenderingOpenGL2 RenderingUI RenderingVolumeOpenGL2 vtksys)
+    IOOggTheora IOPLY IOXML ImagingCore ImagingSources InteractionStyle InteractionWidgets RenderingCore
+    RenderingFreeType RenderingOpenGL2 RenderingUI RenderingVolumeOpenGL2 vtksys)
   find_package(VTK REQUIRED COMPONENTS ${components})
   list(TRANSFORM components PREPEND VTK::)
 
@@ -30,7 +31,7 @@ function(godrays_add_example name)
 
   set(levels 2)
   if(arg_SPLATS AND VTK_VERSION VERSION_GREATER_EQUAL 9.4) # no target tells
-    set(levels 18)
+    set(levels 17)
   endif()
 
   add_executable(${name} "${source}")

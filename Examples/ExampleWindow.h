@@ -15,15 +15,40 @@
 #include "vtkRenderWindowInteractor.h"
 #include "vtkWindowToImageFilter.h"
 
+#include <algorithm>
+#include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <functional>
 
 /**
+ * Take a size, such as 1920x1080, out of the arguments; without one it is 1280x720.
+ */
+inline std::array<int, 2> TakeSize(int& argc, char* argv[])
+{
+  std::array<int, 2> size{ 1280, 720 };
+  const auto isSize = [&size](const char* argument)
+  {
+    int given[2];
+    char rest;
+    const bool is = std::sscanf(argument, "%dx%d%c", &given[0], &given[1], &rest) == 2 &&
+      std::min(given[0], given[1]) > 0 && std::max(given[0], given[1]) <= 16384;
+    if (is)
+    {
+      size = { given[0], given[1] };
+    }
+    return is;
+  };
+  argc = static_cast<int>(std::remove_if(argv + 1, argv + argc, isSize) - argv);
+  return size;
+}
+
+/**
  * Write what the window shows to a PNG file, without opening it. Returns the program's exit status.
  */
-inline int WritePicture(vtkRenderWindow* window, const char* file)
+inline int WritePicture(vtkRenderWindow* window, std::array<int, 2> size, const char* file)
 {
-  window->SetSize(400, 300);
+  window->SetSize(size[0], size[1]);
   window->SetMultiSamples(0);
   window->SetOffScreenRendering(true);
   window->Render();
@@ -39,18 +64,18 @@ inline int WritePicture(vtkRenderWindow* window, const char* file)
 }
 
 /**
- * Write what the window shows to the PNG file that the first argument names, without opening it;
- * without an argument, open it and let the user look around, and let the scene advance 25 times a
+ * Write what the window shows, in this size, to the PNG file that the first argument names, without opening
+ * it; without an argument, open it and let the user look around, and let the scene advance 25 times a
  * second if it can. Returns the program's exit status.
  */
-inline int ShowOrWrite(
-  vtkRenderWindow* window, int argc, char* argv[], const std::function<void()>& advance = {})
+inline int ShowOrWrite(vtkRenderWindow* window, std::array<int, 2> size, int argc, char* argv[],
+  const std::function<void()>& advance = {})
 {
   if (argc > 1)
   {
-    return WritePicture(window, argv[1]);
+    return WritePicture(window, size, argv[1]);
   }
-  window->SetSize(400, 300);
+  window->SetSize(size[0], size[1]);
   vtkNew<vtkRenderWindowInteractor> interactor;
   interactor->SetRenderWindow(window);
   window->Render();

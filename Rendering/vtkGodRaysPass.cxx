@@ -288,6 +288,10 @@ vtkGodRaysCompositor* vtkGodRaysPass::GetCompositor()
 //------------------------------------------------------------------------------
 bool vtkGodRaysPass::ApplyPreset(const char* name)
 {
+  if (vtkGodRaysPresets::ApplyTo(this->GetModel(), name))
+  {
+    return true;
+  }
   const auto model = vtk::TakeSmartPointer(vtkGodRaysPresets::NewModel(name));
   if (!model)
   {
@@ -295,16 +299,13 @@ bool vtkGodRaysPass::ApplyPreset(const char* name)
       << (name ? name : "") << "\". The presets are: " << vtkGodRaysPresets::ListNames() << ".");
     return false;
   }
-  if (this->GetModel()->IsA(model->GetClassName()))
-  {
-    return this->GetModel()->ApplyPreset(name); // what no preset sets stays
-  }
   this->SetModel(model);
   return true;
 }
 
 //------------------------------------------------------------------------------
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, Intensity, 0.0, 1e4);
+vtkGodRaysSetFiniteMacro(vtkGodRaysPass, MostDataLightness, 0.0, 100.0);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, ErrorTolerance, 1e-6, 0.1);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, InteractiveErrorTolerance, 1e-6, 0.1);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, SourceRadius, 0.0, 1e30);
@@ -371,39 +372,32 @@ bool vtkGodRaysPass::GetOcclusionImage(vtkImageData* image)
     self.Window->Render();
     self.KeepAllLayers = false;
   }
-  vtkGodRaysSum* layers = self.Window && self.HasRays ? self.Effect->GetLayers() : nullptr;
-  if (!image || !layers)
-  {
-    if (image)
-    {
-      image->Initialize();
-    }
-    return false;
-  }
-  self.Window->MakeCurrent();
-  return layers->Download(image);
+  return self.Download(self.HasRays ? self.Effect->GetLayers() : nullptr, image);
 }
 
 //------------------------------------------------------------------------------
 bool vtkGodRaysPass::GetScatteringImage(vtkImageData* image)
 {
   Internals& self = *this->Internal;
-  if (!image || !self.HasScattering || !self.Window)
-  {
-    if (image)
-    {
-      image->Initialize();
-    }
-    return false;
-  }
-  self.Window->MakeCurrent();
-  return self.Scattering.Download(image);
+  return self.Download(self.HasScattering ? &self.Scattering : nullptr, image);
 }
 
 //------------------------------------------------------------------------------
 std::string vtkGodRaysPass::GetPlan() const
 {
   return this->Internal->LightPlan + this->Internal->StagePlan;
+}
+
+//------------------------------------------------------------------------------
+double vtkGodRaysPass::GetExposure()
+{
+  return this->Intensity * (this->Internal->IsMetered ? this->Internal->Exposure.Everywhere : 1.0);
+}
+
+//------------------------------------------------------------------------------
+double vtkGodRaysPass::GetDataExposure()
+{
+  return this->Internal->IsMetered ? this->Internal->Exposure.OverData : 1.0;
 }
 
 //------------------------------------------------------------------------------
@@ -452,6 +446,11 @@ void vtkGodRaysPass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   const vtkIndent next = indent.GetNextIndent();
   os << indent << "Intensity: " << this->Intensity << "\n";
+  os << indent << "AutomaticExposure: " << (this->AutomaticExposure ? "on" : "off") << "\n";
+  os << indent << "HighlightShoulder: " << (this->HighlightShoulder ? "on" : "off") << "\n";
+  os << indent << "DarkenLightBackground: " << (this->DarkenLightBackground ? "on" : "off") << "\n";
+  os << indent << "DataFirst: " << (this->DataFirst ? "on" : "off") << "\n";
+  os << indent << "MostDataLightness: " << this->MostDataLightness << "\n";
   os << indent << "SunPlacement: " << this->SunPlacement << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "InteractiveErrorTolerance: " << this->InteractiveErrorTolerance << "\n";

@@ -48,6 +48,7 @@
 
 class vtkGodRaysCompositor;
 class vtkGodRaysIntegrator;
+class vtkGodRaysLightFinder;
 class vtkGodRaysModel;
 class vtkGodRaysSun;
 class vtkImageData;
@@ -185,6 +186,69 @@ public:
 
   ///@{
   /**
+   * Set/Get whether the strength of the rays is chosen by the picture, before Intensity, so that data stay
+   * readable: on average, data that are lit change by at most 10 in CIE 1976 L*a*b* and keep 90 % of their
+   * chroma; where most are lit, rays are up to 30 % weaker for the sake of dark ones. The rays' mean is at
+   * most 0.2, their 99th percentile at most 1 [linear light, 1 is white]. A look is weaker over lit data
+   * alone, if they ask for it, and never stronger than its parameters say; light in a medium, whose unit is
+   * that of the lights, is up to fourfold, and one factor holds for all of it. What a medium takes from the
+   * scene's light does not count. While the user drags the camera, the strength changes gradually. Published
+   * sums of shown values are as published. Off, Intensity and the model's parameters are the strength.
+   * Default is on.
+   */
+  vtkSetMacro(AutomaticExposure, bool);
+  vtkGetMacro(AutomaticExposure, bool);
+  vtkBooleanMacro(AutomaticExposure, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The factor on all rays in the last frame, that of AutomaticExposure times Intensity, and the further one
+   * on rays over data that are lit [no unit].
+   */
+  double GetExposure();
+  double GetDataExposure();
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether sums of scene and rays stay below white, where rays would else be clipped, channel by
+   * channel, and change their hue. The sum is exact up to half of the room that the scene leaves. Pictures
+   * of floating-point colours, SCREEN, and published sums of shown values do without. Default is on.
+   */
+  vtkSetMacro(HighlightShoulder, bool);
+  vtkGetMacro(HighlightShoulder, bool);
+  vtkBooleanMacro(HighlightShoulder, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether a look darkens a background that is so light that it has no room for rays, from a
+   * lightness of 75 on [CIE 1976 L*, white is 100]: where rays are strong it keeps its colour, in shadows it
+   * is darker, by up to 40 % of its linear light. Off, rays are hardly seen there. A medium, which takes
+   * light, too, needs none of it, nor do published sums of shown values. Default is on.
+   */
+  vtkSetMacro(DarkenLightBackground, bool);
+  vtkGetMacro(DarkenLightBackground, bool);
+  vtkBooleanMacro(DarkenLightBackground, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether rays, and a medium before them, change nothing of the data's colours but their
+   * lightness, and that by at most MostDataLightness [CIE 1976 L*, white is 100]: for figures whose colours
+   * stand for numbers. Data are the pixels in which something is drawn. Published sums of shown values do
+   * without. Defaults are off and 10. Valid range of the second: [0, 100].
+   */
+  vtkSetMacro(DataFirst, bool);
+  vtkGetMacro(DataFirst, bool);
+  vtkBooleanMacro(DataFirst, bool);
+  void SetMostDataLightness(double lightness);
+  vtkGetMacro(MostDataLightness, double);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the error that the rays may have, root mean square over the picture, as a fraction of
    * the brightest possible result [no unit]; the integrator chooses its work by it. Of a look the exact
    * result is its converged sum, of a medium single scattering in this scene, see
@@ -239,7 +303,7 @@ public:
    * Set/Get the radiance of the open background about a light, as a fraction of the light's own
    * [no unit]. The open background is where no prop is drawn; its glow makes shafts also while the
    * light itself is hidden or outside the picture. 0 switches it off. Valid range: [0, 1].
-   * Default is 0.4.
+   * Default is 0.6.
    */
   void SetBackgroundGlow(double glow);
   vtkGetMacro(BackgroundGlow, double);
@@ -250,7 +314,7 @@ public:
    * Set/Get the angle about the light over which the glow is full, and the further angle over
    * which it falls smoothly to 0 [degrees, seen from the eye]. In a parallel projection, which
    * has no angles about a positional light, the picture's height counts as 30 degrees.
-   * Valid range: [0, 180] each. Defaults are 2 and 18.
+   * Valid range: [0, 180] each. Defaults are 2 and 10.
    */
   void SetBackgroundGlowRadius(double degrees);
   vtkGetMacro(BackgroundGlowRadius, double);
@@ -366,8 +430,9 @@ public:
    * of the viewport and its margin), origin at the lower left. With several lights the occlusion
    * layers are added, for which the window is rendered once more unless Output is OCCLUSION. The
    * scattering is before Intensity.
-   * Returns false, and empties the image, when the last frame had no rays, or when it is asked for
-   * the layers of several lights while the window renders.
+   * Returns false, and empties the image, when the last frame had no rays, when what it left is gone with its
+   * integrator, model or graphics resources, or when it is asked for the layers of several lights while the
+   * window renders.
    */
   bool GetOcclusionImage(vtkImageData* image);
   bool GetScatteringImage(vtkImageData* image);
@@ -415,7 +480,10 @@ private:
 
   // Render(), step by step. Reasons and plans are for GetPlan().
   const char* FindReasonForNoRays(const vtkRenderState* s, vtkOpenGLRenderWindow* window);
-  std::vector<vtkGodRaysLight> FindLights(vtkRenderer* renderer, const vtkGodRaysView& view);
+  std::string FindFault(vtkRenderer* renderer, const vtkGodRaysView& view, const int size[2],
+    std::vector<vtkGodRaysLight>& lights);
+  std::vector<vtkGodRaysLight> FindLights(
+    vtkRenderer* renderer, const vtkGodRaysView& view, vtkGodRaysLightFinder& finder);
   void RenderScene(const vtkRenderState* s);
   bool RenderRays(const vtkRenderState* s, const vtkGodRaysView& view,
     const std::vector<vtkGodRaysLight>& lights);
@@ -426,6 +494,7 @@ private:
   unsigned int GetLayerFormat() const;
   double FindMargin(vtkOpenGLRenderWindow* window, const int size[2]) const;
   bool DimsScene() const;
+  bool MetersPicture() const;
   bool DrawOutput(
     const vtkRenderState* s, const vtkGodRaysFramebuffer& bound, const int viewport[4]);
   void ShowNoLight(const vtkRenderState* s, vtkOpenGLState* state);
@@ -438,14 +507,19 @@ private:
   std::unique_ptr<Internals> Internal;
 
   double Intensity = 1.0;
+  bool AutomaticExposure = true;
+  bool HighlightShoulder = true;
+  bool DarkenLightBackground = true;
+  bool DataFirst = false;
+  double MostDataLightness = 10.0;
   int SunPlacement = SUN_BY_HAND;
   double ErrorTolerance = 1.0 / 255.0;
   double InteractiveErrorTolerance = 0.01;
   bool UntaggedPropsOcclude = true;
   double SourceRadius = 0.0;
-  double BackgroundGlow = 0.4;
+  double BackgroundGlow = 0.6;
   double BackgroundGlowRadius = 2.0;
-  double BackgroundGlowFalloff = 18.0;
+  double BackgroundGlowFalloff = 10.0;
   double LayerMargin = 0.0;
   int Blend = MODEL_BLEND;
   int DisplayTransfer = AUTOMATIC_TRANSFER;

@@ -4,8 +4,10 @@
 // What vtkGodRaysPass does in a frame; see Documentation/Architecture.md.
 #include "vtkGodRaysPassInternals.h"
 
+#include "vtkCamera.h"
 #include "vtkGodRaysBlendPass.h"
 #include "vtkGodRaysFramebuffer.h"
+#include "vtkGodRaysGate.h"
 #include "vtkGodRaysLight.h"
 #include "vtkGodRaysLightFinder.h"
 #include "vtkGodRaysOcclusionPass.h"
@@ -19,6 +21,7 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <sstream>
 
@@ -59,8 +62,8 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
 
   vtkGodRaysView view;
   std::vector<vtkGodRaysLight> lights;
-  const char* reason = this->FindReasonForNoRays(s, window);
-  const bool hasLayers = !reason;
+  std::string reason = this->FindReasonForNoRays(s, window);
+  const bool hasLayers = reason.empty();
   if (hasLayers)
   {
     int viewport[4];
@@ -71,20 +74,21 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
     self.Transfer = self.Effect->SumsShownValues()
       ? vtkGodRaysTransfer::NONE
       : vtkGodRaysFindTransfer(this->DisplayTransfer, renderer, this);
-    this->UpdateSun(renderer);
-    lights = this->FindLights(renderer, view);
-    reason = lights.empty() && !this->DimsScene() ? "no light reaches the picture" : nullptr;
-    const std::string obstacle = self.Effect->FindObstacle(view, viewport + 2);
-    if (!obstacle.empty())
+    const std::string fault = this->FindFault(renderer, view, viewport + 2, lights);
+    if (!fault.empty())
     {
-      this->Complain(obstacle);
-      reason = "the model cannot be evaluated in this projection";
+      this->Complain(": " + fault);
+      reason = fault;
+    }
+    else if (lights.empty() && !this->DimsScene())
+    {
+      reason = "no light reaches the picture";
     }
   }
   self.NumberOfLights = static_cast<int>(lights.size());
-  if (reason)
+  if (!reason.empty())
   {
-    self.StagePlan = std::string("rays: none, ") + reason + "\nscene: drawn straight through\n";
+    self.StagePlan = "rays: none, " + reason + "\nscene: drawn straight through\n";
     this->RenderScene(s);
     if (hasLayers && this->Output != COMPOSITE)
     {
@@ -111,7 +115,7 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   }
   else if (!this->RenderRays(s, view, lights))
   {
-    this->Complain("the framebuffer of this window cannot be copied or drawn into by the rays' "
+    this->Complain(": the framebuffer of this window cannot be copied or drawn into by the rays' "
                    "stages. Render into a window or framebuffer with a depth buffer and 8-bit or "
                    "floating-point RGBA colours");
     self.StagePlan = "rays: none, after an error\n";
@@ -128,7 +132,7 @@ const char* vtkGodRaysPass::FindReasonForNoRays(
   int viewport[4];
   if (!window)
   {
-    this->Complain("the render window is not an OpenGL window. Use VTK's OpenGL back end");
+    this->Complain(": the render window is not an OpenGL window. Use VTK's OpenGL back end");
     return "the window is not an OpenGL one";
   }
   if (s->GetRenderer()->GetSelector())
@@ -154,11 +158,33 @@ const char* vtkGodRaysPass::FindReasonForNoRays(
   }
   if (!self.Integrator->Supports(self.Model))
   {
-    this->Complain(std::string("a ") + self.Integrator->GetClassName() + " cannot evaluate a " +
+    this->Complain(std::string(": a ") + self.Integrator->GetClassName() + " cannot evaluate a " +
       self.Model->GetClassName() + ". Set an integrator that supports it");
     return "the integrator does not support the model";
   }
-  return nullptr;
+  return "";
+}
+
+//------------------------------------------------------------------------------
+// What of the frame cannot be computed with; lights of which that is so are left out.
+std::string vtkGodRaysPass::FindFault(vtkRenderer* renderer, const vtkGodRaysView& view,
+  const int size[2], std::vector<vtkGodRaysLight>& lights)
+{
+  Internals& self = *this->Internal;
+  const std::string fault = vtkGodRaysGate::FindFault(renderer, view);
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  this->UpdateSun(renderer);
+  vtkGodRaysLightFinder finder;
+  lights = this->FindLights(renderer, view, finder);
+  for (const std::string& faultOfLight : finder.GetFaults())
+  {
+    this->Complain(" " + faultOfLight);
+  }
+  const std::string obstacle = self.Effect->FindObstacle(renderer, self.Compositor, view, size);
+  return finder.GetFaultOfScene().empty() ? obstacle : finder.GetFaultOfScene();
 }
 
 //------------------------------------------------------------------------------
@@ -184,6 +210,67 @@ bool vtkGodRaysPass::DimsScene() const
 }
 
 //------------------------------------------------------------------------------
+// Whether the join depends on what the picture shows.
+bool vtkGodRaysPass::MetersPicture() const
+{
+  return this->Output == COMPOSITE &&
+    (this->AutomaticExposure || this->DarkenLightBackground || this->DataFirst) &&
+    this->Internal->Transfer != vtkGodRaysTransfer::NONE;
+}
+
+//------------------------------------------------------------------------------
+// Choose how strong the rays are, and tell the request. Tiles and the second eye take what the first had.
+bool vtkGodRaysPass::Internals::FindExposure(
+  vtkGodRaysPass& pass, vtkRenderer* renderer, vtkGodRaysBlendPass::Request& request)
+{
+  const vtkGodRaysLightMeter::Exposure former = this->Exposure;
+  const bool wasMetered = this->IsMetered;
+  this->IsMetered = pass.MetersPicture() && request.Rays;
+  if (!this->IsMetered)
+  {
+    return true;
+  }
+  // of a picture whose whole was drawn before
+  const bool isPart = GetTiles(this->Window) > 1.0 ||
+    (this->Window->GetStereoRender() && !renderer->GetActiveCamera()->GetLeftEye());
+  if (!isPart || !wasMetered)
+  {
+    if (!this->Meter.Read(this->Blending, request))
+    {
+      return false;
+    }
+    const auto& samples = this->Meter.GetSamples();
+    this->Exposure = {};
+    if (pass.AutomaticExposure)
+    {
+      this->Exposure = vtkGodRaysLightMeter::FindExposure(
+        samples, request.Shoulder && !request.Screen, request.LargestExposure, request.SparesData);
+      if (wasMetered && this->Window->GetDesiredUpdateRate() >= 1.0)
+      {
+        const auto approach = [](double& now, double before)
+        { now = before + 0.25 * (now - before); };
+        approach(this->Exposure.Everywhere, former.Everywhere);
+        approach(this->Exposure.OverData, former.OverData);
+      }
+    }
+    this->Surround = {};
+    if (pass.DarkenLightBackground && request.SparesData)
+    {
+      this->Surround = vtkGodRaysLightMeter::FindSurround(samples, pass.GetExposure());
+    }
+  }
+  request.AlphaShowsData = this->Meter.AlphaShowsData();
+  request.DataExposure = this->Exposure.OverData;
+  request.SurroundPart = this->Surround.Part;
+  request.SurroundLight = this->Surround.Light;
+  if (pass.DataFirst)
+  {
+    request.MostLightness = pass.MostDataLightness;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void vtkGodRaysPass::RenderScene(const vtkRenderState* s)
 {
   vtkRenderPass* scene = this->DelegatePass;
@@ -198,7 +285,7 @@ void vtkGodRaysPass::RenderScene(const vtkRenderState* s)
   self.DrawsScene = false;
   if (self.IsOwnDelegate)
   {
-    this->Complain("the delegate of this pass leads back to it. Set another delegate, or none; a "
+    this->Complain(": the delegate of this pass leads back to it. Set another delegate, or none; a "
                    "pass that has this one for its delegate is what the renderer takes, by "
                    "SetPass(), without Attach()");
   }
@@ -207,10 +294,9 @@ void vtkGodRaysPass::RenderScene(const vtkRenderState* s)
 
 //------------------------------------------------------------------------------
 std::vector<vtkGodRaysLight> vtkGodRaysPass::FindLights(
-  vtkRenderer* renderer, const vtkGodRaysView& view)
+  vtkRenderer* renderer, const vtkGodRaysView& view, vtkGodRaysLightFinder& finder)
 {
   Internals& self = *this->Internal;
-  vtkGodRaysLightFinder finder;
   finder.Renderer = renderer;
   finder.SourceRadius = this->SourceRadius;
   finder.SunAngularRadius = this->GetSunAngularRadius();
@@ -267,7 +353,8 @@ bool vtkGodRaysPass::FindOccluders(const vtkRenderState* s, const vtkGodRaysView
 
   const bool depthServes = vtkGodRaysOcclusionPass::SceneDepthServes(occlusion);
   const unsigned int buffers = (this->Output == COMPOSITE ? GL_COLOR_BUFFER_BIT : 0) |
-    (depthServes || self.Effect->ReadsSceneDepth() ? GL_DEPTH_BUFFER_BIT : 0);
+    (depthServes || self.Effect->ReadsSceneDepth() || this->MetersPicture() ? GL_DEPTH_BUFFER_BIT
+                                                                            : 0);
   if (!self.Scene.Copy(self.Window, bound, viewport, buffers))
   {
     return false;
@@ -357,10 +444,14 @@ bool vtkGodRaysPass::DrawOutput(
     request.Backdrop = self.HasBackdrop ? self.Backdrop.GetColor() : nullptr;
     request.Rays = light->GetTexture();
     request.Tint = light->GetTint();
-    request.Intensity = this->Output == OCCLUSION ? 1.0 : this->Intensity;
     request.Transfer = self.Transfer;
     request.ShowRays = this->Output != COMPOSITE;
-    drawn = self.Blending->Draw(request);
+    request.Depth = request.Depth ? request.Depth : self.Scene.GetDepth();
+    request.Shoulder = this->HighlightShoulder && bound.Formats.Color == GL_RGBA8 &&
+      self.Transfer != vtkGodRaysTransfer::NONE;
+    drawn = self.FindExposure(*this, s->GetRenderer(), request);
+    request.Intensity = this->Output == OCCLUSION ? 1.0 : this->GetExposure();
+    drawn = drawn && self.Blending->Draw(request);
   }
   else
   {
@@ -404,8 +495,20 @@ void vtkGodRaysPass::DescribeStages(bool screen)
                                      : "additive")
        << (self.Transfer == vtkGodRaysTransfer::NONE      ? ", shown values"
               : self.Transfer == vtkGodRaysTransfer::SRGB ? ", linear light"
-                                                          : ", linear light by a power of 2.2")
-       << "\n";
+                                                          : ", linear light by a power of 2.2");
+  if (self.IsMetered && this->AutomaticExposure)
+  {
+    plan << ", exposure " << self.Exposure.Everywhere << " by the picture";
+    if (self.Exposure.OverData < 1.0)
+    {
+      plan << ", over data " << self.Exposure.OverData << " of that";
+    }
+  }
+  if (self.IsMetered && self.Surround.Part > 0.0)
+  {
+    plan << ", shadows darken the background by up to " << 100.0 * self.Surround.Part << " %";
+  }
+  plan << "\n";
   self.StagePlan = plan.str();
 }
 
@@ -429,9 +532,8 @@ std::string vtkGodRaysPass::DescribeErrors() const
 //------------------------------------------------------------------------------
 void vtkGodRaysPass::Complain(const std::string& complaint)
 {
-  if (this->Internal->Complaint != complaint)
+  if (this->Internal->Complaints.insert(complaint).second)
   {
-    this->Internal->Complaint = complaint;
-    vtkWarningMacro("The scene is drawn without god rays: " << complaint << ".");
+    vtkWarningMacro("The scene is drawn without god rays" << complaint << ".");
   }
 }

@@ -13,6 +13,7 @@
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysEffect.h"
 #include "vtkGodRaysIntegrator.h"
+#include "vtkGodRaysLightMeter.h"
 #include "vtkGodRaysModel.h"
 #include "vtkGodRaysOcclusionPass.h"
 #include "vtkGodRaysPass.h"
@@ -23,6 +24,7 @@
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysTimers.h"
 #include "vtkGodRaysTransfer.h"
+#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -31,6 +33,7 @@
 
 #include <array>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -55,6 +58,10 @@ struct vtkGodRaysPass::Internals
   vtkGodRaysSceneCopy Scene; // colour and depth of the viewport
   vtkGodRaysTarget Backdrop; // background, where the scene is drawn over black
   vtkGodRaysSum Scattering;  // light of all layers
+  vtkGodRaysLightMeter Meter;
+  vtkGodRaysLightMeter::Exposure Exposure;
+  vtkGodRaysLightMeter::Surround Surround;
+  bool IsMetered = false; // the last frame was
   vtkGodRaysTimers Timers;
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the resources
@@ -71,7 +78,28 @@ struct vtkGodRaysPass::Internals
   bool IsOwnDelegate = false; // its delegate called it while it drew the scene
   std::string LightPlan;
   std::string StagePlan;
-  std::string Complaint; // that has been made already
+  std::set<std::string> Complaints; // that have been made already
+
+  bool FindExposure(
+    vtkGodRaysPass& pass, vtkRenderer* renderer, vtkGodRaysBlendPass::Request& request);
+
+  /// What the last frame left, if that is still there; else an image without points, and false.
+  bool Download(vtkGodRaysSum* light, vtkImageData* image)
+  {
+    if (image && light && this->Window)
+    {
+      this->Window->MakeCurrent();
+      if (light->Download(image))
+      {
+        return true;
+      }
+    }
+    if (image)
+    {
+      image->Initialize();
+    }
+    return false;
+  }
 
   void Release(vtkWindow* window)
   {
@@ -84,6 +112,8 @@ struct vtkGodRaysPass::Internals
     this->Scene.Release(window);
     this->Backdrop.Release(window);
     this->Scattering.Release(window);
+    this->Meter.Release(window);
+    this->IsMetered = false;
     if (this->Effect)
     {
       this->Effect->Release(window);

@@ -7,6 +7,7 @@
 #include "vtkGodRaysRadialModel.h"
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
 #include <vector>
 
 vtkStandardNewMacro(vtkGodRaysPresets);
@@ -15,18 +16,22 @@ namespace
 {
 struct Preset
 {
-  const char* Name;
+  std::string Name;
+  const char* NameInModel;
   const char* Description;
+  bool (*Fits)(vtkGodRaysModel*);
   vtkGodRaysModel* (*MakeModel)();
 };
 
 template <typename Model>
-void AddPresets(std::vector<Preset>& presets)
+void AddPresets(std::vector<Preset>& presets, const std::string& prefix = "")
 {
   for (int i = 0; i < Model::GetNumberOfPresets(); ++i)
   {
-    presets.push_back({ Model::GetPresetName(i), Model::GetPresetDescription(i),
-      []() -> vtkGodRaysModel* { return Model::New(); } });
+    presets.push_back(
+      { prefix + Model::GetPresetName(i), Model::GetPresetName(i), Model::GetPresetDescription(i),
+        [](vtkGodRaysModel* model) { return Model::SafeDownCast(model) != nullptr; },
+        []() -> vtkGodRaysModel* { return Model::New(); } });
   }
 }
 
@@ -36,11 +41,19 @@ const std::vector<Preset>& GetPresets()
   {
     std::vector<Preset> all;
     AddPresets<vtkGodRaysRadialModel>(all);
-    AddPresets<vtkGodRaysPublishedModel>(all);
     AddPresets<vtkGodRaysHomogeneousModel>(all);
+    AddPresets<vtkGodRaysPublishedModel>(all, "published:");
     return all;
   }();
   return presets;
+}
+
+const Preset* FindPreset(const char* name)
+{
+  const std::vector<Preset>& presets = GetPresets();
+  const auto found = std::find_if(presets.begin(), presets.end(),
+    [name](const Preset& preset) { return name && preset.Name == name; });
+  return found != presets.end() ? &*found : nullptr;
 }
 }
 
@@ -53,7 +66,7 @@ int vtkGodRaysPresets::GetNumberOfPresets()
 //------------------------------------------------------------------------------
 const char* vtkGodRaysPresets::GetPresetName(int index)
 {
-  return index >= 0 && index < GetNumberOfPresets() ? GetPresets()[index].Name : nullptr;
+  return index >= 0 && index < GetNumberOfPresets() ? GetPresets()[index].Name.c_str() : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -68,7 +81,7 @@ std::string vtkGodRaysPresets::ListNames()
   std::string names;
   for (const Preset& preset : GetPresets())
   {
-    names += std::string(names.empty() ? "" : ", ") + preset.Name;
+    names += (names.empty() ? "" : ", ") + preset.Name;
   }
   return names;
 }
@@ -76,17 +89,20 @@ std::string vtkGodRaysPresets::ListNames()
 //------------------------------------------------------------------------------
 vtkGodRaysModel* vtkGodRaysPresets::NewModel(const char* name)
 {
-  const std::string wanted = name ? name : "";
-  for (const Preset& preset : GetPresets())
+  const Preset* preset = FindPreset(name);
+  vtkGodRaysModel* model = preset ? preset->MakeModel() : nullptr;
+  if (model)
   {
-    if (wanted == preset.Name)
-    {
-      vtkGodRaysModel* model = preset.MakeModel();
-      model->ApplyPreset(name);
-      return model;
-    }
+    model->ApplyPreset(preset->NameInModel);
   }
-  return nullptr;
+  return model;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysPresets::ApplyTo(vtkGodRaysModel* model, const char* name)
+{
+  const Preset* preset = FindPreset(name);
+  return preset && preset->Fits(model) && model->ApplyPreset(preset->NameInModel);
 }
 
 //------------------------------------------------------------------------------

@@ -4,8 +4,9 @@
  * @class   vtkGodRaysPresets
  * @brief   all looks and media by name, and the models that have them
  *
- * First the looks of vtkGodRaysRadialModel, then those of vtkGodRaysPublishedModel, then the media of
- * vtkGodRaysHomogeneousModel.
+ * First the looks of vtkGodRaysRadialModel, of which the first is that of a new vtkGodRaysPass; then the
+ * media of vtkGodRaysHomogeneousModel; then the formulations of vtkGodRaysPublishedModel, whose names have
+ * "published:" before them here.
  *
  * @sa vtkGodRaysPass
  */
@@ -47,6 +48,13 @@ public:
    * A new model with the parameters of this name; null, without an error, if there is no such name.
    */
   VTK_NEWINSTANCE static vtkGodRaysModel* NewModel(const char* name);
+
+  /**
+   * Set the parameters of this name, and no others, of a model of the class that has it. Returns false,
+   * without an error, and changes nothing if the model is of another class, or null, or if there is no such
+   * name.
+   */
+  static bool ApplyTo(vtkGodRaysModel* model, const char* name);
 
 protected:
   vtkGodRaysPresets() = default;

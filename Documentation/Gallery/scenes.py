@@ -18,6 +18,7 @@ examples = pathlib.Path(__file__).resolve().parents[2] / "Examples"
 
 def run(name, *arguments):
     script = str(examples / name / f"{name}.py")
+    sys.path.insert(0, os.path.dirname(script))  # of what it imports
     with tempfile.NamedTemporaryFile(suffix=".png") as small:
         sys.argv = [script, small.name, *arguments]
         return runpy.run_path(script)

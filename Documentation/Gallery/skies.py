@@ -11,6 +11,9 @@ import vtkmodules.all as vtk
 from sources import add, warp
 
 
+SOIL = 0.57, 0.42, 0.28  # of Mars
+
+
 def look(renderer, position, azimuth, elevation, angle):
     across = math.cos(math.radians(elevation))
     turn = math.radians(azimuth)
@@ -23,7 +26,7 @@ def look(renderer, position, azimuth, elevation, angle):
     renderer.ResetCameraClippingRange()
 
 
-def mountains(renderer, sun, azimuth, **parameters):
+def mountains(renderer, sun, azimuth, soil=None, **parameters):
     """A range of 40 km, in a unit of 400 m, at an hour that its sun tells."""
     source = godrays.vtkGodRaysTerrainSource()
     source.SetDimensions(601, 601)
@@ -33,7 +36,10 @@ def mountains(renderer, sun, azimuth, **parameters):
     mapper = vtk.vtkPolyDataMapper()
     mapper.SetScalarModeToUsePointFieldData()
     mapper.SelectColorArray("Color")
-    add(renderer, mapper, warp(source))
+    actor = add(renderer, mapper, warp(source))
+    if soil:
+        mapper.ScalarVisibilityOff()
+        actor.GetProperty().SetColor(soil)
     look(renderer, (-4, -48, 9), azimuth, -2, 34)
     light = vtk.vtkLight()
     godrays.sky(renderer, sun=sun, light=light, world_unit_in_meters=400, **parameters)
@@ -63,14 +69,23 @@ def space(renderer):
     godrays.sky(renderer, sun=(180, -14), exposure=6)
 
 
+def mars(renderer):
+    """A low sun over dust: blue about it, yellowish brown elsewhere."""
+    mountains(renderer, (6, 4), 0, SOIL, atmosphere="mars", exposure=0.3)
+
+
+def mars_by_day(renderer):
+    mountains(renderer, (250, 35), 0, SOIL, atmosphere="mars", exposure=12)
+
+
 def main(path):
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(0)
-    window.SetSize(1000, 640)
-    for i, scene in enumerate((noon, evening, dusk, space)):
+    window.SetSize(1000, 960)
+    for i, scene in enumerate((noon, evening, dusk, space, mars, mars_by_day)):
         renderer = vtk.vtkRenderer()
-        renderer.SetViewport(i % 2 / 2, 0.5 - i // 2 / 2, i % 2 / 2 + 0.5, 1 - i // 2 / 2)
+        renderer.SetViewport(i % 2 / 2, (2 - i // 2) / 3, i % 2 / 2 + 0.5, (3 - i // 2) / 3)
         window.AddRenderer(renderer)
         scene(renderer)
     window.Render()

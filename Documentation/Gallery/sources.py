@@ -167,7 +167,7 @@ def clouds(renderer):
     set_sky(renderer, (0.55, 0.58, 0.6), (0.12, 0.25, 0.5))
     look(renderer, (0, -900, 60), (0, 0, 310), 48, clipping=(10, 8000))
     sun = add_light(renderer, (0.05, 1, 0.37), (1, 0.86, 0.62))
-    godrays.enable(renderer, light=sun, preset="crisp-shafts", intensity=2.6)
+    godrays.enable(renderer, light=sun, preset="long-shafts", intensity=2.6)
 
 
 def main():

@@ -1,46 +1,50 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Three lamps, each of its own colour, behind a lattice.
+// Three lamps, each of its own colour, in lanterns.
 
 #include "../ExampleWindow.h"
 
 #include "vtkActor.h"
-#include "vtkAppendPolyData.h"
 #include "vtkCamera.h"
-#include "vtkCubeSource.h"
 #include "vtkGodRaysPass.h"
 #include "vtkLight.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkShrinkPolyData.h"
+#include "vtkSphereSource.h"
 
 int main(int argc, char* argv[])
 {
-  vtkNew<vtkAppendPolyData> bars;
-  for (int i = -5; i <= 5; ++i)
-  {
-    vtkNew<vtkCubeSource> upright;
-    upright->SetBounds(i - 0.3, i + 0.3, -6.0, 6.0, -0.2, 0.2);
-    bars->AddInputConnection(upright->GetOutputPort());
-    vtkNew<vtkCubeSource> crossbar;
-    crossbar->SetBounds(-6.0, 6.0, i - 0.2, i + 0.2, -0.2, 0.2);
-    bars->AddInputConnection(crossbar->GetOutputPort());
-  }
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(bars->GetOutputPort());
-  vtkNew<vtkActor> lattice;
-  lattice->SetMapper(mapper);
-
+  const auto size = TakeSize(argc, argv);
+  // From far away, so that all are seen along their axes: shafts leave between the panes.
   vtkNew<vtkRenderer> renderer;
-  renderer->AddActor(lattice);
-  renderer->GetActiveCamera()->SetPosition(2.5, 1.0, 14.0);
+  renderer->SetBackground(0.02, 0.025, 0.05);
+  renderer->GetActiveCamera()->SetPosition(0.0, 0.1, 32.0);
   renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.0);
-  renderer->ResetCameraClippingRange();
+  renderer->GetActiveCamera()->SetViewAngle(11.0);
 
   vtkNew<vtkGodRaysPass> rays;
-  const double colors[3][3] = { { 1.0, 0.2, 0.1 }, { 0.2, 1.0, 0.3 }, { 0.2, 0.4, 1.0 } };
-  const double positions[3][3] = { { -3.5, -1.0, -3.0 }, { 0.3, 1.6, -3.0 }, { 3.0, -1.4, -3.0 } };
+  const double colors[3][3] = { { 1.0, 0.38, 0.12 }, { 0.25, 0.85, 0.4 }, { 0.3, 0.5, 1.0 } };
+  const double positions[3][3] = { { -2.1, -0.9, 0.0 }, { 0.1, 0.95, 0.0 }, { 2.2, -0.75, 0.0 } };
   for (int i = 0; i < 3; ++i)
   {
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetCenter(positions[i]);
+    sphere->SetRadius(0.8);
+    sphere->SetThetaResolution(12);
+    sphere->LatLongTessellationOn();
+    vtkNew<vtkShrinkPolyData> panes;
+    panes->SetInputConnection(sphere->GetOutputPort());
+    panes->SetShrinkFactor(0.75);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(panes->GetOutputPort());
+    vtkNew<vtkActor> lantern;
+    lantern->SetMapper(mapper);
+    lantern->GetProperty()->SetColor(0.3, 0.3, 0.34);
+    lantern->GetProperty()->SetAmbient(0.1);
+    renderer->AddActor(lantern);
+
     vtkNew<vtkLight> lamp;
     lamp->SetPositional(true);
     lamp->SetConeAngle(180.0);
@@ -49,10 +53,13 @@ int main(int argc, char* argv[])
     renderer->AddLight(lamp);
     rays->AddLight(lamp);
   }
-  rays->SetBackgroundGlowFalloff(8.0);
+  renderer->ResetCameraClippingRange();
+  rays->SetIntensity(2.5);
+  rays->SetBackgroundGlowRadius(0.4); // [degrees] within the lanterns
+  rays->SetBackgroundGlowFalloff(1.0);
   rays->Attach(renderer);
 
   vtkNew<vtkRenderWindow> window;
   window->AddRenderer(renderer);
-  return ShowOrWrite(window, argc, argv);
+  return ShowOrWrite(window, size, argc, argv);
 }

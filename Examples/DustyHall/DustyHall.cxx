@@ -20,6 +20,7 @@
 
 int main(int argc, char* argv[])
 {
+  const auto size = TakeSize(argc, argv);
   // A hall, 14 m long and 6 m high: floor, roof, walls and pillars; and between its five windows.
   std::vector<std::array<double, 6>> bounds = { { -7, 7, -0.3, 0, -4.4, 5 },
     { -7, 7, 6, 6.3, -4.4, 5 }, { -7, -6.8, 0, 6, -4.4, 5 }, { 6.8, 7, 0, 6, -4.4, 5 },
@@ -41,15 +42,16 @@ int main(int argc, char* argv[])
   mapper->SetInputConnection(boxes->GetOutputPort());
   vtkNew<vtkActor> hall;
   hall->SetMapper(mapper);
-  hall->GetProperty()->SetColor(0.4, 0.37, 0.32);
-  hall->GetProperty()->SetAmbient(0.25);
+  hall->GetProperty()->SetColor(0.72, 0.66, 0.6);
+  hall->GetProperty()->SetAmbient(0.3);
+  hall->GetProperty()->SetDiffuse(0.5);
 
   vtkNew<vtkRenderer> renderer;
   renderer->AddActor(hall);
   renderer->SetBackground(0.75, 0.85, 1.0);
-  renderer->GetActiveCamera()->SetPosition(-5.5, 1.7, 4.2);
-  renderer->GetActiveCamera()->SetFocalPoint(1.2, 2.7, -4.0);
-  renderer->GetActiveCamera()->SetViewAngle(62.0);
+  renderer->GetActiveCamera()->SetPosition(-1.5, 1.7, 4.9);
+  renderer->GetActiveCamera()->SetFocalPoint(1.3, 2.3, -3.6);
+  renderer->GetActiveCamera()->SetViewAngle(60.0);
   renderer->ResetCameraClippingRange();
   vtkNew<vtkLight> sun;
   sun->SetPosition(0.35, 0.75, -1.0);
@@ -57,13 +59,14 @@ int main(int argc, char* argv[])
   renderer->AddLight(sun);
 
   vtkNew<vtkGodRaysHomogeneousModel> dust;
-  dust->SetScatteringCoefficient(0.15, 0.15, 0.15); // [1/m]
+  dust->SetScatteringCoefficient(0.05, 0.05, 0.05); // [1/m]
   vtkNew<vtkGodRaysPass> rays;
   rays->SetModel(dust);
+  rays->SetIntensity(10.0); // as for eyes used to the dark
   rays->AddLight(sun);
   rays->Attach(renderer);
 
   vtkNew<vtkRenderWindow> window;
   window->AddRenderer(renderer);
-  return ShowOrWrite(window, argc, argv);
+  return ShowOrWrite(window, size, argc, argv);
 }

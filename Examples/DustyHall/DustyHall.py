@@ -26,15 +26,16 @@ mapper = vtk.vtkPolyDataMapper()
 mapper.SetInputConnection(boxes.GetOutputPort())
 hall = vtk.vtkActor()
 hall.SetMapper(mapper)
-hall.GetProperty().SetColor(0.4, 0.37, 0.32)
-hall.GetProperty().SetAmbient(0.25)
+hall.GetProperty().SetColor(0.72, 0.66, 0.6)
+hall.GetProperty().SetAmbient(0.3)
+hall.GetProperty().SetDiffuse(0.5)
 
 renderer = vtk.vtkRenderer()
 renderer.AddActor(hall)
 renderer.SetBackground(0.75, 0.85, 1)
-renderer.GetActiveCamera().SetPosition(-5.5, 1.7, 4.2)
-renderer.GetActiveCamera().SetFocalPoint(1.2, 2.7, -4)
-renderer.GetActiveCamera().SetViewAngle(62)
+renderer.GetActiveCamera().SetPosition(-1.5, 1.7, 4.9)
+renderer.GetActiveCamera().SetFocalPoint(1.3, 2.3, -3.6)
+renderer.GetActiveCamera().SetViewAngle(60)
 renderer.ResetCameraClippingRange()
 sun = vtk.vtkLight()
 sun.SetPosition(0.35, 0.75, -1)
@@ -42,12 +43,13 @@ sun.SetColor(1, 0.86, 0.62)
 renderer.AddLight(sun)
 
 dust = godrays.vtkGodRaysHomogeneousModel()
-dust.SetScatteringCoefficient(0.15, 0.15, 0.15)  # [1/m]
-godrays.enable(renderer, light=sun, model=dust)
+dust.SetScatteringCoefficient(0.05, 0.05, 0.05)  # [1/m]
+godrays.enable(renderer, light=sun, model=dust, intensity=10)  # as for eyes used to the dark
 
 window = vtk.vtkRenderWindow()
 window.AddRenderer(renderer)
-window.SetSize(400, 300)
+size = sys.argv[2] if len(sys.argv) > 2 else "1280x720"
+window.SetSize([int(each) for each in size.split("x")])
 if len(sys.argv) > 1:
     window.SetMultiSamples(0)
     window.SetOffScreenRendering(True)

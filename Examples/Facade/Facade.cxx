@@ -76,6 +76,7 @@ private:
 
 int main(int argc, char* argv[])
 {
+  const auto size = TakeSize(argc, argv);
   // A wall of 12.8 m by 7.6 m; eight windows of 1.2 m by 2 m, with bars before their panes.
   Boxes wall, panes;
   for (const double y : { 0.0, 3.2, 6.4 })
@@ -124,9 +125,9 @@ int main(int argc, char* argv[])
   window->AddRenderer(renderer);
   if (argc > 1 + near)
   {
-    return WritePicture(window, argv[1]);
+    return WritePicture(window, size, argv[1]);
   }
-  window->SetSize(800, 600);
+  window->SetSize(size[0], size[1]);
   vtkNew<vtkRenderWindowInteractor> interactor;
   interactor->SetRenderWindow(window);
   interactor->AddObserver(vtkCommand::KeyPressEvent, &view, &View::OnKey);

@@ -65,8 +65,9 @@ godrays.enable(
 
 window = vtk.vtkRenderWindow()
 window.AddRenderer(renderer)
+size = sys.argv[2] if len(sys.argv) > 2 + near else "1280x720"
+window.SetSize([int(each) for each in size.split("x")])
 if len(sys.argv) > 1 + near:
-    window.SetSize(400, 300)
     window.SetMultiSamples(0)
     window.SetOffScreenRendering(True)
     window.Render()
@@ -89,7 +90,6 @@ def press(interactor, event):
         interactor.Render()
 
 
-window.SetSize(800, 600)
 interactor = vtk.vtkRenderWindowInteractor()
 interactor.SetRenderWindow(window)
 interactor.AddObserver("KeyPressEvent", press)

@@ -16,6 +16,7 @@
 
 int main(int argc, char* argv[])
 {
+  const auto size = TakeSize(argc, argv);
   // A colonnade: the ground, a beam and eleven pillars, all boxes.
   vtkNew<vtkAppendPolyData> boxes;
   const auto addBox = [&boxes](double x0, double x1, double y0, double y1, double z0, double z1)
@@ -55,5 +56,5 @@ int main(int argc, char* argv[])
 
   vtkNew<vtkRenderWindow> window;
   window->AddRenderer(renderer);
-  return ShowOrWrite(window, argc, argv);
+  return ShowOrWrite(window, size, argc, argv);
 }

@@ -34,6 +34,7 @@
 
 int main(int argc, char* argv[])
 {
+  const auto size = TakeSize(argc, argv);
   vtkNew<vtkRenderer> renderer;
   auto add = [&](vtkActor* actor, vtkPolyDataMapper* mapper, vtkAlgorithm* source)
   {
@@ -147,6 +148,7 @@ int main(int argc, char* argv[])
   rays->AddLight(sun);
   vtkGodRaysPass::SetRole(flames, vtkGodRaysPass::LIGHT);
   rays->ApplyPreset("low-sun");
+  rays->SetAutomaticExposure(false); // the sky behind says how bright the sun is
   rays->SetIntensity(0.75);
   rays->SetSunAngularRadius(6.0); // the sun is hidden: what shines is the bright sky about it
   rays->SetBackgroundGlow(0.0);
@@ -183,5 +185,5 @@ int main(int argc, char* argv[])
 
   vtkNew<vtkRenderWindow> window;
   window->AddRenderer(renderer);
-  return ShowOrWrite(window, argc - baked, argv, advance);
+  return ShowOrWrite(window, size, argc - baked, argv, advance);
 }

@@ -122,6 +122,7 @@ rays = godrays.enable(
     renderer,
     light=[sun, flames],
     preset="low-sun",
+    automatic_exposure=False,  # the sky behind says how bright the sun is
     intensity=0.75,
     sun_angular_radius=6,  # the sun is hidden: what shines is the bright sky about it
     background_glow=0,
@@ -154,7 +155,8 @@ if baked:
 
 window = vtk.vtkRenderWindow()
 window.AddRenderer(renderer)
-window.SetSize(400, 300)
+size = sys.argv[2] if len(sys.argv) > 2 + baked else "1280x720"
+window.SetSize([int(each) for each in size.split("x")])
 if len(sys.argv) > 1 + baked:
     window.SetMultiSamples(0)
     window.SetOffScreenRendering(True)

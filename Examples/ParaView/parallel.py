@@ -31,6 +31,7 @@ ball.Ambient, ball.Diffuse = 1.0, 0.0
 
 view.LightSource = "What is tagged as a light"
 ball.GodRaysRole = "Light"
+view.BackgroundGlowFalloff = 20  # degrees: all the gaps about the ball shine
 view.CameraPosition = [55, 25, 70]
 view.CameraFocalPoint = [0, 0, 0]
 SaveScreenshot(picture, view)

@@ -16,6 +16,7 @@
 
 int main(int argc, char* argv[])
 {
+  const auto size = TakeSize(argc, argv);
   // The unit is 1000 km, the planet's centre the origin. The sun is above the equator, along y.
   const double radius = 6.36;
   vtkNew<vtkRenderer> renderer;
@@ -57,5 +58,5 @@ int main(int argc, char* argv[])
 
   vtkNew<vtkRenderWindow> window;
   window->AddRenderer(renderer);
-  return ShowOrWrite(window, argc, argv);
+  return ShowOrWrite(window, size, argc, argv);
 }

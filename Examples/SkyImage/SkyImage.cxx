@@ -6,6 +6,8 @@
 #include "vtkGodRaysSkySource.h"
 #include "vtkGodRaysSunPosition.h"
 #include "vtkGodRaysToneMappingFilter.h"
+#include "vtkImageEllipsoidSource.h"
+#include "vtkImageMask.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 
@@ -98,5 +100,18 @@ int main(int argc, char* argv[])
   vtkNew<vtkGodRaysToneMappingFilter> shown;
   shown->SetInputConnection(sky->GetOutputPort());
   shown->SetKey(0.36); // a bright picture
-  return Write(vtkNew<vtkPNGWriter>(), shown, output);
+  if (sky->GetMapping() == vtkGodRaysSkySource::EQUIRECTANGULAR)
+  {
+    return Write(vtkNew<vtkPNGWriter>(), shown, output);
+  }
+  // The corners, which look down, are black.
+  const int size = sky->GetResolution();
+  vtkNew<vtkImageEllipsoidSource> circle;
+  circle->SetWholeExtent(0, size - 1, 0, size - 1, 0, 0);
+  circle->SetCenter(0.5 * (size - 1), 0.5 * (size - 1), 0.0);
+  circle->SetRadius(0.5 * size, 0.5 * size, 1.0);
+  vtkNew<vtkImageMask> upper;
+  upper->SetInputConnection(0, shown->GetOutputPort());
+  upper->SetInputConnection(1, circle->GetOutputPort());
+  return Write(vtkNew<vtkPNGWriter>(), upper, output);
 }

@@ -52,6 +52,16 @@ else:
     shown = godrays.vtkGodRaysToneMappingFilter()
     shown.SetInputConnection(sky.GetOutputPort())
     shown.SetKey(0.36)  # a bright picture
+    if sky.GetMapping() != sky.EQUIRECTANGULAR:  # The corners, which look down, are black.
+        size = sky.GetResolution()
+        circle = vtk.vtkImageEllipsoidSource()
+        circle.SetWholeExtent(0, size - 1, 0, size - 1, 0, 0)
+        circle.SetCenter((size - 1) / 2, (size - 1) / 2, 0)
+        circle.SetRadius(size / 2, size / 2, 1)
+        upper = vtk.vtkImageMask()
+        upper.SetInputConnection(0, shown.GetOutputPort())
+        upper.SetInputConnection(1, circle.GetOutputPort())
+        shown = upper
     writer = vtk.vtkPNGWriter()
     writer.SetInputConnection(shown.GetOutputPort())
 writer.SetFileName(output)

@@ -79,6 +79,7 @@ private:
 
 int main(int argc, char* argv[])
 {
+  const auto size = TakeSize(argc, argv);
   const bool writes = argc > 1 && vtksys::SystemTools::StringEndsWith(argv[1], ".png");
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkRenderWindow> window;
@@ -139,15 +140,16 @@ int main(int argc, char* argv[])
     model->SetDensity(0.8);
     model->SetWeight(0.8);
   }
+  stage.Rays->SetAutomaticExposure(false); // which would make up for what the sliders do
   stage.Rays->SetModel(stage.Sliders.Model);
   stage.Rays->SetBackgroundGlow(0.1);
   stage.Rays->Attach(renderer);
 
   if (writes)
   {
-    return WritePicture(window, argv[1]);
+    return WritePicture(window, size, argv[1]);
   }
-  window->SetSize(800, 600);
+  window->SetSize(size[0], size[1]);
   window->SetMultiSamples(0); // with them, software OpenGL takes three times as long
   vtkNew<vtkRenderWindowInteractor> interactor;
   interactor->SetRenderWindow(window);

@@ -3,6 +3,7 @@
 """A statue before a sphere of light and a galaxy; five sliders hold the parameters of the sum."""
 
 import math
+import re
 import sys
 
 import godrays
@@ -17,6 +18,8 @@ PARAMETERS = {
 
 arguments = sys.argv[1:]
 picture = arguments.pop(0) if arguments and arguments[0].endswith(".png") else None
+is_sized = arguments and re.fullmatch(r"\d+x\d+", arguments[0])
+width, height = map(int, (arguments.pop(0) if is_sized else "1280x720").split("x"))
 renderer = vtk.vtkRenderer()
 window = vtk.vtkRenderWindow()
 window.AddRenderer(renderer)
@@ -83,8 +86,8 @@ for each in published, model:
         exposure=0.05, decay=0.98, density=0.8, weight=0.8,  # as published, but for the decay
     )  # fmt: skip
 
+window.SetSize(width, height)
 if picture:
-    window.SetSize(400, 300)
     window.SetMultiSamples(0)
     window.SetOffScreenRendering(True)
     window.Render()
@@ -98,7 +101,6 @@ if picture:
     writer.Write()
     sys.exit()
 
-window.SetSize(800, 600)
 window.SetMultiSamples(0)  # with them, software OpenGL takes three times as long
 interactor = vtk.vtkRenderWindowInteractor()
 interactor.SetRenderWindow(window)

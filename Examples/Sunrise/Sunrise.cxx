@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A short day over a terrain, from dawn to dusk, the camera turning with the sun.
-// Usage: Sunrise [picture.png | film.ogv] [elevations.vti] [number of frames]
+// Usage: Sunrise [picture.png | film.ogv] [1280x720] [elevations.vti] [number of frames]
 
 #include "../ExampleWindow.h"
 #include "WriteFilm.h"
@@ -45,6 +45,7 @@ bool EndsWith(const std::string& text, const std::string& end)
 
 int main(int argc, char* argv[])
 {
+  const auto size = TakeSize(argc, argv);
   std::string output;
   std::string elevations;
   int frames = 120;
@@ -141,6 +142,7 @@ int main(int argc, char* argv[])
   vtkNew<vtkGodRaysPass> rays;
   rays->AddLight(sun);
   rays->ApplyPreset("low-sun");
+  rays->SetAutomaticExposure(false); // the sky behind says how bright the sun is
   rays->SetIntensity(2.0);
   rays->SetBackgroundGlowFalloff(10.0);
   rays->Attach(renderer);
@@ -199,9 +201,9 @@ int main(int argc, char* argv[])
            << day->GetElevation() << " degrees high";
       return text.str();
     };
-    return WriteFilm(window, output.substr(0, output.size() - 4), frames, show);
+    return WriteFilm(window, size, output.substr(0, output.size() - 4), frames, show);
   }
   auto advance = [&]() { setTime(day->GetTimeOfDay() < dusk ? day->GetTimeOfDay() + 0.02 : dawn); };
   char* arguments[] = { argv[0], &output[0] };
-  return ShowOrWrite(window, output.empty() ? 1 : 2, arguments, advance);
+  return ShowOrWrite(window, size, output.empty() ? 1 : 2, arguments, advance);
 }

@@ -2,21 +2,24 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Sunrise: a short day over a terrain, from dawn to dusk, the camera turning with the sun.
 
-Usage: Sunrise.py [picture.png | film.ogv] [elevations.vti] [number of frames]
+Usage: Sunrise.py [picture.png | film.ogv] [1280x720] [elevations.vti] [number of frames]
 """
 
 import math
+import re
 import sys
 
 import godrays
 import vtkmodules.all as vtk
 
-output, elevations, frames = None, None, 120
+output, size, elevations, frames = None, "1280x720", None, 120
 for argument in sys.argv[1:]:
     if argument.endswith((".png", ".ogv")):
         output = argument
     elif argument.endswith(".vti"):
         elevations = argument
+    elif re.fullmatch(r"\d+x\d+", argument):
+        size = argument
     elif argument.isdigit() and int(argument) > 0:
         frames = int(argument)
     else:
@@ -74,7 +77,12 @@ sky.SetOrigin((west + east) / 2, (south + north) / 2, low)
 zenith = godrays.vtkGodRaysSkySource()
 zenith.SetSun(sky.GetSun())
 rays = godrays.enable(
-    renderer, light=sun, preset="low-sun", intensity=2, background_glow_falloff=10
+    renderer,
+    light=sun,
+    preset="low-sun",
+    automatic_exposure=False,  # the sky behind says how bright the sun is
+    intensity=2,
+    background_glow_falloff=10,
 )
 
 day = godrays.vtkGodRaysSunPosition()  # at Jacksboro, Tennessee
@@ -114,7 +122,7 @@ def set_time(hours):
 set_time(day.GetSunrise() + 0.5)
 window = vtk.vtkRenderWindow()
 window.AddRenderer(renderer)
-window.SetSize(400, 300)
+window.SetSize([int(each) for each in size.split("x")])
 picture = vtk.vtkWindowToImageFilter()
 picture.SetInput(window)
 picture.ReadFrontBufferOff()

@@ -14,6 +14,7 @@
 #include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <functional>
 #include <iomanip>
@@ -26,10 +27,10 @@
  * frame, show() makes the scene what it is at a time from 0 to 1, and says what to tell the user.
  * Returns the program's exit status.
  */
-inline int WriteFilm(vtkRenderWindow* window, const std::string& name, int frames,
-  const std::function<std::string(double)>& show)
+inline int WriteFilm(vtkRenderWindow* window, std::array<int, 2> size, const std::string& name,
+  int frames, const std::function<std::string(double)>& show)
 {
-  window->SetSize(400, 300);
+  window->SetSize(size[0], size[1]);
   window->SetMultiSamples(0);
   window->SetOffScreenRendering(true);
   vtkNew<vtkWindowToImageFilter> picture;

@@ -27,6 +27,7 @@ vtkSmartPointer<vtkActor> AddActor(vtkRenderer* renderer, vtkAlgorithm* shape)
 
 int main(int argc, char* argv[])
 {
+  const auto size = TakeSize(argc, argv);
   vtkNew<vtkRenderer> renderer;
   renderer->GetActiveCamera()->SetPosition(0.0, 1.6, 7.5);
   renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.1, 0.0);
@@ -55,5 +56,5 @@ int main(int argc, char* argv[])
 
   vtkNew<vtkRenderWindow> window;
   window->AddRenderer(renderer);
-  return ShowOrWrite(window, argc, argv);
+  return ShowOrWrite(window, size, argc, argv);
 }

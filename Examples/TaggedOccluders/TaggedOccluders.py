@@ -40,7 +40,8 @@ rays = godrays.enable(renderer, light=lamp, occluders=[lantern], untagged_props_
 rays.SetBackgroundGlow(0.05)
 window = vtk.vtkRenderWindow()
 window.AddRenderer(renderer)
-window.SetSize(400, 300)
+size = sys.argv[2] if len(sys.argv) > 2 else "1280x720"
+window.SetSize([int(each) for each in size.split("x")])
 if len(sys.argv) > 1:
     window.SetMultiSamples(0)
     window.SetOffScreenRendering(True)

@@ -11,11 +11,13 @@
 #include "vtkGodRaysPass.h"
 #include "vtkLight.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShrinkPolyData.h"
 
 int main(int argc, char* argv[])
 {
+  const auto size = TakeSize(argc, argv);
   vtkNew<vtkDiskSource> rose;
   rose->SetInnerRadius(0.6);
   rose->SetOuterRadius(3.0);
@@ -35,6 +37,8 @@ int main(int argc, char* argv[])
   mapper->SetInputConnection(parts->GetOutputPort());
   vtkNew<vtkActor> facade;
   facade->SetMapper(mapper);
+  facade->GetProperty()->SetColor(0.35, 0.4, 0.55);
+  facade->GetProperty()->SetAmbient(0.08);
 
   vtkNew<vtkLight> sun; // it shines from its position towards the origin
   sun->SetPosition(0.05, 0.1, -1.0);
@@ -48,12 +52,13 @@ int main(int argc, char* argv[])
     renderers[i]->SetViewport(0.5 * i, 0.0, 0.5 + 0.5 * i, 1.0);
     renderers[i]->AddActor(facade);
     renderers[i]->AddLight(sun);
-    renderers[i]->GetActiveCamera()->SetPosition(3.0 * i - 0.5, -1.0, 12.0);
+    renderers[i]->SetBackground(0.2, 0.26, 0.42);
+    renderers[i]->GetActiveCamera()->SetPosition(-2.0 * i - 0.5, 1.5 * i - 1.0, 12.0 + 2.0 * i);
     renderers[i]->GetActiveCamera()->SetViewAngle(45.0);
     window->AddRenderer(renderers[i]);
     rays[i]->ApplyPreset(looks[i]);
     rays[i]->AddLight(sun);
     rays[i]->Attach(renderers[i]);
   }
-  return ShowOrWrite(window, argc, argv);
+  return ShowOrWrite(window, size, argc, argv);
 }

@@ -11,6 +11,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkOpenGLSphereMapper.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -207,7 +208,9 @@ void Coloring::Apply(const ColorArray& choice, vtkActor* actor) const
     }
     mapper->SetLookupTable(colors);
     mapper->UseLookupTableScalarRangeOn();
-    mapper->SetInterpolateScalarsBeforeMapping(!choice.OfCells);
+    // Spheres are drawn in colours of their vertices alone.
+    mapper->SetInterpolateScalarsBeforeMapping(
+      !choice.OfCells && !vtkOpenGLSphereMapper::SafeDownCast(mapper));
     mapper->SetColorModeToMapScalars();
   }
 }

@@ -3,9 +3,12 @@
 #include "Files.h"
 
 #include "Failure.h"
+#include "GltfFile.h"
 #include "Messages.h"
 #include "ObjMaterials.h"
+#include "PlyStrips.h"
 #include "Progress.h"
+#include "UpAxis.h"
 
 #include "vtk3DSImporter.h"
 #include "vtkActor.h"
@@ -61,6 +64,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <limits>
 #include <map>
 #include <unistd.h>
 
@@ -142,14 +146,6 @@ void ReadData(const std::string& path, FileContents& contents)
 }
 
 //------------------------------------------------------------------------------
-template <typename Reader>
-void ReadDataYUp(const std::string& path, FileContents& contents)
-{
-  ReadData<Reader>(path, contents);
-  contents.Up = 'Y';
-}
-
-//------------------------------------------------------------------------------
 /**
  * Materials that reflect their surroundings are black where there are none: keep their colours.
  */
@@ -214,18 +210,14 @@ std::uint32_t ReadLittleEndian(const std::string& path, std::streamoff position)
 //------------------------------------------------------------------------------
 void ReadGltf(const std::string& path, FileContents& contents)
 {
-  Import<vtkGLTFImporter>(path, contents);
-  contents.Up = 'Y';
-}
-
-//------------------------------------------------------------------------------
-void ReadGlb(const std::string& path, FileContents& contents)
-{
-  if (ReadLittleEndian(path, 8) > fs::file_size(path))
+  const GltfFile file(path);
+  for (const std::string& name : file.GetMissingPictures())
   {
-    throw Failure(path + ": is shorter than it says; copy it again");
+    contents.Notes.push_back(path + ": its picture " + name +
+      " is missing, so there is a plain colour; put the picture where the file looks for it");
   }
-  ReadGltf(path, contents);
+  Import<vtkGLTFImporter>(file.GetPathToRead(), contents);
+  contents.Up = 'Y';
 }
 
 //------------------------------------------------------------------------------
@@ -245,9 +237,24 @@ void ReadStl(const std::string& path, FileContents& contents)
 }
 
 //------------------------------------------------------------------------------
+/**
+ * Of types in which Y usually points up, and Z does in some files.
+ */
+void GuessUp(FileContents& contents)
+{
+  const std::string reason = GetReasonForZUp(vtkPolyData::SafeDownCast(contents.DataSets.front()));
+  contents.Up = reason.empty() ? 'Y' : 'Z';
+  if (!reason.empty())
+  {
+    contents.UpNote = contents.Path + ": taken for one in which Z points up, as " + reason +
+      "; --up Y if it is not so";
+  }
+}
+
+//------------------------------------------------------------------------------
 void ReadObj(const std::string& path, FileContents& contents)
 {
-  ReadDataYUp<vtkOBJReader>(path, contents);
+  ReadData<vtkOBJReader>(path, contents);
   auto* data = vtkPolyData::SafeDownCast(contents.DataSets.front());
   data->GetCellData()->RemoveArray("MaterialIds"); // numbers are nothing to colour by
   data->GetCellData()->RemoveArray("GroupIds");
@@ -256,6 +263,22 @@ void ReadObj(const std::string& path, FileContents& contents)
   {
     data->GetCellData()->SetScalars(colors);
   }
+  GuessUp(contents);
+}
+
+//------------------------------------------------------------------------------
+void ReadPly(const std::string& path, FileContents& contents)
+{
+  ReadData<vtkPLYReader>(path, contents);
+  auto* data = vtkPolyData::SafeDownCast(contents.DataSets.front());
+  const auto strips = ReadPlyStrips(path);
+  if (strips->GetNumberOfCells() > 0)
+  {
+    data->GetCellData()->Initialize(); // has values for faces alone
+    data->SetStrips(strips);
+    CheckCells(path, data);
+  }
+  GuessUp(contents);
 }
 
 //------------------------------------------------------------------------------
@@ -300,11 +323,13 @@ void ReadDem(const std::string& path, FileContents& contents)
 //------------------------------------------------------------------------------
 void ReadNrrd(const std::string& path, FileContents& contents)
 {
-  // VTK reads for ever in a header that has no end.
+  // VTK reads for ever in a header that has no end, or that does not say how many sizes it has.
   std::ifstream file(path);
   bool ends = false;
+  int dimension = 0;
   for (std::string line; !ends && std::getline(file, line);)
   {
+    std::sscanf(line.c_str(), "dimension: %d", &dimension);
     ends = line.empty() || line == "\r" || line.rfind("data file:", 0) == 0 ||
       line.rfind("datafile:", 0) == 0;
   }
@@ -312,7 +337,43 @@ void ReadNrrd(const std::string& path, FileContents& contents)
   {
     throw Failure(path + ": ends before its data; copy it again");
   }
+  if (dimension < 1)
+  {
+    throw Failure(path + ": says no dimension; it is damaged, or not what its name says");
+  }
   ReadData<vtkNrrdReader>(path, contents);
+}
+
+//------------------------------------------------------------------------------
+void ReadPnm(const std::string& path, FileContents& contents)
+{
+  // VTK reads for ever in a header that ends.
+  std::ifstream file(path, std::ios::binary);
+  std::string word;
+  file >> word;
+  const bool isPnm = word.size() == 2 && word[0] == 'P' && word[1] >= '1' && word[1] <= '6';
+  int numbers =
+    isPnm && (word[1] == '1' || word[1] == '4') ? 2 : 3; // one of two colours has no range
+  while (isPnm && numbers > 0 && file >> word)
+  {
+    if (word[0] == '#')
+    {
+      file.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+    }
+    else if (word.find_first_not_of("0123456789") == std::string::npos)
+    {
+      --numbers;
+    }
+    else
+    {
+      break;
+    }
+  }
+  if (!isPnm || numbers > 0)
+  {
+    throw Failure(path + ": says no size of a picture; it is damaged, or not what its name says");
+  }
+  ReadData<vtkPNMReader>(path, contents);
 }
 
 //------------------------------------------------------------------------------
@@ -351,7 +412,7 @@ const std::map<std::string, ReadFunction>& Types()
     { ".bmp", ReadData<vtkBMPReader> },
     { ".byu", ReadData<vtkBYUReader> },
     { ".dem", ReadDem },
-    { ".glb", ReadGlb },
+    { ".glb", ReadGltf },
     { ".gltf", ReadGltf },
     { ".hdr", ReadHdr },
     { ".jpeg", ReadData<vtkJPEGReader> },
@@ -362,10 +423,10 @@ const std::map<std::string, ReadFunction>& Types()
     { ".nii", ReadData<vtkNIFTIImageReader> },
     { ".nrrd", ReadNrrd },
     { ".obj", ReadObj },
-    { ".pgm", ReadData<vtkPNMReader> },
-    { ".ply", ReadDataYUp<vtkPLYReader> },
+    { ".pgm", ReadPnm },
+    { ".ply", ReadPly },
     { ".png", ReadData<vtkPNGReader> },
-    { ".ppm", ReadData<vtkPNMReader> },
+    { ".ppm", ReadPnm },
     { ".pvti", ReadData<vtkXMLPImageDataReader> },
     { ".pvtp", ReadData<vtkXMLPPolyDataReader> },
     { ".pvtr", ReadData<vtkXMLPRectilinearGridReader> },
@@ -437,10 +498,13 @@ const ReadFunction& CheckFile(const std::string& path)
  */
 std::string FindError(const Messages& messages)
 {
-  const auto errors = messages.GetErrors();
-  if (!errors.empty())
+  for (const std::string& error : messages.GetErrors())
   {
-    return errors.front();
+    // SimplifyMaterial() removes the textures that this is about.
+    if (error.find("texture is not in linear color space") == std::string::npos)
+    {
+      return error;
+    }
   }
   for (const std::string& warning : messages.GetWarnings())
   {

@@ -23,7 +23,9 @@ struct FileContents
   std::vector<vtkSmartPointer<vtkDataSet>> DataSets; ///< the leaves, in the file's order
   std::vector<vtkSmartPointer<vtkActor>> Actors;     ///< parts that have their own materials
   Georeference Place;                                ///< how an elevation picture lies on the earth
-  char Up = 'Z';                                     ///< the axis that usually points up
+  char Up = 'Z';                                     ///< the axis that points up
+  std::vector<std::string> Notes;                    ///< sentences for the user, none in most files
+  std::string UpNote; ///< another one, if Up was guessed from the data
 };
 
 /**

@@ -65,7 +65,8 @@ std::string OneLine(std::string text)
     const bool space = std::isspace(static_cast<unsigned char>(letter));
     if (!space)
     {
-      line += letter;
+      // What a damaged file has in the place of a word is not for terminals.
+      line += std::iscntrl(static_cast<unsigned char>(letter)) ? '?' : letter;
     }
     else if (!line.empty() && line.back() != ' ')
     {

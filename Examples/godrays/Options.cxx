@@ -156,20 +156,23 @@ void AddRayOptions(Parser& parser, Options& options)
   parser.Group = "Rays";
   parser.AddCall("--preset", "NAME", "A named look or medium: see --list-presets",
     [&options](const std::string& text) { options.Preset = text; });
-  parser.Add("--intensity", options.Intensity, 0.0, 1e4, "Factor on all rays (1.7)");
+  parser.Add("--intensity", options.Intensity, 0.0, 1e4,
+    "Factor on all rays, beside the one that suits the picture");
   parser.Add("--density", options.Density, 0.0, 2.0, "Length of the rays, to the light at 1");
   parser.Add(
     "--decay", options.Decay, 0.0, 1.05, "What remains of the light from sample to sample");
-  parser.Add("--weight", options.Weight, 0.0, 100.0, "Weight of each sample");
+  parser.Add("--weight", options.Weight, 0.0, 100.0,
+    "Weight of each sample; with it or --exposure, the picture chooses no strength");
   parser.Add("--exposure", options.Exposure, 0.0, 100.0, "Factor on the sum of the samples");
   parser.Add("--glow", options.Glow, 0.0, 1.0,
     "Radiance of the open background about the light, as a fraction of the light's (0.6)");
   parser.Add("--glow-angle", options.GlowAngle, 0.0, 180.0,
     "Angle from the light over which that glow falls to 0, in degrees (5, of a lamp 14)");
   parser.Add("--optical-depth", options.OpticalDepth, 1e-6, 100.0,
-    "How thick a medium is across the scene, in green: 1 lets a third of the light through");
+    "How thick a medium is across the scene, in green: 1 lets a third of the light through (0.15 "
+    "to 0.7)");
   parser.Add("--world-unit", options.WorldUnit, 1e-12, 1e12,
-    "How long the scene's unit is in metres, for a medium or --sky (1)");
+    "How long the scene's unit is in metres; a medium is as dense as suits the scene without it");
   parser.Add("--tolerance", options.Tolerance, 1e-6, 0.1,
     "Error that the rays may have, as a fraction of the brightest possible");
   parser.App
@@ -198,7 +201,8 @@ void AddCameraOptions(Parser& parser, Options& options)
   parser.Add("--view-angle", options.ViewAngle, 1.0, 170.0, "Height of the view in degrees");
   parser.AddFlag("--parallel", options.Parallel, "Parallel projection");
   parser.AddCall("--up", "AXIS",
-    "Axis of the data that points up: X, Y or Z. Y for .obj, .ply, .gltf and .glb, else Z",
+    "Axis of the data that points up: X, Y or Z. Y for .gltf and .glb, guessed from the extents of "
+    ".obj and .ply, else Z",
     [&options](const std::string& text)
     {
       const std::string axes = "XYZ";

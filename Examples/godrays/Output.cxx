@@ -3,7 +3,6 @@
 #include "Output.h"
 
 #include "Failure.h"
-#include "Presets.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkGodRaysPass.h"
@@ -47,7 +46,8 @@ struct Session
   vtkRenderWindow* Window;
   vtkRenderer* Renderer;
   vtkGodRaysPass* Rays;
-  std::string Preset; // its name; none at first if none was given
+  std::string Preset; // its name
+  std::function<void(const ::Preset&)> SetPreset;
   bool Attached = true;
 
   void SwitchRays()
@@ -66,12 +66,13 @@ struct Session
   void TakeNextPreset()
   {
     const auto& presets = GetPresets();
-    const auto next = std::find_if(presets.begin(), presets.end(),
+    const auto now = std::find_if(presets.begin(), presets.end(),
       [this](const ::Preset& preset) { return preset.Name == this->Preset; });
-    const ::Preset& preset =
-      next == presets.end() || next + 1 == presets.end() ? presets.front() : *(next + 1);
+    const auto next = std::find_if(now == presets.end() ? now : now + 1, presets.end(),
+      [](const ::Preset& preset) { return !preset.IsPublished; });
+    const ::Preset& preset = next == presets.end() ? presets.front() : *next;
     this->Preset = preset.Name;
-    this->Rays->ApplyPreset(preset.Name.c_str());
+    this->SetPreset(preset);
     this->Window->SetWindowName(("godrays: " + preset.Name).c_str());
   }
 
@@ -106,7 +107,7 @@ struct Session
 }
 
 //------------------------------------------------------------------------------
-void CheckOutput(const std::string& path)
+void CheckOutput(const std::string& path, const std::vector<std::string>& inputs)
 {
   const std::string extension = GetExtension(path);
   if (extension != ".png" && extension != ".jpg" && extension != ".jpeg")
@@ -125,11 +126,20 @@ void CheckOutput(const std::string& path)
   {
     throw Failure("--output: " + path + " is a directory; give the name of a file");
   }
-  const fs::path& written = fs::exists(path, error) ? fs::path(path) : folder;
-  if (access(written.c_str(), W_OK) != 0)
+  for (const fs::path& written : { folder, fs::path(path) })
   {
-    throw Failure("--output: " + written.string() +
-      " may not be written; change its permissions, or write elsewhere");
+    if (fs::exists(written, error) && access(written.c_str(), W_OK) != 0)
+    {
+      throw Failure("--output: " + written.string() +
+        " may not be written; change its permissions, or write elsewhere");
+    }
+  }
+  for (const std::string& input : inputs)
+  {
+    if (fs::equivalent(path, input, error))
+    {
+      throw Failure("--output: " + path + " is a file to be read; give the picture another name");
+    }
   }
 }
 
@@ -176,26 +186,37 @@ void WritePicture(vtkRenderWindow* window, const std::string& path)
   {
     writer = vtkSmartPointer<vtkJPEGWriter>::New();
   }
-  writer->SetInputConnection(picture->GetOutputPort());
-  writer->SetFileName(path.c_str());
-  writer->Write();
+  // Beside it at first, so that what is there is a whole picture at any time.
   std::error_code error;
-  const auto size = fs::file_size(path, error);
-  if (writer->GetErrorCode() != 0 || error || size == 0)
+  const fs::path final = fs::weakly_canonical(path, error);
+  const fs::path part =
+    final.parent_path() / ("." + std::to_string(getpid()) + "-" + final.filename().string());
+  writer->SetInputConnection(picture->GetOutputPort());
+  writer->SetFileName(part.c_str());
+  writer->Write();
+  const auto size = fs::file_size(part, error);
+  bool isWritten = writer->GetErrorCode() == 0 && !error && size > 0;
+  if (isWritten)
   {
+    fs::rename(part, final, error);
+    isWritten = !error;
+  }
+  if (!isWritten)
+  {
+    fs::remove(part, error);
     throw Failure("--output: " + path + " could not be written; is the disk full?");
   }
 }
 
 //------------------------------------------------------------------------------
-void Interact(
-  vtkRenderWindow* window, vtkRenderer* renderer, vtkGodRaysPass* rays, const std::string& preset)
+void Interact(vtkRenderWindow* window, vtkRenderer* renderer, vtkGodRaysPass* rays,
+  const Preset& preset, const std::function<void(const Preset&)>& setPreset)
 {
   vtkNew<vtkRenderWindowInteractor> interactor;
   vtkNew<vtkInteractorStyleTrackballCamera> style;
   interactor->SetInteractorStyle(style);
   interactor->SetRenderWindow(window);
-  Session session{ window, renderer, rays, preset, renderer->GetPass() == rays };
+  Session session{ window, renderer, rays, preset.Name, setPreset, renderer->GetPass() == rays };
   vtkNew<vtkCallbackCommand> command;
   command->SetClientData(&session);
   command->SetCallback(

@@ -8,16 +8,21 @@
 #define Output_h
 
 #include "Options.h"
+#include "Presets.h"
+
+#include <functional>
+#include <string>
+#include <vector>
 
 class vtkGodRaysPass;
 class vtkRenderWindow;
 class vtkRenderer;
 
 /**
- * Throws Failure when the file's folder is missing or may not be written, or when its extension is
- * none that can be written.
+ * Throws Failure when the file's folder is missing or may not be written, when its extension is none that
+ * can be written, or when it is one of the files to be read.
  */
-void CheckOutput(const std::string& path);
+void CheckOutput(const std::string& path, const std::vector<std::string>& inputs);
 
 /**
  * Throws Failure when there is no display that can draw. VTK ends the program then.
@@ -25,14 +30,14 @@ void CheckOutput(const std::string& path);
 void CheckDisplay();
 
 /**
- * Write what the window shows. Throws Failure when that fails.
+ * Write what the window shows. Throws Failure when that fails; a file that was there is then as it was.
  */
 void WritePicture(vtkRenderWindow* window, const std::string& path);
 
 /**
- * Let the user look around until the window is closed.
+ * Let the user look around until the window is closed, and set another look or medium than this one.
  */
-void Interact(
-  vtkRenderWindow* window, vtkRenderer* renderer, vtkGodRaysPass* rays, const std::string& preset);
+void Interact(vtkRenderWindow* window, vtkRenderer* renderer, vtkGodRaysPass* rays,
+  const Preset& preset, const std::function<void(const Preset&)>& setPreset);
 
 #endif

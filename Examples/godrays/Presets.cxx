@@ -6,6 +6,7 @@
 
 #include "vtkGodRaysMediumModel.h"
 #include "vtkGodRaysPresets.h"
+#include "vtkGodRaysPublishedModel.h"
 #include "vtkSmartPointer.h"
 
 //------------------------------------------------------------------------------
@@ -19,7 +20,8 @@ const std::vector<Preset>& GetPresets()
       const char* name = vtkGodRaysPresets::GetPresetName(i);
       const auto model = vtk::TakeSmartPointer(vtkGodRaysPresets::NewModel(name));
       all.push_back({ name, vtkGodRaysPresets::GetPresetDescription(i),
-        vtkGodRaysMediumModel::SafeDownCast(model) != nullptr });
+        vtkGodRaysMediumModel::SafeDownCast(model) != nullptr,
+        vtkGodRaysPublishedModel::SafeDownCast(model) != nullptr });
     }
     return all;
   }();

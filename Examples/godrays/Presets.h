@@ -15,10 +15,11 @@ struct Preset
   std::string Name;
   std::string Description;
   bool IsMedium;
+  bool IsPublished; // somebody else's formulation
 };
 
 /**
- * All of them, looks first.
+ * All of them, looks first, of which the first is the usual one.
  */
 const std::vector<Preset>& GetPresets();
 

@@ -11,10 +11,12 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkContourFilter.h"
 #include "vtkDataSetSurfaceFilter.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkImageMagnitude.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkOpenGLSphereMapper.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -23,15 +25,67 @@
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkSmartVolumeMapper.h"
+#include "vtkStaticPointLocator.h"
 #include "vtkVertexGlyphFilter.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace
 {
+//------------------------------------------------------------------------------
+bool IsOfPoints(vtkPolyData* data)
+{
+  return data->GetNumberOfVerts() > 0 && data->GetNumberOfVerts() == data->GetNumberOfCells();
+}
+
+//------------------------------------------------------------------------------
+/**
+ * A radius with which spheres at the points of a surface cover it, and those of a sparse cloud are
+ * to be seen.
+ */
+double ChooseRadius(vtkPolyData* cloud)
+{
+  // The sixth neighbour is 1.4 times as far as points of a surface are from each other.
+  constexpr int neighbor = 6;
+  constexpr double ofItsDistance = 0.35;
+  constexpr vtkIdType enough = 1000;
+  constexpr double least = 1e-3; // of the diagonal: a pixel
+  constexpr double most = 0.02;
+  vtkNew<vtkStaticPointLocator> locator;
+  locator->SetDataSet(cloud);
+  locator->BuildLocator();
+  vtkNew<vtkIdList> near;
+  std::vector<double> distances;
+  const vtkIdType count = cloud->GetNumberOfPoints();
+  for (vtkIdType i = 0; i < count; i += 1 + count / enough)
+  {
+    double point[3];
+    cloud->GetPoint(i, point);
+    locator->FindClosestNPoints(neighbor + 1, point, near);
+    double other[3];
+    cloud->GetPoint(near->GetId(near->GetNumberOfIds() - 1), other);
+    distances.push_back(std::sqrt(vtkMath::Distance2BetweenPoints(point, other)));
+  }
+  const auto median = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), median, distances.end());
+  const double length = cloud->GetLength();
+  return length > 0.0 ? std::clamp(ofItsDistance * *median, least * length, most * length) : most;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyDataMapper> MakeSphereMapper(vtkPolyData* cloud)
+{
+  auto mapper = vtkSmartPointer<vtkOpenGLSphereMapper>::New();
+  mapper->SetInputData(cloud);
+  mapper->SetRadius(static_cast<float>(ChooseRadius(cloud)));
+  return mapper;
+}
+
 //------------------------------------------------------------------------------
 /**
  * Makes props of files. Colours are given last, when the range of all values is known.
@@ -54,6 +108,11 @@ public:
     }
     for (const auto& actor : file.Actors)
     {
+      auto* data = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput());
+      if (data && IsOfPoints(data))
+      {
+        actor->SetMapper(MakeSphereMapper(data));
+      }
       this->Result.NumberOfCells += actor->GetMapper()->GetInput()->GetNumberOfCells();
       this->Result.Props.emplace_back(actor);
     }
@@ -189,8 +248,12 @@ private:
       return;
     }
     this->Result.NumberOfCells += surface->GetNumberOfCells();
-    vtkNew<vtkPolyDataMapper> mapper;
+    vtkSmartPointer<vtkPolyDataMapper> mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
     mapper->SetInputData(surface);
+    if (IsOfPoints(surface))
+    {
+      mapper = MakeSphereMapper(surface);
+    }
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
     vtkProperty* property = actor->GetProperty();
@@ -343,6 +406,14 @@ private:
     {
       throw Failure("a coordinate is infinite or no number; write the file again");
     }
+    if (this->Result.Bounds.GetMaxLength() > LargestSize ||
+      *std::max_element(bounds, bounds + 6) > LargestSize ||
+      *std::min_element(bounds, bounds + 6) < -LargestSize)
+    {
+      throw Failure(
+        "a coordinate is beyond 1e14, too far for VTK's cameras; write the file again, or in a "
+        "larger unit");
+    }
     if (this->Result.Bounds.GetDiagonalLength() < LeastSize &&
       this->Result.Bounds.GetDiagonalLength() > 0.0)
     {
@@ -352,6 +423,7 @@ private:
   }
 
   static constexpr double LeastSize = 1e-15;
+  static constexpr double LargestSize = 1e14;
 
   const Options& Settings;
   Coloring Colors;

@@ -35,6 +35,18 @@ Vector3 Mix(const Vector3& a, const Vector3& b, double share)
 
 //------------------------------------------------------------------------------
 /**
+ * What is added to a level before it is cut to a whole one, from 0 to 1: all sixteenths in each four by
+ * four pixels, so that a gradient has no bands.
+ */
+double GetDither(vtkIdType column, vtkIdType row)
+{
+  constexpr int order[4][4] = { { 0, 8, 2, 10 }, { 12, 4, 14, 6 }, { 3, 11, 1, 9 },
+    { 15, 7, 13, 5 } };
+  return (order[row % 4][column % 4] + 0.5) / 16.0;
+}
+
+//------------------------------------------------------------------------------
+/**
  * The angles, in degrees, of what is seen at a place of the picture.
  */
 class PictureAngles
@@ -134,13 +146,11 @@ Sky::Sky(vtkRenderer* renderer, const Scene& scene, const Viewpoint& view, doubl
     const auto colon = std::min(options.Background.find(':'), options.Background.size());
     const Vector3 bottom = ParseColor("--background", options.Background.substr(0, colon));
     renderer->SetBackground(bottom.data());
-    if (colon < options.Background.size())
+    if (colon == options.Background.size())
     {
-      const Vector3 top = ParseColor("--background", options.Background.substr(colon + 1));
-      renderer->SetBackground2(top.data());
-      renderer->GradientBackgroundOn();
+      return;
     }
-    return;
+    this->Gradient = { bottom, ParseColor("--background", options.Background.substr(colon + 1)) };
   }
   this->Texture->SetInputData(this->Image);
   this->Texture->InterpolateOn();
@@ -207,12 +217,17 @@ void Sky::Update()
         for (int column = 0; column < columns; ++column)
         {
           const double x = 2.0 * (column + 0.5) / columns - 1.0;
-          const Vector3 color =
-            this->GetColor(angles.GetAngleFromLight(x, y), angles.GetElevation(x, y));
+          const Vector3 color = this->Gradient
+            ? Mix((*this->Gradient)[0], (*this->Gradient)[1], 0.5 * (y + 1.0))
+            : this->GetColor(angles.GetAngleFromLight(x, y), angles.GetElevation(x, y));
           unsigned char* pixel = bytes + 3 * (row * columns + column);
+          const double rounding = GetDither(column, row);
           std::transform(color.begin(), color.end(), pixel,
-            [](double value)
-            { return static_cast<unsigned char>(255.0 * std::clamp(value, 0.0, 1.0) + 0.5); });
+            [rounding](double value)
+            {
+              return static_cast<unsigned char>(
+                std::min(255.0 * std::clamp(value, 0.0, 1.0) + rounding, 255.0));
+            });
         }
       }
     });

@@ -14,6 +14,9 @@
 
 #include "vtkNew.h" // For vtkNew
 
+#include <array>    // For std::array
+#include <optional> // For std::optional
+
 class vtkImageData;
 class vtkRenderer;
 class vtkTexture;
@@ -41,6 +44,8 @@ private:
   Vector3 Up;
   Vector3 LightColor;
   double SunRadius;
+  std::optional<std::array<Vector3, 2>>
+    Gradient; ///< from the lower to the upper edge, instead of a sky
   unsigned long Observer = 0;
   unsigned long CameraTime = 0;
   vtkNew<vtkImageData> Image;

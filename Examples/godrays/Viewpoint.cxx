@@ -18,12 +18,20 @@ constexpr double ViewAngle = 30.0;
 constexpr double TerrainViewAngle = 42.0;
 constexpr double LookAzimuth = 335.0; // a little from the right
 constexpr double Pitch = -6.0;
+constexpr double LowestPitch = -15.0;
+constexpr double HighestPitch = 30.0;
 constexpr double PitchOnFlat = -50.0;
 constexpr double SunBesideCenter = 11.0;
-constexpr double LowestSunOverTerrain = 0.5;
+constexpr double LowestSun = 0.5;        // above the horizon
+constexpr double HighestHorizon = 0.8;   // in the picture, if there is to be a sun above it
+constexpr double SunAbovePicture = 10.0; // elevation
 constexpr double TerrainPitch = -3.0;
 constexpr double ParallelTerrainPitch = -15.0;
 constexpr double LongestShareOfPicture = 0.74;
+constexpr double BestCoverage = 0.3; // of the picture by the data
+constexpr double MostOfWidth = 0.84; // of the picture
+constexpr double MostOfHeight = 0.8;
+constexpr double LeastMargin = 0.07; // of half its width or height
 
 //------------------------------------------------------------------------------
 Vector3 Add(const Vector3& a, double factor, const Vector3& b)
@@ -43,7 +51,11 @@ public:
     scene.Bounds.GetCenter(this->Center.data());
     this->Diagonal = scene.Bounds.GetDiagonalLength();
     this->Diagonal = this->Diagonal > 0.0 ? this->Diagonal : 1.0;
-    this->Angle = options.ViewAngle.value_or(scene.IsTerrain() ? TerrainViewAngle : ViewAngle);
+    // A picture that is higher than wide sees as much in its width.
+    const double tangent = std::tan(0.5 * vtkMath::RadiansFromDegrees(ViewAngle));
+    const double usual =
+      2.0 * vtkMath::DegreesFromRadians(std::atan(tangent / std::min(this->Aspect, 1.0)));
+    this->Angle = options.ViewAngle.value_or(scene.IsTerrain() ? TerrainViewAngle : usual);
   }
 
   Viewpoint Make()
@@ -56,9 +68,23 @@ public:
         this->Data.GetDirection((*this->Settings.Sun)[0], (*this->Settings.Sun)[1]);
     }
     this->PlaceCamera();
+    const bool cameraIsFree = !this->Settings.CameraPosition && !this->Settings.FocalPoint &&
+      !this->Settings.ViewUp && !this->StandsOnTerrain();
+    if (cameraIsFree)
+    {
+      this->FillPicture(this->Result.Camera);
+      if (this->Settings.Sun)
+      {
+        this->GoToSunAtEdge();
+      }
+    }
     if (!this->Settings.Sun && !this->Settings.Light)
     {
       this->ChooseLight(this->Result.Camera, true);
+    }
+    if (cameraIsFree)
+    {
+      this->TurnToLight(this->Result.Camera);
     }
     return this->Result;
   }
@@ -125,6 +151,9 @@ private:
   }
 
   //----------------------------------------------------------------------------
+  bool StandsOnTerrain() const { return this->Data.IsTerrain() && !this->Settings.Parallel; }
+
+  //----------------------------------------------------------------------------
   bool IsFlat() const { return this->Data.GetExtent(this->Data.Up) < 1e-3 * this->Diagonal; }
 
   //----------------------------------------------------------------------------
@@ -169,8 +198,11 @@ private:
     double elevation = 0.0;
     if (this->Settings.Sun && this->GetLightAngles(azimuth, elevation))
     {
-      const double highest = this->Data.IsTerrain() ? 10.0 : 30.0;
-      return std::clamp(elevation - 0.28 * this->Angle, Pitch, highest);
+      // A sun that is higher than such a view has it cannot be in the picture.
+      const double highest = this->Data.IsTerrain() ? 10.0 : HighestPitch;
+      const double pitch =
+        elevation > highest + 0.5 * this->Angle ? Pitch : elevation - 0.28 * this->Angle;
+      return std::clamp(pitch, Pitch, highest);
     }
     return !this->Data.IsTerrain() ? Pitch
       : this->Settings.Parallel    ? ParallelTerrainPitch
@@ -185,7 +217,7 @@ private:
     camera->SetViewUp(this->Data.Up.data());
     camera->SetViewAngle(this->Angle);
     camera->SetParallelProjection(this->Settings.Parallel);
-    if (this->Data.IsTerrain() && !this->Settings.Parallel)
+    if (this->StandsOnTerrain())
     {
       this->StandOnTerrain(camera, azimuth, look);
     }
@@ -194,9 +226,7 @@ private:
       this->ShowWhole(camera, look);
     }
     this->ApplySettings(camera);
-    double bounds[6];
-    this->Data.Bounds.GetBounds(bounds);
-    this->SetClippingRange(camera, bounds);
+    this->SetClippingRange(camera);
     return camera;
   }
 
@@ -289,8 +319,10 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  void SetClippingRange(vtkCamera* camera, const double bounds[6]) const
+  void SetClippingRange(vtkCamera* camera) const
   {
+    double bounds[6];
+    this->Data.Bounds.GetBounds(bounds);
     double position[3];
     double look[3];
     camera->GetPosition(position);
@@ -308,21 +340,195 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  /**
-   * Put the light where the silhouette of the scene has the best gaps. Returns how good that is.
-   */
-  double ChooseLight(vtkCamera* camera, bool use)
+  vtkSmartPointer<vtkGodRaysSunPlacer> FindSun(vtkCamera* camera, double lowest) const
   {
     vtkNew<vtkPropCollection> props;
     for (const auto& prop : this->Data.Props)
     {
       props->AddItem(prop);
     }
-    const double lowest =
-      this->Data.IsTerrain() ? this->FindHeightInPicture(camera, LowestSunOverTerrain) : -1.0;
-    vtkNew<vtkGodRaysSunPlacer> placer;
-    placer->SetLowest(0.5 * (lowest + 1.0));
+    auto placer = vtkSmartPointer<vtkGodRaysSunPlacer>::New();
+    placer->SetLowest(lowest);
     placer->Find(props, camera, this->Aspect);
+    return placer;
+  }
+
+  //----------------------------------------------------------------------------
+  /**
+   * Go to where the data cover as much of the picture as is best, by their silhouette, and are in its
+   * middle; with a given lamp, if that is not far away.
+   */
+  void FillPicture(vtkCamera* camera) const
+  {
+    constexpr int rounds = 2; // from near, things are larger than in proportion
+    for (int i = 0; i < rounds; ++i)
+    {
+      const auto placer = this->FindSun(camera, 0.0);
+      if (placer->GetCoverage() <= 0.0)
+      {
+        return;
+      }
+      double box[4];
+      placer->GetCoveredBounds(box);
+      double lamp[2];
+      if (this->Settings.Light && this->FindLight(camera, lamp))
+      {
+        for (int j = 0; j < 2; ++j)
+        {
+          box[2 * j] = std::min(box[2 * j], 0.5 * (lamp[j] + 1.0));
+          box[2 * j + 1] = std::max(box[2 * j + 1], 0.5 * (lamp[j] + 1.0));
+        }
+      }
+      this->Turn(camera, box[0] + box[1] - 1.0, box[2] + box[3] - 1.0);
+      const double factor = std::min({ std::sqrt(BestCoverage / placer->GetCoverage()),
+        MostOfWidth / (box[1] - box[0]), MostOfHeight / (box[3] - box[2]) });
+      double position[3];
+      double look[3];
+      camera->GetPosition(position);
+      camera->GetDirectionOfProjection(look);
+      const double distance =
+        std::sqrt(vtkMath::Distance2BetweenPoints(position, this->Center.data()));
+      const double way = distance * (1.0 - 1.0 / std::clamp(factor, 0.5, 2.5));
+      if (camera->GetParallelProjection())
+      {
+        camera->SetParallelScale(camera->GetParallelScale() / factor);
+      }
+      else
+      {
+        Vector3 arm;
+        vtkMath::Subtract(this->Center.data(), position, arm.data());
+        vtkMath::Normalize(arm.data());
+        Vector3 focus;
+        camera->GetFocalPoint(focus.data());
+        camera->SetPosition(Add({ position[0], position[1], position[2] }, way, arm).data());
+        camera->SetFocalPoint(Add(focus, way, arm).data());
+      }
+      this->SetClippingRange(camera);
+    }
+  }
+
+  //----------------------------------------------------------------------------
+  /**
+   * Where the light is in the picture, from -1 to 1. Returns whether it is there, or not far out.
+   */
+  bool FindLight(vtkCamera* camera, double place[2]) const
+  {
+    constexpr double farthest = 2.0;
+    const bool isLamp = this->Result.LightIsLamp;
+    const Vector3& light = isLamp ? this->Result.LightPosition : this->Result.LightDirection;
+    double point[4] = { light[0], light[1], light[2], isLamp ? 1.0 : 0.0 };
+    camera->GetCompositeProjectionTransformMatrix(this->Aspect, -1.0, 1.0)
+      ->MultiplyPoint(point, point);
+    place[0] = point[0] / point[3];
+    place[1] = point[1] / point[3];
+    return point[3] > 0.0 && std::abs(place[0]) < farthest && std::abs(place[1]) < farthest;
+  }
+
+  //----------------------------------------------------------------------------
+  /**
+   * Look at the data from where a given sun is seen nearest to the place that is best for one. From
+   * each place that is tried, the data have another edge.
+   */
+  void GoToSunAtEdge()
+  {
+    constexpr int rounds = 4;
+    const double tangent = std::tan(0.5 * vtkMath::RadiansFromDegrees(this->Angle));
+    const double tangents[2] = { tangent * this->Aspect, tangent };
+    vtkSmartPointer<vtkCamera> camera = this->Result.Camera;
+    double nearest = VTK_DOUBLE_MAX;
+    double sun[2];
+    for (int i = 0; i < rounds && this->FindLight(camera, sun); ++i)
+    {
+      const auto placer = this->FindSun(camera, 0.0);
+      double turn[2];
+      for (int j = 0; j < 2; ++j)
+      {
+        const double best = 2.0 * placer->GetPlace()[j] - 1.0;
+        turn[j] = vtkMath::DegreesFromRadians(
+          std::atan(tangents[j] * sun[j]) - std::atan(tangents[j] * best));
+      }
+      const double distance = std::hypot(turn[0], turn[1]);
+      if (distance < nearest)
+      {
+        nearest = distance;
+        this->Result.Camera = camera;
+      }
+      Vector3 look;
+      camera->GetDirectionOfProjection(look.data());
+      double azimuth = 0.0;
+      double pitch = 0.0;
+      this->Data.GetAngles(look, azimuth, pitch);
+      pitch = std::clamp(pitch + turn[1], LowestPitch, HighestPitch);
+      camera = this->MakeCamera(azimuth + turn[0], pitch);
+      this->FillPicture(camera);
+    }
+  }
+
+  //----------------------------------------------------------------------------
+  /**
+   * Have the middle of the picture between the data and the light, so that there is room for the shafts
+   * beside the data.
+   */
+  void TurnToLight(vtkCamera* camera) const
+  {
+    double light[2];
+    if (!this->FindLight(camera, light))
+    {
+      return;
+    }
+    const auto placer = this->FindSun(camera, 0.0);
+    const double* box = placer->GetCoveredBounds();
+    double turn[2];
+    for (int i = 0; i < 2; ++i)
+    {
+      const double low = 2.0 * box[2 * i] - 1.0;
+      const double high = 2.0 * box[2 * i + 1] - 1.0;
+      const double room = 1.0 - LeastMargin;
+      const double middle = 0.5 * (0.5 * (low + high) + light[i]);
+      turn[i] = std::clamp(middle, std::min(high - room, 0.0), std::max(low + room, 0.0));
+    }
+    this->Turn(camera, turn[0], turn[1]);
+    this->SetClippingRange(camera);
+  }
+
+  //----------------------------------------------------------------------------
+  /**
+   * Bring a place of the picture, from -1 to 1, to its middle.
+   */
+  void Turn(vtkCamera* camera, double x, double y) const
+  {
+    if (!camera->GetParallelProjection())
+    {
+      const double tangent = std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
+      camera->Yaw(-vtkMath::DegreesFromRadians(std::atan(x * this->Aspect * tangent)));
+      camera->Pitch(vtkMath::DegreesFromRadians(std::atan(y * tangent)));
+      return;
+    }
+    vtkMatrix4x4* toView = camera->GetModelViewTransformMatrix();
+    Vector3 way;
+    for (int i = 0; i < 3; ++i)
+    {
+      way[i] = camera->GetParallelScale() *
+        (x * this->Aspect * toView->GetElement(0, i) + y * toView->GetElement(1, i));
+    }
+    Vector3 position;
+    Vector3 focus;
+    camera->GetPosition(position.data());
+    camera->GetFocalPoint(focus.data());
+    camera->SetPosition(Add(position, 1.0, way).data());
+    camera->SetFocalPoint(Add(focus, 1.0, way).data());
+  }
+
+  //----------------------------------------------------------------------------
+  /**
+   * Put the light where the silhouette of the scene has the best gaps. Returns how good that is.
+   */
+  double ChooseLight(vtkCamera* camera, bool use)
+  {
+    const bool hasHorizon = this->Data.IsTerrain() || !this->Settings.Parallel;
+    const double horizon = hasHorizon ? this->FindHeightInPicture(camera, LowestSun) : -1.0;
+    const double lowest = horizon < HighestHorizon ? horizon : -1.0;
+    const auto placer = this->FindSun(camera, 0.5 * (lowest + 1.0));
     if (use)
     {
       const double x = 2.0 * placer->GetPlace()[0] - 1.0;
@@ -353,7 +559,8 @@ private:
   //----------------------------------------------------------------------------
   /**
    * Put the sun behind a place in the picture. A parallel projection sees no sun that is not
-   * straight ahead: there, put a lamp far behind the scene.
+   * straight ahead, and who looks down sees none: there, put a lamp far behind the scene, or with a
+   * physical sky, which has no lamps, a sun above the picture.
    */
   void PlaceLight(vtkCamera* camera, double x, double y)
   {
@@ -370,8 +577,16 @@ private:
     Vector3 direction = Add(ends[1], -1.0, ends[0]);
     vtkMath::Normalize(direction.data());
     this->Result.LightDirection = direction;
-    this->Result.LightIsLamp = camera->GetParallelProjection() != 0;
+    double azimuth = 0.0;
+    double elevation = 0.0;
+    this->Data.GetAngles(direction, azimuth, elevation);
+    this->Result.LightIsLamp = camera->GetParallelProjection() != 0 || elevation < 0.0;
     this->Result.LightPosition = Add(ends[1], this->Diagonal, direction);
+    if (this->Result.LightIsLamp && !this->Settings.Sky.empty())
+    {
+      this->Result.LightIsLamp = false;
+      this->Result.LightDirection = this->Data.GetDirection(azimuth, SunAbovePicture);
+    }
   }
 
   const Scene& Data;

@@ -4,6 +4,7 @@
  * godrays: shows files with god rays.
  */
 
+#include "Advice.h"
 #include "Colormaps.h"
 #include "Failure.h"
 #include "Files.h"
@@ -33,7 +34,9 @@
 #include <iostream>
 #include <optional>
 #include <sstream>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -44,7 +47,6 @@ constexpr double Glow = 0.6;
 constexpr double GlowRadius = 1.0;
 constexpr double SunGlowAngle = 5.0;
 constexpr double LampGlowAngle = 14.0;
-constexpr double Intensity = 1.7;
 constexpr double SkyExposure = 2.5; // a white wall in the sun is about as bright as can be shown
 
 /// What --stats tells apart from the pass's own plan and times.
@@ -67,7 +69,8 @@ void ListPresets()
 {
   for (const Preset& preset : GetPresets())
   {
-    std::cout << std::left << std::setw(22) << preset.Name << " " << preset.Description << "\n";
+    std::cout << std::left << std::setw(29) << preset.Name << " " << preset.Description
+              << (&preset == &GetPresets().front() ? "; if none is named" : "") << "\n";
   }
 }
 
@@ -170,10 +173,9 @@ void AddSky(vtkRenderer* renderer, const Scene& scene, const Viewpoint& view, vt
 }
 
 //------------------------------------------------------------------------------
-const Preset& GetPreset(const Viewpoint& view, const Options& options)
+const Preset& GetPreset(const Options& options)
 {
-  const std::string usual = view.LightIsLamp ? "default" : "low-sun";
-  return FindPreset(options.Preset.empty() ? usual : options.Preset);
+  return options.Preset.empty() ? GetPresets().front() : FindPreset(options.Preset);
 }
 
 //------------------------------------------------------------------------------
@@ -184,7 +186,8 @@ void SetLook(vtkGodRaysPass* rays, const Viewpoint& view, const Options& options
   model->SetDecay(options.Decay.value_or(model->GetDecay()));
   model->SetWeight(options.Weight.value_or(model->GetWeight()));
   model->SetExposure(options.Exposure.value_or(model->GetExposure()));
-  rays->SetIntensity(options.Intensity.value_or(Intensity));
+  rays->SetAutomaticExposure(!options.Exposure && !options.Weight);
+  rays->SetLayerMargin(0.0);
   rays->SetBackgroundGlow(options.Glow.value_or(Glow));
   rays->SetBackgroundGlowRadius(GlowRadius);
   rays->SetBackgroundGlowFalloff(
@@ -192,40 +195,41 @@ void SetLook(vtkGodRaysPass* rays, const Viewpoint& view, const Options& options
 }
 
 //------------------------------------------------------------------------------
-void SetMedium(vtkGodRaysPass* rays, const Scene& scene, const Options& options)
+void SetMedium(vtkGodRaysPass* rays, const Options& options)
 {
   auto* medium = vtkGodRaysHomogeneousModel::SafeDownCast(rays->GetModel());
-  medium->SetWorldUnitInMeters(options.WorldUnit.value_or(1.0));
   if (options.OpticalDepth)
   {
-    // the same medium, thicker or thinner
-    const double* scattering = medium->GetScatteringCoefficient();
-    const double* absorption = medium->GetAbsorptionCoefficient();
-    const double way = scene.Bounds.GetDiagonalLength() * medium->GetWorldUnitInMeters();
-    const double factor = *options.OpticalDepth / (way * (scattering[1] + absorption[1]));
-    medium->SetScatteringCoefficient(
-      factor * scattering[0], factor * scattering[1], factor * scattering[2]);
-    medium->SetAbsorptionCoefficient(
-      factor * absorption[0], factor * absorption[1], factor * absorption[2]);
+    medium->SetOpticalDepth(*options.OpticalDepth);
   }
-  rays->SetIntensity(options.Intensity.value_or(1.0));
+  else
+  {
+    medium->SetWorldUnitInMeters(options.WorldUnit.value_or(0.0));
+  }
+  rays->SetAutomaticExposure(true);
   rays->SetLayerMargin(0.5); // what is just outside the picture casts shadows into it
 }
 
 //------------------------------------------------------------------------------
-void SetRays(
-  vtkGodRaysPass* rays, const Scene& scene, const Viewpoint& view, const Options& options)
+void SetPreset(
+  vtkGodRaysPass* rays, const Preset& preset, const Viewpoint& view, const Options& options)
 {
-  const Preset& preset = GetPreset(view, options);
   rays->ApplyPreset(preset.Name.c_str());
   if (preset.IsMedium)
   {
-    SetMedium(rays, scene, options);
+    SetMedium(rays, options);
   }
   else
   {
     SetLook(rays, view, options);
   }
+}
+
+//------------------------------------------------------------------------------
+void SetRays(vtkGodRaysPass* rays, const Viewpoint& view, const Options& options)
+{
+  SetPreset(rays, GetPreset(options), view, options);
+  rays->SetIntensity(options.Intensity.value_or(1.0));
   rays->SetErrorTolerance(options.Tolerance.value_or(rays->GetErrorTolerance()));
   rays->SetOutput(options.Show == "occlusion" ? vtkGodRaysPass::OCCLUSION
       : options.Show == "rays"                ? vtkGodRaysPass::SCATTERING
@@ -327,13 +331,29 @@ void PrintRays(vtkGodRaysPass* rays, vtkRenderWindow* window, bool on)
 }
 
 //------------------------------------------------------------------------------
-std::vector<FileContents> ReadFiles(const std::vector<std::string>& paths)
+void ShowLines(const std::vector<std::string>& lines)
+{
+  for (const std::string& line : lines)
+  {
+    Messages::Show("godrays: " + line + "\n");
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<FileContents> ReadFiles(const Options& options)
 {
   std::vector<FileContents> files;
-  for (const std::string& path : paths)
+  std::vector<std::string> notes;
+  for (const std::string& path : options.Files)
   {
     files.push_back(ReadFile(path));
+    notes.insert(notes.end(), files.back().Notes.begin(), files.back().Notes.end());
   }
+  if (!options.Up && !files.front().UpNote.empty())
+  {
+    notes.push_back(files.front().UpNote);
+  }
+  ShowLines(notes);
   return files;
 }
 
@@ -343,14 +363,8 @@ std::vector<FileContents> ReadFiles(const std::vector<std::string>& paths)
  */
 bool TellMessages(const Messages& messages)
 {
-  for (const std::string& line : messages.GetWarnings())
-  {
-    Messages::Show("godrays: " + line + "\n");
-  }
-  for (const std::string& line : messages.GetErrors())
-  {
-    Messages::Show("godrays: " + line + "\n");
-  }
+  ShowLines(messages.GetWarnings());
+  ShowLines(messages.GetErrors());
   return !messages.GetErrors().empty();
 }
 
@@ -385,7 +399,7 @@ bool Draw(const Scene& scene, const Viewpoint& view, const Options& options, Mea
   }
 
   vtkNew<vtkGodRaysPass> rays;
-  SetRays(rays, scene, view, options);
+  SetRays(rays, view, options);
   rays->AddLight(light);
   rays->SetMeasureTimes(options.Stats);
 
@@ -404,7 +418,8 @@ bool Draw(const Scene& scene, const Viewpoint& view, const Options& options, Mea
   times.Drawing = GetSeconds() - start;
   if (window)
   {
-    Interact(renderWindow, renderer, rays, options.Preset);
+    Interact(renderWindow, renderer, rays, GetPreset(options),
+      [&](const Preset& preset) { SetPreset(rays, preset, view, options); });
     renderWindow->Render(); // VTK 9.3 keeps nothing of what it has shown
   }
   if (!options.Output.empty())
@@ -445,14 +460,18 @@ int Run(int argc, char* argv[])
   CheckPreset(*options);
   if (!options->Output.empty())
   {
-    CheckOutput(options->Output);
+    CheckOutput(options->Output, options->Files);
   }
   Measured times;
   const double start = GetSeconds();
-  const auto files = ReadFiles(options->Files);
+  const auto files = ReadFiles(*options);
   times.Reading = GetSeconds() - start;
   const Scene scene = MakeScene(files, *options);
   const Viewpoint view = MakeViewpoint(scene, *options);
+  if (options->Rays)
+  {
+    ShowLines(GetAdvice(scene, view, *options, GetPreset(*options).IsMedium));
+  }
   times.Preparing = GetSeconds() - start - times.Reading;
   CheckDisplay();
   return Draw(scene, view, *options, times) ? EXIT_SUCCESS : EXIT_FAILURE;

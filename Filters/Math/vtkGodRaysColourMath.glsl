@@ -80,6 +80,95 @@ FUNCTION Vec3 BlendScreen(IN(Vec3) scene, IN(Vec3) rays)
   return scene + rays - min(scene * rays, 1.0);
 }
 
+// Rays over a scene, of which no channel is clipped: light adds up to half of the room that the scene
+// leaves below 0.99, which 8 bits show as 254 of 255, in the channel that has the least for these rays; what
+// is more is compressed, all channels alike, so that rays keep their hue. Where there is no room, the scene
+// is as it was.
+// Formula: a + b y(x)/x, with x = max b/(0.99 - a), y = x to 1/2, then 1 - exp(1 - 2 x)/2; y, its slope and
+// the channels are continuous. [linear light, 1 is white]
+FUNCTION Vec3 BlendShoulder(IN(Vec3) scene, IN(Vec3) rays)
+{
+  Vec3 part = rays / max(Vec3(0.99) - scene, Vec3(1e-6));
+  Real used = max(part.x, max(part.y, part.z));
+  return used <= 0.5 ? scene + rays : scene + rays * ((1.0 - 0.5 * exp(1.0 - 2.0 * used)) / used);
+}
+
+// A light background with rays before it, which have no room to make it lighter: it keeps its colour where
+// rays are as bright as a reference, and is darker by up to a part where there are none, as a bright haze is
+// in the shadow of things. The root makes up for rays that are weaker far from their light.
+// Formula: a (1 - s (1 - min(Y/Y_ref, 1)^(1/3))). [linear light]
+FUNCTION Vec3 BlendSurround(IN(Vec3) scene, IN(Vec3) rays, IN(Real) reference, IN(Real) part)
+{
+  GODRAYS_EXPECT(reference > 0.0 && part >= 0.0 && part <= 1.0);
+  return scene * (1.0 - part * (1.0 - pow(min(Luminance(rays) / reference, 1.0), 1.0 / 3.0)));
+}
+
+// --- Differences of colours ----------------------------------------------------------------------
+
+// A step of CIE 1976 L*a*b*: the cube root, with a line near 0, and the inverse. [no unit]
+// [CIE15] 8.2.1: with 6/29 and 4/29
+FUNCTION Real LabStep(IN(Real) t)
+{
+  return t > 216.0 / 24389.0 ? pow(t, 1.0 / 3.0) : t * (841.0 / 108.0) + 4.0 / 29.0;
+}
+
+FUNCTION Real LabStepInverse(IN(Real) f)
+{
+  return f > 6.0 / 29.0 ? f * f * f : (f - 4.0 / 29.0) * (108.0 / 841.0);
+}
+
+// CIE 1976 L*a*b* of linear light of the primaries of sRGB, relative to their white, of which L* is 100:
+// distances in it are differences as seen, of which 2 to 3 are just visible.
+// Formula: L* = 116 f(Y) - 16, a* = 500 (f(X) - f(Y)), b* = 200 (f(Y) - f(Z)). [L*, a*, b*]
+// [CIE15] 8.2.1; the primaries' matrix: [IEC61966-2-1]
+FUNCTION Vec3 LabOfLight(IN(Vec3) light)
+{
+  GODRAYS_EXPECT(min(light.x, min(light.y, light.z)) >= 0.0);
+  Real x = LabStep(dot(light, Vec3(0.4124564, 0.3575761, 0.1804375)) / 0.95047);
+  Real y = LabStep(dot(light, Vec3(0.2126729, 0.7151522, 0.0721750)));
+  Real z = LabStep(dot(light, Vec3(0.0193339, 0.1191920, 0.9503041)) / 1.08883);
+  return Vec3(116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z));
+}
+
+// The inverse; channels of colours beyond the primaries are below 0 or above 1. [linear light]
+FUNCTION Vec3 LightOfLab(IN(Vec3) lab)
+{
+  Real y = (lab.x + 16.0) / 116.0;
+  Vec3 xyz = Vec3(0.95047 * LabStepInverse(y + lab.y / 500.0), LabStepInverse(y),
+    1.08883 * LabStepInverse(y - lab.z / 200.0));
+  return Vec3(dot(xyz, Vec3(3.2404542, -1.5371385, -0.4985314)),
+    dot(xyz, Vec3(-0.9692660, 1.8760108, 0.0415560)),
+    dot(xyz, Vec3(0.0556434, -0.2040259, 1.0572252)));
+}
+
+// How much of a colour is seen: nothing in the dark, below a lightness of 5, all from 20 on. [fraction]
+FUNCTION Real SeenPart(IN(Vec3) light)
+{
+  return smoothstep(5.0, 20.0, 116.0 * LabStep(Luminance(light)) - 16.0);
+}
+
+// A scene's colour, as light or dark as it is with rays, by at most some lightness: hue and chroma stay, and
+// where the primaries have no lighter or darker colour of these, lightness goes as far as they have.
+// Formula: L* towards that of the joined light, a* and b* as they were. [linear light]
+FUNCTION Vec3 BlendLightness(IN(Vec3) scene, IN(Vec3) joined, IN(Real) mostLightness)
+{
+  Vec3 lab = LabOfLight(scene);
+  Real change = clamp(LabOfLight(joined).x - lab.x, -mostLightness, mostLightness);
+  Real low = 0.0;
+  Real high = 1.0;
+  for (int i = 0; i < 10; ++i)
+  {
+    Real middle = i == 0 ? 1.0 : 0.5 * (low + high);
+    Vec3 light = LightOfLab(Vec3(lab.x + middle * change, lab.y, lab.z));
+    bool isShown = min(light.x, min(light.y, light.z)) >= -1e-4 &&
+      max(light.x, max(light.y, light.z)) <= 1.0001;
+    low = isShown ? middle : low;
+    high = isShown ? high : middle;
+  }
+  Vec3 light = LightOfLab(Vec3(lab.x + low * change, lab.y, lab.z));
+  return low > 0.0 ? clamp(light, Vec3(0.0), Vec3(1.0)) : scene;
+}
+
 // --- Shared exponents ----------------------------------------------------------------------------
 
 // A colour in four bytes: three mantissas and their exponent of 2. NaN, negative numbers and those below

@@ -26,6 +26,7 @@ using glm::max;
 using glm::min;
 using glm::pow;
 using glm::sin;
+using glm::smoothstep;
 using glm::sqrt;
 using std::exp2; // GLM has them through e, inexactly
 using std::log2;

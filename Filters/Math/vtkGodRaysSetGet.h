@@ -41,6 +41,12 @@
  * `void className::SetName(const double[3])`.
  */
 #define vtkGodRaysSetFinite3Macro(className, name, minimum, maximum)                               \
+  vtkGodRaysSetFinite3AndMacro(className, name, minimum, maximum, static_cast<void>(0))
+
+/**
+ * The same with a statement that is executed if the parameter changes.
+ */
+#define vtkGodRaysSetFinite3AndMacro(className, name, minimum, maximum, onChange)                  \
   void className::Set##name(const double value[3])                                                 \
   {                                                                                                \
     double clamped[3];                                                                             \
@@ -59,6 +65,7 @@
     if (!std::equal(clamped, clamped + 3, this->name))                                             \
     {                                                                                              \
       std::copy(clamped, clamped + 3, this->name);                                                 \
+      onChange;                                                                                    \
       this->Modified();                                                                            \
     }                                                                                              \
   }                                                                                                \

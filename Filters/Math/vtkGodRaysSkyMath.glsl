@@ -29,7 +29,8 @@ struct SkyAtmosphere
   Vec3 AerosolExtinction; // scattering and absorption [1/length]
   Vec3 Absorption;        // [1/length]
   PhaseFunction AirPhase;
-  PhaseFunction AerosolPhase;
+  int AerosolPhaseKind;
+  Vec3 AerosolAsymmetry;  // of its phase function, for each colour [no unit]
 };
 
 // The integral along a way of how far it is below topHeight. The height is nearly quadratic along it:
@@ -155,6 +156,19 @@ FUNCTION Vec3 SkySunTransmittance(IN(SkyAtmosphere) sky, IN(Real) height, IN(Rea
   return exp(-SkyDepth(sky, height, sunSlope, max(way.y, 0.0)));
 }
 
+// The aerosol's phase function, for each colour, of a kind and three asymmetries. [1/sr]
+FUNCTION Vec3 SkyAerosolPhase(int kind, IN(Vec3) asymmetry, IN(Real) cosAngle)
+{
+  PhaseFunction red;
+  red.Kind = kind;
+  red.Asymmetry = asymmetry.x;
+  PhaseFunction green = red;
+  green.Asymmetry = asymmetry.y;
+  PhaseFunction blue = red;
+  blue.Asymmetry = asymmetry.z;
+  return Vec3(Phase(red, cosAngle), Phase(green, cosAngle), Phase(blue, cosAngle));
+}
+
 // Light of the sun that is scattered once, on a unit of a way, into the way's start, for an irradiance of
 // 1; the point is not in the planet's shadow. Its integral along the way is the sky's radiance.
 // Formula: (beta_air density phase + beta_aerosol density phase) e^-(depth to the start + depth to the
@@ -167,8 +181,8 @@ FUNCTION Vec3 SkyInscatter(IN(SkyAtmosphere) sky, IN(Real) height, IN(Real) slop
   Real rise = SkyRise(radius, slope, distance);
   Real sunSlopeThere = clamp((radius * sunSlope + distance * cosAngle) / (radius + rise), -1.0, 1.0);
   Vec3 scattered = sky.AirScattering * (SkyDensity(sky.Air, height + rise) * Phase(sky.AirPhase, cosAngle)) +
-    sky.AerosolScattering *
-      (SkyDensity(sky.Aerosol, height + rise) * Phase(sky.AerosolPhase, cosAngle));
+    sky.AerosolScattering * SkyDensity(sky.Aerosol, height + rise) * 
+      SkyAerosolPhase(sky.AerosolPhaseKind, sky.AerosolAsymmetry, cosAngle);
   return scattered * exp(-SkyDepth(sky, height, slope, distance)) *
     SkySunTransmittance(sky, height + rise, sunSlopeThere);
 }

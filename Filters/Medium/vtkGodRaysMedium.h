@@ -74,16 +74,25 @@ struct vtkGodRaysMedium
     }
   }
 
-  /// Convert all lengths but FarLimit from metres to a unit of so many metres.
-  void ConvertTo(double unit)
+  /// Make it denser or thinner.
+  void Scale(double factor)
   {
     for (int i = 0; i < this->NumberOfComponents; ++i)
     {
       for (int c = 0; c < 3; ++c)
       {
-        this->Components[i].Scattering[c] *= unit;
-        this->Components[i].Absorption[c] *= unit;
+        this->Components[i].Scattering[c] *= factor;
+        this->Components[i].Absorption[c] *= factor;
       }
+    }
+  }
+
+  /// Convert all lengths but FarLimit from metres to a unit of so many metres.
+  void ConvertTo(double unit)
+  {
+    this->Scale(unit);
+    for (int i = 0; i < this->NumberOfComponents; ++i)
+    {
       this->Components[i].ScaleHeight /= unit;
     }
     this->EyeHeight /= unit;

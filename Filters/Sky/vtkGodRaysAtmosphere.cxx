@@ -19,7 +19,7 @@ vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphere, MieHeight, 1.0, 1e8);
 vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphere, MieWidth, 1.0, 1e8);
 vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphere, OzoneHeight, 1.0, 1e8);
 vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphere, OzoneWidth, 1.0, 1e8);
-vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphere, MieAsymmetry, -0.99, 0.99);
+vtkGodRaysSetFinite3Macro(vtkGodRaysAtmosphere, MieAsymmetry, -0.99, 0.99);
 vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphere, SunDistance, 0.01, 1e3);
 
 namespace
@@ -66,7 +66,7 @@ void vtkGodRaysAtmosphere::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OzoneWidth: " << this->OzoneWidth << "\n";
   PrintColor(os, indent, "OzoneAbsorption", this->OzoneAbsorption);
   os << indent << "MiePhaseFunction: " << this->MiePhaseFunction << "\n";
-  os << indent << "MieAsymmetry: " << this->MieAsymmetry << "\n";
+  PrintColor(os, indent, "MieAsymmetry", this->MieAsymmetry);
   PrintColor(os, indent, "SunIrradiance", this->SunIrradiance);
   os << indent << "SunDistance: " << this->SunDistance << "\n";
   PrintColor(os, indent, "GroundAlbedo", this->GroundAlbedo);
@@ -91,6 +91,12 @@ void vtkGodRaysAtmosphere::SetAerosol(double depth, double exponent, double scat
 }
 
 //------------------------------------------------------------------------------
+void vtkGodRaysAtmosphere::SetMieAsymmetry(double g)
+{
+  this->SetMieAsymmetry(g, g, g);
+}
+
+//------------------------------------------------------------------------------
 void vtkGodRaysAtmosphere::LoadPreset(int preset)
 {
   if (preset < EARTH_CLEAR || preset > LODATO_2015)
@@ -112,7 +118,7 @@ void vtkGodRaysAtmosphere::LoadPreset(int preset)
   this->OzoneHeight = 25e3;
   this->OzoneWidth = 15e3;
   this->MiePhaseFunction = CORNETTE_SHANKS;
-  this->MieAsymmetry = 0.8;
+  std::fill_n(this->MieAsymmetry, 3, 0.8);
   this->SunDistance = 1.0;
   const double ozone[3] = { 0.650e-6, 1.881e-6, 0.085e-6 };
   const double sun[3] = { 1.474, 1.8504, 1.91198 };
@@ -129,11 +135,11 @@ void vtkGodRaysAtmosphere::LoadPreset(int preset)
   {
     case EARTH_HAZY:
       this->SetAerosol(0.2, 1.3, 0.97);
-      this->MieAsymmetry = 0.7;
+      std::fill_n(this->MieAsymmetry, 3, 0.7);
       break;
     case EARTH_POLLUTED:
       this->SetAerosol(0.6, 1.3, 0.85);
-      this->MieAsymmetry = 0.65;
+      std::fill_n(this->MieAsymmetry, 3, 0.65);
       break;
     case MARS:
     {
@@ -142,18 +148,21 @@ void vtkGodRaysAtmosphere::LoadPreset(int preset)
       this->SunDistance = 1.5237;
       this->RayleighHeight = this->MieHeight = 11.1e3;
       const double air[3] = { 9.91e-8, 2.32e-7, 5.65e-7 };
-      const double scattered[3] = { 0.97, 0.92, 0.75 }; // of what dust takes away
+      // Dust of [Ehlers2014], by Mie's solution: what it takes away, of that scattered, asymmetry.
+      const double extinction[3] = { 1.038, 1.0, 0.979 };
+      const double scattered[3] = { 0.955, 0.811, 0.666 };
+      const double asymmetry[3] = { 0.718, 0.788, 0.856 };
       const double soil[3] = { 0.30, 0.16, 0.07 };
       for (int i = 0; i < 3; ++i)
       {
         this->RayleighScattering[i] = air[i];
-        this->MieScattering[i] = scattered[i] * 0.5 / this->MieHeight;
-        this->MieAbsorption[i] = (1.0 - scattered[i]) * 0.5 / this->MieHeight;
+        this->MieScattering[i] = scattered[i] * extinction[i] * 0.5 / this->MieHeight;
+        this->MieAbsorption[i] = (1.0 - scattered[i]) * extinction[i] * 0.5 / this->MieHeight;
+        this->MieAsymmetry[i] = asymmetry[i];
         this->OzoneAbsorption[i] = 0.0;
         this->GroundAlbedo[i] = soil[i];
         this->SunIrradiance[i] = sun[i] / (this->SunDistance * this->SunDistance);
       }
-      this->MieAsymmetry = 0.7;
       break;
     }
     case BRUNETON_2008:
@@ -168,7 +177,7 @@ void vtkGodRaysAtmosphere::LoadPreset(int preset)
         this->MieAbsorption[i] = preset == BRUNETON_2008 ? 0.22e-5 : 0.0;
         this->OzoneAbsorption[i] = 0.0;
       }
-      this->MieAsymmetry = 0.76;
+      std::fill_n(this->MieAsymmetry, 3, 0.76);
       if (preset == NISHITA_1993)
       {
         this->RayleighHeight = 7994.0;

@@ -141,13 +141,15 @@ public:
 
   ///@{
   /**
-   * Set/Get the aerosol's phase function, one of PhaseFunctionType, and its asymmetry g, valid in
-   * [-0.99, 0.99]. The air's is RAYLEIGH. Default: CORNETTE_SHANKS of 0.8.
+   * Set/Get the aerosol's phase function, one of PhaseFunctionType, and its asymmetry g, for each
+   * colour or one for all, valid in [-0.99, 0.99]. The air's is RAYLEIGH. Default: CORNETTE_SHANKS of 0.8.
    */
   vtkSetClampMacro(MiePhaseFunction, int, ISOTROPIC, vtkGodRaysLastPhaseFunction);
   vtkGetMacro(MiePhaseFunction, int);
+  void SetMieAsymmetry(double red, double green, double blue);
+  void SetMieAsymmetry(const double g[3]);
   void SetMieAsymmetry(double g);
-  vtkGetMacro(MieAsymmetry, double);
+  vtkGetVector3Macro(MieAsymmetry, double);
   ///@}
 
   ///@{
@@ -203,7 +205,7 @@ protected:
   double OzoneWidth = 0.0;
   double OzoneAbsorption[3] = { 0.0, 0.0, 0.0 };
   int MiePhaseFunction = CORNETTE_SHANKS;
-  double MieAsymmetry = 0.0;
+  double MieAsymmetry[3] = { 0.0, 0.0, 0.0 };
   double SunIrradiance[3] = { 0.0, 0.0, 0.0 };
   double SunDistance = 1.0;
   double GroundAlbedo[3] = { 0.0, 0.0, 0.0 };

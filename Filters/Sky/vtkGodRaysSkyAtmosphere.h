@@ -34,7 +34,8 @@ inline SkyAtmosphere MakeSkyAtmosphere(vtkGodRaysAtmosphere* from)
   sky.AerosolExtinction = sky.AerosolScattering + ToVec3(from->GetMieAbsorption());
   sky.Absorption = ToVec3(from->GetOzoneAbsorption());
   sky.AirPhase = { vtkGodRaysAtmosphere::RAYLEIGH, 0.0 };
-  sky.AerosolPhase = { from->GetMiePhaseFunction(), from->GetMieAsymmetry() };
+  sky.AerosolPhaseKind = from->GetMiePhaseFunction();
+  sky.AerosolAsymmetry = ToVec3(from->GetMieAsymmetry());
   return sky;
 }
 
@@ -47,9 +48,14 @@ inline double GetDiscRadius(vtkGodRaysSun* sun, vtkGodRaysAtmosphere* atmosphere
 
 // The part of what an aerosol scatters that goes on nearly straight, and so is taken to be no scattering
 // where light is scattered more than once.
-inline double GetForwardPeak(const SkyAtmosphere& sky)
+inline Vec3 GetForwardPeak(const SkyAtmosphere& sky)
 {
-  return PhaseForwardPeak(sky.AerosolPhase);
+  Vec3 peak;
+  for (int i = 0; i < 3; ++i)
+  {
+    peak[i] = PhaseForwardPeak({ sky.AerosolPhaseKind, sky.AerosolAsymmetry[i] });
+  }
+  return peak;
 }
 
 // The atmosphere in which light is scattered more than once: the forward peak is left in the light.

@@ -199,6 +199,8 @@ vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::MarchRadiance(
     return Vec3(0.0);
   }
   const double step = way.Length / steps;
+  const Vec3 aerosolPhase =
+    SkyAerosolPhase(this->Sky.AerosolPhaseKind, this->Sky.AerosolAsymmetry, way.CosAngle);
   Vec3 radiance = way.MeetsGround
     ? SkyGround(this->Sky, this->Albedo, SkyPoint(this->Sky, way, way.Length).y)
     : Vec3(0.0);
@@ -212,9 +214,8 @@ vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::MarchRadiance(
     radiance *= exp(-extinction * step);
     if (!this->IsInShadow(point.x, point.y))
     {
-      radiance +=
-        (this->Sky.AirScattering * (air * Phase(this->Sky.AirPhase, way.CosAngle)) +
-          this->Sky.AerosolScattering * (aerosol * Phase(this->Sky.AerosolPhase, way.CosAngle))) *
+      radiance += (this->Sky.AirScattering * (air * Phase(this->Sky.AirPhase, way.CosAngle)) +
+                    this->Sky.AerosolScattering * (aerosol * aerosolPhase)) *
         SkySunTransmittance(this->Sky, point.x, point.y) * step;
     }
   }

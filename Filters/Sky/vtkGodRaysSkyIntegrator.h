@@ -74,7 +74,7 @@ private:
 
   vtkGodRays::SkyAtmosphere Sky;
   vtkGodRays::SkyAtmosphere DiffuseSky; // what the forward peak takes away is left in the light
-  double ForwardPeak = 0.0;             // part of the aerosol's scattering
+  Vec3 ForwardPeak = Vec3(0.0);         // part of the aerosol's scattering
   Vec3 Irradiance;
   Vec3 Albedo;
   double Height = 0.0;

@@ -11,6 +11,7 @@
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 vtkStandardNewMacro(vtkGodRaysSun);
@@ -110,6 +111,30 @@ bool vtkGodRaysSun::GetDirection(vtkCamera* camera, double direction[3])
     vtkErrorMacro("There is no direction to the sun: Up and North must not be 0 nor parallel.");
   }
   return found;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSun::MoveTo(vtkCamera* camera, const double direction[3])
+{
+  double up[3], north[3], east[3], towards[3];
+  this->GetAxes(camera, up, north);
+  vtkMath::Cross(north, up, east);
+  vtkMath::Cross(up, east, north);
+  vtkMath::Assign(direction, towards);
+  for (double* axis : { up, north, east, towards })
+  {
+    const double length = vtkMath::Normalize(axis);
+    if (!(length > 0.0) || !std::isfinite(length))
+    {
+      return false;
+    }
+  }
+  this->SetPosition(AZIMUTH_AND_ELEVATION);
+  this->SetAzimuth(vtkMath::DegreesFromRadians(
+    std::atan2(vtkMath::Dot(towards, east), vtkMath::Dot(towards, north))));
+  this->SetElevation(vtkMath::DegreesFromRadians(
+    std::asin(std::min(std::max(vtkMath::Dot(towards, up), -1.0), 1.0))));
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -163,6 +163,13 @@ public:
   bool GetDirection(vtkCamera* camera, double direction[3]);
 
   /**
+   * Set Position, Azimuth and Elevation so that the sun is seen in this direction of the world, of any length
+   * but 0, in the present frame; for the camera see GetAxes(). Returns false, and changes nothing, if the
+   * direction is 0 or not finite, or if Up and North are 0 or parallel.
+   */
+  bool MoveTo(vtkCamera* camera, const double direction[3]);
+
+  /**
    * Make a light that of the sun: directional, in Color, of intensity 1. It is a scene light, or a camera
    * light for CAMERA. Returns false, after an error, for a null light or as GetDirection() does; the light
    * stays as it is then.

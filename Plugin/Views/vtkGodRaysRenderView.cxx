@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysRenderView.h"
 
+#include "vtkCamera.h"
 #include "vtkCompositeRepresentation.h"
 #include "vtkGodRaysIntegrator.h"
 #include "vtkGodRaysMediumModel.h"
@@ -9,6 +10,7 @@
 #include "vtkGodRaysPresets.h"
 #include "vtkGodRaysSkyPass.h"
 #include "vtkGodRaysSun.h"
+#include "vtkGodRaysSunPlacer.h"
 #include "vtkGodRaysViewCompositor.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
@@ -31,6 +33,8 @@
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -74,6 +78,10 @@ public:
 
   void Render(const vtkRenderState* s) override
   {
+    if (this->Prepare)
+    {
+      this->Prepare(s->GetRenderer());
+    }
     vtkRenderPass* scene = this->UsesDelegate ? this->DelegatePass : nullptr;
     for (vtkImageProcessingPass* pass : this->Passes)
     {
@@ -94,7 +102,8 @@ public:
   }
 
   std::vector<vtkSmartPointer<vtkImageProcessingPass>> Passes; // each draws over the one before
-  bool UsesDelegate = true; // or the first pass draws the scene by itself
+  std::function<void(vtkRenderer*)> Prepare; // with the camera of this frame, on all processes
+  bool UsesDelegate = true;                  // or the first pass draws the scene by itself
 };
 vtkStandardNewMacro(PassChain);
 }
@@ -111,6 +120,7 @@ struct vtkGodRaysRenderView::vtkInternals
   vtkSmartPointer<vtkGodRaysModel> CustomModel;
   vtkSmartPointer<vtkGodRaysIntegrator> Integrator;
   std::string Preset = "default";
+  double WorldUnitInMeters = 0.0;
   vtkNew<vtkLight> SunLight;
   std::string Plan;
   bool IsRayTraced = false;
@@ -271,6 +281,44 @@ void vtkGodRaysRenderView::SetLightSource(int mode)
 }
 
 //------------------------------------------------------------------------------
+void vtkGodRaysRenderView::SetPlaceSun(bool place)
+{
+  this->PlaceSun = place;
+  std::fill_n(this->PlacedSun, 3, 0.0);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysRenderView::PlaceSunOnce(vtkRenderer* renderer)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  if (camera->GetParallelProjection())
+  {
+    return;
+  }
+  vtkNew<vtkGodRaysSunPlacer> placer;
+  placer->SetLowest(0.55); // above the horizon, should a sky be switched on
+  placer->Find(renderer, this->Internals->Compositor);
+  const double* place = placer->GetPlace(); // the usual one if none is good
+  double direction[3];
+  if (!(placer->GetCoverage() > 0.0) ||
+    !placer->GetDirection(renderer, place[0], place[1], direction) ||
+    !this->Internals->Sun->MoveTo(camera, direction))
+  {
+    return;
+  }
+  // As they stand in the panel and in state files.
+  vtkGodRaysSun* sun = this->Internals->Sun;
+  sun->SetAzimuth(std::round(10.0 * sun->GetAzimuth()) / 10.0);
+  sun->SetElevation(std::round(10.0 * sun->GetElevation()) / 10.0);
+  this->PlacedSun[0] = sun->GetAzimuth();
+  this->PlacedSun[1] = sun->GetElevation();
+  this->PlacedSun[2] = 1.0;
+  this->PlaceSun = false;
+  this->UpdateLights();
+}
+
+//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::SetPreset(const char* name)
 {
   vtkInternals& self = *this->Internals;
@@ -293,7 +341,7 @@ void vtkGodRaysRenderView::SetPreset(const char* name)
   }
   self.Preset = preset;
   this->UseModel(model);
-  this->SetWorldUnitInMeters(self.Sky->GetWorldUnitInMeters());
+  this->SetWorldUnitInMeters(self.WorldUnitInMeters);
 }
 
 //------------------------------------------------------------------------------
@@ -327,11 +375,12 @@ void vtkGodRaysRenderView::UseModel(vtkGodRaysModel* model)
 void vtkGodRaysRenderView::SetWorldUnitInMeters(double meters)
 {
   vtkInternals& self = *this->Internals;
-  self.Sky->SetWorldUnitInMeters(meters);
+  self.WorldUnitInMeters = meters;
+  self.Sky->SetWorldUnitInMeters(meters > 0.0 ? meters : 1.0);
   auto medium = vtkGodRaysMediumModel::SafeDownCast(self.Pass->GetModel());
   if (medium && self.Preset != "custom")
   {
-    medium->SetWorldUnitInMeters(self.Sky->GetWorldUnitInMeters());
+    medium->SetWorldUnitInMeters(meters);
   }
   this->Modified();
 }
@@ -433,6 +482,17 @@ void vtkGodRaysRenderView::AboutToRenderOnLocalProcess(bool interactive)
 
   this->UpdateRoles();
   this->UpdateLights();
+  this->Internals->Chain->Prepare = nullptr;
+  if (this->PlaceSun && this->LightSource == SUN && !interactive)
+  {
+    this->Internals->Chain->Prepare = [this](vtkRenderer* renderer)
+    {
+      if (this->PlaceSun)
+      {
+        this->PlaceSunOnce(renderer);
+      }
+    };
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -547,6 +607,9 @@ void vtkGodRaysRenderView::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "UseGodRays: " << (this->UseGodRays ? "on" : "off") << "\n";
   os << indent << "LightSource: " << this->LightSource << "\n";
+  os << indent << "PlaceSun: " << (this->PlaceSun ? "on" : "off") << "\n";
+  os << indent << "PlacedSun: " << this->PlacedSun[0] << " " << this->PlacedSun[1] << " "
+     << this->PlacedSun[2] << "\n";
   os << indent << "Sun:\n";
   this->Internals->Sun->PrintSelf(os, indent.GetNextIndent());
   os << indent << "UseSky: " << (this->UseSky ? "on" : "off") << "\n";

@@ -29,6 +29,7 @@ class vtkGodRaysPass;
 class vtkGodRaysSkyPass;
 class vtkGodRaysSun;
 class vtkLight;
+class vtkRenderer;
 
 class VTKGODRAYSVIEWS_EXPORT vtkGodRaysRenderView : public vtkPVRenderView
 {
@@ -71,6 +72,20 @@ public:
   void SetLightSource(int mode);
 
   /**
+   * Set whether the next still frame in which something is seen places the sun where it makes the most
+   * shafts, see vtkGodRaysSunPlacer, in the upper half of the picture, by setting the sun's azimuth and
+   * elevation; it does so once. A parallel projection, which sees no sun but straight ahead, waits, and so
+   * does another light source than SUN. Default is off; that of ParaView's property is on.
+   */
+  void SetPlaceSun(bool place);
+
+  /**
+   * Azimuth and elevation of the sun [degrees] if it was placed since SetPlaceSun(), and then 1; else 0, 0
+   * and 0.
+   */
+  vtkGetVector3Macro(PlacedSun, double);
+
+  /**
    * Set whether the sky is drawn behind the scene, in the light of the sun, whatever the source of the rays
    * is. With SunFrame CAMERA, the eye stands on the ground and the horizon is straight ahead. Default is
    * off.
@@ -85,8 +100,9 @@ public:
   void SetPreset(const char* name);
 
   /**
-   * Set how long the scene's unit is for media by name and for the sky [m]. Valid range: [1e-12, 1e12].
-   * Default is 1.
+   * Set how long the scene's unit is for media by name and for the sky [m]. 0 says that nobody knows: media
+   * are then as dense as suits the scene, and for the sky it counts as 1. Valid range: [1e-12, 1e12], and 0.
+   * Default is 0.
    */
   void SetWorldUnitInMeters(double meters);
 
@@ -135,6 +151,7 @@ private:
   void UpdatePasses();
   bool UpdateSun();
   void UpdateLights();
+  void PlaceSunOnce(vtkRenderer* renderer);
   void UpdateRayTracing();
   void UpdateRoles();
 
@@ -143,6 +160,8 @@ private:
 
   bool UseGodRays = true;
   int LightSource = SUN;
+  bool PlaceSun = false;
+  double PlacedSun[3] = { 0.0, 0.0, 0.0 };
   bool UseSky = false;
 };
 

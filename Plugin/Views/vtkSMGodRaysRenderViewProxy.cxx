@@ -2,21 +2,71 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMGodRaysRenderViewProxy.h"
 
+#include "vtkCommand.h"
+#include "vtkGodRaysSun.h"
+#include "vtkGodRaysSunInformation.h"
 #include "vtkImageData.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMSession.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <cstring>
 
 vtkStandardNewMacro(vtkSMGodRaysRenderViewProxy);
 
 //------------------------------------------------------------------------------
-vtkSMGodRaysRenderViewProxy::vtkSMGodRaysRenderViewProxy() = default;
+vtkSMGodRaysRenderViewProxy::vtkSMGodRaysRenderViewProxy()
+{
+  this->AddObserver(
+    vtkCommand::PropertyModifiedEvent, this, &vtkSMGodRaysRenderViewProxy::OnPropertyModified);
+}
 
 //------------------------------------------------------------------------------
 vtkSMGodRaysRenderViewProxy::~vtkSMGodRaysRenderViewProxy() = default;
+
+//------------------------------------------------------------------------------
+void vtkSMGodRaysRenderViewProxy::OnPropertyModified(vtkObject*, unsigned long, void* name)
+{
+  for (const char* own : { "SunFrame", "SunPosition", "SunAzimuth", "SunElevation" })
+  {
+    if (name && std::strcmp(static_cast<const char*>(name), own) == 0 &&
+      !this->GetProperty(own)->IsValueDefault())
+    {
+      vtkSMPropertyHelper(this, "PlaceSun").Set(0);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSMGodRaysRenderViewProxy::PostRender(bool interactive)
+{
+  this->Superclass::PostRender(interactive);
+  if (interactive || vtkSMPropertyHelper(this, "PlaceSun").GetAsInt() == 0)
+  {
+    return;
+  }
+  vtkNew<vtkGodRaysSunInformation> information;
+  const double* sun = information->GetPlacedSun();
+  information->CopyFromObject(vtkObject::SafeDownCast(this->GetClientSideObject()));
+  if (sun[2] == 0.0) // by the server, if at all
+  {
+    this->GetSession()->GatherInformation(
+      vtkPVSession::RENDER_SERVER_ROOT, information, this->GetGlobalID());
+  }
+  if (sun[2] != 0.0)
+  {
+    vtkSMPropertyHelper(this, "SunPosition").Set(vtkGodRaysSun::AZIMUTH_AND_ELEVATION);
+    vtkSMPropertyHelper(this, "SunAzimuth").Set(sun[0]);
+    vtkSMPropertyHelper(this, "SunElevation").Set(sun[1]);
+    vtkSMPropertyHelper(this, "PlaceSun").Set(0);
+    this->UpdateVTKObjects();
+  }
+}
 
 //------------------------------------------------------------------------------
 vtkImageData* vtkSMGodRaysRenderViewProxy::CaptureWindowInternal(

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSMGodRaysRenderViewProxy
- * @brief   pictures of a vtkGodRaysRenderView that are larger than it
+ * @brief   a vtkGodRaysRenderView as its user has it
+ *
+ * Where the sun was placed is written into its properties SunAzimuth and SunElevation, so that it stays
+ * there, also in state files; to set one of these, SunPosition or SunFrame, ends PlaceSun.
  *
  * ParaView makes a screenshot that is larger than its view of tiles, one after the other. Shafts
  * reach from one tile into the next, so that this view is made as large as the picture instead, for
@@ -32,7 +35,14 @@ protected:
    */
   vtkImageData* CaptureWindowInternal(int magnificationX, int magnificationY) override;
 
+  /**
+   * Overridden to take over where the sun was placed.
+   */
+  void PostRender(bool interactive) override;
+
 private:
+  void OnPropertyModified(vtkObject*, unsigned long, void* name);
+
   vtkSMGodRaysRenderViewProxy(const vtkSMGodRaysRenderViewProxy&) = delete;
   void operator=(const vtkSMGodRaysRenderViewProxy&) = delete;
 };

@@ -28,6 +28,12 @@ uniform vec3 mediumUp;
 uniform float eyeHeight;
 uniform float planetRadius;
 uniform float farLimit;
+uniform float dataExposure;  // of the rays over data that are seen, as a part of that elsewhere
+uniform float surroundLight; // of rays before a light background where they leave it as it is
+uniform float surroundPart;  // by which it is darker where there are none
+uniform float mostLightness; // by which data change, if only their lightness does
+uniform bool alphaShowsData; // it is 0 where nothing is drawn
+uniform vec2 cells;          // of the pictures that a meter reads
 
 //VTK::GodRays::Terms
 // linearLight: whether rays are linear light, or shown values as the scene's colours
@@ -43,14 +49,19 @@ uniform float farLimit;
 // exponential: whether the medium's density falls with height
 // hasSecond: whether it has two components
 // grey: whether it dims all colours alike
+// shoulder: whether sums stay below white rather than being clipped
+// surround: whether rays darken the background, which is light
+// sparesData: whether rays are weaker over data
+// lightnessAlone: whether data keep hue and chroma
+// metered: whether a few pixels are drawn for a vtkGodRaysLightMeter, rather than the picture
 
 // What the medium lets through between the eye and what is seen.
-vec3 SceneTransmittance(ivec2 pixel)
+vec3 SceneTransmittance(ivec2 pixel, vec2 uv)
 {
   float rest = 1.0 - texelFetch(depth, pixel, 0).r;
   float viewDepth = (depthTerms.x + depthTerms.y * rest) / (depthTerms.z + depthTerms.w * rest);
   viewDepth = rest > 0.0 && viewDepth > 0.0 ? min(viewDepth, farLimit) : farLimit;
-  vec2 place = pictureScale * (2.0 * texCoord - 1.0);
+  vec2 place = pictureScale * (2.0 * uv - 1.0);
   vec3 ray = pictureOrigin + place.x * pictureRight + place.y * pictureUp;
   float way = parallel ? viewDepth : viewDepth * length(ray) / ray.z;
   vec3 tau = (exponential || !hasSecond ? extinction : extinction + secondExtinction) * way;
@@ -68,15 +79,28 @@ vec3 SceneTransmittance(ivec2 pixel)
   return grey ? vec3(exp(-tau.x)) : exp(-tau);
 }
 
+// How much of a pixel shows something rather than a background.
+float DataPart(ivec2 pixel, float alpha)
+{
+  return texelFetch(depth, pixel, 0).r < 1.0 ? 1.0 : alphaShowsData ? clamp(alpha, 0.0, 1.0) : 0.0;
+}
+
 void main()
 {
+  vec2 uv = texCoord;
+  if (metered)
+  {
+    // of three pictures, one above the other; in each cell a pixel is read, not in rows and columns
+    vec2 cell = floor(vec2(texCoord.x, fract(3.0 * texCoord.y)) * cells);
+    vec2 place = fract(0.5 + cell.x * vec2(0.7548777, 0.5698403) + cell.y * vec2(0.3819660, 0.6710436));
+    uv = (cell + place) / cells;
+  }
   // as large as the scene
-  ivec2 pixel = ivec2(texCoord * vec2(hasRays ? textureSize(rays, 0) : textureSize(scene, 0)));
+  ivec2 pixel = ivec2(uv * vec2(hasRays ? textureSize(rays, 0) : textureSize(scene, 0)));
   vec3 light = vec3(0.0);
   if (hasRays)
   {
-    vec4 ray =
-      resized ? texture(rays, 0.5 + (texCoord - 0.5) * viewScale) : texelFetch(rays, pixel, 0);
+    vec4 ray = resized ? texture(rays, 0.5 + (uv - 0.5) * viewScale) : texelFetch(rays, pixel, 0);
     light = intensity * (oneChannel ? ray.r * tint : ray.rgb);
   }
   if (showRays)
@@ -84,7 +108,8 @@ void main()
     gl_FragData[0] = vec4(linearLight ? EncodeDisplay(light, isPower) : light, 1.0);
     return;
   }
-  if (!dimmed && !any(greaterThan(light, vec3(0.0))) && sceneGain == 1.0)
+  if (!metered && !dimmed && !any(greaterThan(light, vec3(0.0))) && sceneGain == 1.0 &&
+    !surround)
   {
     discard;
   }
@@ -92,11 +117,36 @@ void main()
   vec3 under =
     hasBackdrop ? (1.0 - shownOver.a) * texelFetch(backdrop, pixel, 0).rgb : vec3(0.0);
   vec3 shown = shownOver.rgb + under;
-  vec3 base = sceneGain * (linearLight ? DecodeDisplay(shown, isPower) : shown);
+  vec3 before = linearLight ? DecodeDisplay(shown, isPower) : shown;
+  vec3 base = sceneGain * before;
   if (dimmed)
   {
-    base *= SceneTransmittance(pixel);
+    base *= SceneTransmittance(pixel, uv);
   }
-  vec3 sum = screen ? BlendScreen(base, light) : BlendAdd(base, light);
-  gl_FragData[0] = vec4((linearLight ? EncodeDisplay(sum, isPower) : sum) - under, 1.0);
+  if (metered)
+  {
+    gl_FragData[0] = 3.0 * texCoord.y < 1.0 ? vec4(before, shownOver.a)
+      : 3.0 * texCoord.y < 2.0              ? vec4(base, texelFetch(depth, pixel, 0).r)
+                                            : vec4(light, 1.0);
+    return;
+  }
+  if (sparesData)
+  {
+    light *= mix(1.0, dataExposure, DataPart(pixel, shownOver.a) * SeenPart(before));
+  }
+  vec3 sum = screen ? BlendScreen(base, light)
+    : shoulder      ? BlendShoulder(base, light)
+                    : BlendAdd(base, light);
+  if (surround)
+  {
+    sum = mix(BlendSurround(base, light, surroundLight, surroundPart), sum,
+      DataPart(pixel, shownOver.a));
+  }
+  if (lightnessAlone)
+  {
+    sum = mix(sum, BlendLightness(before, sum, mostLightness), DataPart(pixel, shownOver.a));
+  }
+  // what is darker than the backdrop has to cover it
+  gl_FragData[0] =
+    vec4((linearLight ? EncodeDisplay(sum, isPower) : sum) - (dimmed || surround ? vec3(0.0) : under), 1.0);
 }

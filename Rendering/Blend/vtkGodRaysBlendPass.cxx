@@ -46,7 +46,8 @@ void SetMedium(vtkShaderProgram* program, const vtkGodRaysBlendPass::Request& re
   vtkGodRaysQuad::SetVector(program, "pictureOrigin", origin);
   vtkGodRaysQuad::SetVector(program, "pictureRight", right);
   vtkGodRaysQuad::SetVector(program, "pictureUp", up);
-  const int size[2] = { request.Viewport[2], request.Viewport[3] };
+  const int size[2] = { static_cast<int>(request.Depth->GetWidth()),
+    static_cast<int>(request.Depth->GetHeight()) };
   vtkGodRaysView::Pinhole pinhole;
   request.View->GetPinhole(size, pinhole);
   const float terms[4] = { static_cast<float>(pinhole.Depth[0]),
@@ -75,9 +76,13 @@ vtkGodRaysBlendPass::~vtkGodRaysBlendPass() = default;
 //------------------------------------------------------------------------------
 bool vtkGodRaysBlendPass::Draw(const Request& request)
 {
-  const bool resized = request.Rays &&
+  const bool resized = request.Rays && request.Cells[0] == 0 &&
     (static_cast<int>(request.Rays->GetWidth()) != request.Viewport[2] ||
       static_cast<int>(request.Rays->GetHeight()) != request.Viewport[3]);
+  const bool metered = request.Cells[0] > 0;
+  const bool sparesData = request.DataExposure < 1.0 && !request.ShowRays && !metered;
+  const bool surround = request.SurroundPart > 0.0 && !request.ShowRays && !metered;
+  const bool lightnessAlone = request.MostLightness >= 0.0 && !request.ShowRays && !metered;
   vtkShaderProgram* program = this->Internal->Quad.Begin(request.Window,
     { { "linearLight", request.Transfer != vtkGodRaysTransfer::NONE },
       { "isPower", request.Transfer == vtkGodRaysTransfer::POWER },
@@ -88,15 +93,18 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
       { "parallel", request.View && request.View->Parallel },
       { "exponential", request.Medium && request.Medium->HasExponentialDensity() },
       { "hasSecond", request.Medium && request.Medium->NumberOfComponents > 1 },
-      { "grey", request.Medium && request.Medium->IsGrey() } });
+      { "grey", request.Medium && request.Medium->IsGrey() },
+      { "shoulder", request.Shoulder && !request.Screen }, { "lightnessAlone", lightnessAlone },
+      { "surround", surround }, { "sparesData", sparesData }, { "metered", metered } });
   if (!program)
   {
     return false;
   }
   vtkOpenGLState* state = request.Window->GetState();
   vtkOpenGLState::ScopedglColorMask mask(state);
-  state->vtkglColorMask(
-    GL_TRUE, GL_TRUE, GL_TRUE, request.ShowRays && request.Backdrop ? GL_TRUE : GL_FALSE);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE,
+    metered || (request.Backdrop && (request.ShowRays || request.Medium || surround)) ? GL_TRUE
+                                                                                      : GL_FALSE);
   if (request.Accumulate)
   {
     state->vtkglEnable(GL_BLEND);
@@ -127,7 +135,24 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
   if (request.Medium)
   {
     SetMedium(program, request);
+  }
+  if (request.Medium || surround || sparesData || lightnessAlone || metered)
+  {
     this->Internal->Quad.SetTexture("depth", request.Depth);
+  }
+  if (surround || sparesData || lightnessAlone)
+  {
+    program->SetUniformf("surroundLight", static_cast<float>(request.SurroundLight));
+    program->SetUniformf("surroundPart", static_cast<float>(request.SurroundPart));
+    program->SetUniformf("dataExposure", static_cast<float>(request.DataExposure));
+    program->SetUniformf("mostLightness", static_cast<float>(request.MostLightness));
+    program->SetUniformi("alphaShowsData", request.AlphaShowsData ? 1 : 0);
+  }
+  if (metered)
+  {
+    const float cells[2] = { static_cast<float>(request.Cells[0]),
+      static_cast<float>(request.Cells[1]) };
+    program->SetUniform2f("cells", cells);
   }
   if (!request.ShowRays)
   {

@@ -47,17 +47,28 @@ public:
     vtkTextureObject* Backdrop = nullptr; ///< background that is put under the result later
     double Intensity = 1.0;
     double SceneGain = 1.0;
+    double LargestExposure = 1.0; ///< factor by which an automatic exposure may strengthen the rays
+    bool SparesData = true;       ///< it weakens them over data alone, if data ask for it
     vtkGodRaysTransfer Transfer = vtkGodRaysTransfer::SRGB;
     bool Screen = false;
+    bool Shoulder = false;       ///< keep sums below white, unless Screen
+    double SurroundPart = 0.0;   ///< by which a light background is darker where rays are absent
+    double SurroundLight = 1.0;  ///< luminance of rays that leave it as it is
+    double DataExposure = 1.0;   ///< factor on rays over data that are seen
+    double MostLightness = -1.0; ///< by which data change, in L*, if only that may; else below 0
+    bool AlphaShowsData = false; ///< it is 0 where nothing is drawn
     bool ShowRays = false;
     bool Accumulate = false; ///< add to what the framebuffer holds
 
+    int Cells[2] = { 0, 0 }; ///< of a vtkGodRaysLightMeter's pictures, instead of the result
+
     ///@{
-    /// A medium that dims the scene, by its window depth; null for none.
+    /// A medium that dims the scene; null for none.
     const vtkGodRaysMedium* Medium = nullptr;
     const vtkGodRaysView* View = nullptr;
-    vtkTextureObject* Depth = nullptr;
     ///@}
+
+    vtkTextureObject* Depth = nullptr; ///< window depth of the scene, for all but the plain sum
   };
 
   /**

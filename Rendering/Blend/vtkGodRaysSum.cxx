@@ -60,6 +60,7 @@ bool vtkGodRaysSum::Lend(vtkGodRaysTarget& colors, const double tint[3], double 
     return this->Add(colors, tint, viewScale);
   }
   this->Lent = &colors;
+  this->LentVersion = colors.GetVersion();
   std::copy_n(tint, 3, this->Tint);
   return true;
 }
@@ -111,7 +112,7 @@ const double* vtkGodRaysSum::GetTint() const
 //------------------------------------------------------------------------------
 bool vtkGodRaysSum::Download(vtkImageData* image)
 {
-  if (this->IsEmpty())
+  if (this->IsEmpty() || (this->Lent && this->Lent->GetVersion() != this->LentVersion))
   {
     return false;
   }

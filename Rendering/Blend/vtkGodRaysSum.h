@@ -65,7 +65,7 @@ public:
 
   /**
    * Copy it into an image of three 32-bit floats a pixel; waits for the drawing. False, and the image
-   * is left alone, without light.
+   * is left alone, without light, and if what was lent is not there any more.
    */
   bool Download(vtkImageData* image);
 
@@ -80,6 +80,7 @@ private:
   unsigned int Format = 0;
   bool Drawn = false;
   vtkGodRaysTarget* Lent = nullptr;
+  unsigned int LentVersion = 0;
   double Tint[3] = { 1.0, 1.0, 1.0 };
 };
 

@@ -257,9 +257,9 @@ void vtkGodRaysAttachment::Detach(vtkImageProcessingPass* pass, vtkRenderer* ren
   const bool attached = this->Renderer == renderer;
   vtkSmartPointer<vtkRenderPass> next = attached ? this->Former : nullptr;
   vtkRenderPass* delegate = pass->GetDelegatePass();
-  if (IsSky(delegate) || IsSky(next))
+  if (IsSky(delegate) || IsSky(next) || (IsRays(next) && delegate != next))
   {
-    // A sky has come under god rays since, and stays, or has gone.
+    // A sky has come under god rays since, and stays, or it or other god rays have gone.
     next = delegate == this->FormerDelegate ? nullptr : delegate;
   }
   const auto path = FindPath(renderer, [pass](vtkRenderPass* each) { return each == pass; });

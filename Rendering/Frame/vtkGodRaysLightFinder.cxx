@@ -5,6 +5,7 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkGodRaysCompositor.h"
+#include "vtkGodRaysGate.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysRole.h"
 #include "vtkGodRaysView.h"
@@ -49,21 +50,29 @@ void GetWorldPoints(vtkLight* light, vtkCamera* camera, double position[4], doub
   }
 }
 
-/// Where a light stands in the world (w = 1), or in which direction it lies (w = 0).
-bool GetWorldPlace(vtkLight* light, vtkCamera* camera, double place[4])
+/// Where a light stands in the world (w = 1), or in which direction it lies (w = 0): a vector of length 1, or
+/// 0 if that is nowhere.
+void GetWorldPlace(
+  vtkLight* light, const double position[3], const double focalPoint[3], double place[4])
 {
-  double position[4];
-  double focalPoint[4];
-  GetWorldPoints(light, camera, position, focalPoint);
   std::copy_n(position, 3, place);
   place[3] = 1.0;
   if (!light->GetPositional())
   {
-    vtkMath::Subtract(position, focalPoint, place);
+    // Halves and quotients: the squares of large numbers are not finite.
+    double largest = 0.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      place[i] = 0.5 * position[i] - 0.5 * focalPoint[i];
+      largest = std::max(largest, std::abs(place[i]));
+    }
+    for (int i = 0; i < 3 && largest > 0.0; ++i)
+    {
+      place[i] /= largest;
+    }
+    vtkMath::Normalize(place);
     place[3] = 0.0;
-    return vtkMath::Normalize(place) > 0.0;
   }
-  return true;
 }
 }
 
@@ -73,17 +82,28 @@ std::vector<vtkGodRaysLight> vtkGodRaysLightFinder::Find(
 {
   std::vector<vtkGodRaysLight> found;
   this->Plan.clear();
+  this->Faults.clear();
+  this->FaultOfScene.clear();
   int number = 0;
   for (vtkLight* light : lights)
   {
     vtkGodRaysLight seen;
     seen.Name = (light->GetPositional() ? "positional, number " : "directional, number ") +
       std::to_string(number++);
-    double place[4];
-    if (!GetWorldPlace(light, this->Renderer->GetActiveCamera(), place))
+    double position[4];
+    double focalPoint[4];
+    GetWorldPoints(light, this->Renderer->GetActiveCamera(), position, focalPoint);
+    const std::string fault = vtkGodRaysGate::FindFault(light, position, focalPoint);
+    if (light->GetSwitch() && !fault.empty())
     {
-      this->Plan +=
-        "light: " + seen.Name + ", skipped: its position is its focal point, or no number\n";
+      this->LeaveOut(seen.Name, fault);
+      continue;
+    }
+    double place[4];
+    GetWorldPlace(light, position, focalPoint, place);
+    if (light->GetSwitch() && !light->GetPositional() && !(vtkMath::Norm(place) > 0.0))
+    {
+      this->Plan += "light: " + seen.Name + ", skipped: its position is its focal point\n";
       continue;
     }
     double radius = vtkMath::RadiansFromDegrees(this->SunAngularRadius);
@@ -124,6 +144,12 @@ std::vector<vtkGodRaysLight> vtkGodRaysLightFinder::Find(
       this->Plan += "light: " + seen.Name + ", skipped: it is invisible or has no geometry\n";
       continue;
     }
+    if (!vtkGodRaysGate::IsUsable(bounds))
+    {
+      this->LeaveOut(
+        seen.Name, "its bounds are not finite, or beyond 1e15. Move, scale or hide it");
+      continue;
+    }
     seen.Prop = prop;
     const double place[4] = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
       0.5 * (bounds[4] + bounds[5]), 1.0 };
@@ -144,6 +170,13 @@ std::vector<vtkGodRaysLight> vtkGodRaysLightFinder::Find(
     this->Plan = "light: none; add one with AddLight() or tag a prop LIGHT\n";
   }
   return found;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysLightFinder::LeaveOut(const std::string& name, const std::string& fault)
+{
+  this->Plan += "light: " + name + ", skipped: " + fault + "\n";
+  this->Faults.push_back("of a light, " + name + ": " + fault);
 }
 
 //------------------------------------------------------------------------------
@@ -170,6 +203,7 @@ void vtkGodRaysLightFinder::Add(vtkGodRaysLight& seen, const vtkGodRaysView& vie
       vtkGodRays::Sanitize(seen.Fade * intensity * light[i], std::numeric_limits<float>::max());
     greatest = std::max(greatest, seen.Color[i]);
   }
+  vtkGodRaysGate::Limit(seen);
   this->Plan += "light: " + seen.Name;
   if (seen.Fade <= 0.0)
   {
@@ -211,13 +245,12 @@ void vtkGodRaysLightFinder::SetMarch(vtkGodRaysLight& seen, const vtkGodRaysView
 }
 
 //------------------------------------------------------------------------------
-// Of what is visible; 50 if nothing is.
-double vtkGodRaysLightFinder::FindDiagonal() const
+// Of what is visible; 50 if nothing is, or it cannot be used.
+double vtkGodRaysLightFinder::FindDiagonal()
 {
   double bounds[6];
-  this->Renderer->ComputeVisiblePropBounds(bounds);
-  vtkGodRaysCompositor::JoinBounds(this->Compositor, bounds);
-  if (!vtkMath::AreBoundsInitialized(bounds))
+  this->FaultOfScene = vtkGodRaysGate::FindBounds(this->Renderer, this->Compositor, bounds);
+  if (!this->FaultOfScene.empty() || !vtkMath::AreBoundsInitialized(bounds))
   {
     return 50.0;
   }
@@ -254,7 +287,7 @@ void vtkGodRaysLightFinder::SetSpot(
 
 //------------------------------------------------------------------------------
 // See vtkGodRaysMediumModel.
-double vtkGodRaysLightFinder::FindPower(vtkLight* light) const
+double vtkGodRaysLightFinder::FindPower(vtkLight* light)
 {
   if (!light->GetPositional())
   {

@@ -46,15 +46,27 @@ public:
    */
   const std::string& GetPlan() const { return this->Plan; }
 
+  ///@{
+  /**
+   * What the last Find() could not compute with, see vtkGodRaysGate: lights that it left out, and the scene
+   * as a whole, without which there are no rays.
+   */
+  const std::vector<std::string>& GetFaults() const { return this->Faults; }
+  const std::string& GetFaultOfScene() const { return this->FaultOfScene; }
+  ///@}
+
 private:
   void Add(vtkGodRaysLight& seen, const vtkGodRaysView& view, const double color[3],
     double intensity, std::vector<vtkGodRaysLight>& found);
   void SetMarch(vtkGodRaysLight& seen, const vtkGodRaysView& view) const;
-  double FindDiagonal() const;
-  double FindPower(vtkLight* light) const;
+  void LeaveOut(const std::string& name, const std::string& fault);
+  double FindDiagonal();
+  double FindPower(vtkLight* light);
   void SetSpot(vtkGodRaysLight& seen, const vtkGodRaysView& view, vtkLight* light) const;
 
   std::string Plan;
+  std::vector<std::string> Faults;
+  std::string FaultOfScene;
 };
 
 #endif

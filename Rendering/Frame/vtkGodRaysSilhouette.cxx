@@ -13,6 +13,7 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSetSurfaceFilter.h"
+#include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysRole.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
@@ -35,6 +36,14 @@
 
 namespace
 {
+constexpr int NumberOfDirections = 48;
+constexpr double GlowReach = 0.2;   // [the shorter side of the picture] of the light about a sun
+constexpr double FarGlare = 0.3;    // of that of data next to the sun
+constexpr double LeastShafts = 0.3; // the sum of changes of light with direction, each from 0 to 1
+constexpr double MostShafts = 4.0;  // more are not better
+constexpr double ShaftsWeight = 4.0;
+constexpr double GlareWeight = 7.0;
+
 double GetSide(const double a[2], const double b[2], double x, double y)
 {
   return (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
@@ -43,11 +52,16 @@ double GetSide(const double a[2], const double b[2], double x, double y)
 
 //------------------------------------------------------------------------------
 vtkGodRaysSilhouette::vtkGodRaysSilhouette(
-  vtkPropCollection* props, vtkCamera* camera, double aspect)
+  vtkPropCollection* props, vtkCamera* camera, double aspect, vtkGodRaysCompositor* compositor)
   : Columns(std::max(16, static_cast<int>(this->Rows * std::min(aspect, 64.0))))
   , ToClip(camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0))
   , Covered(static_cast<std::size_t>(this->Columns) * this->Rows)
 {
+  for (int i = 0; i < NumberOfDirections; ++i)
+  {
+    const double angle = 2.0 * vtkMath::Pi() * i / NumberOfDirections;
+    this->Directions.push_back({ std::cos(angle), std::sin(angle) });
+  }
   vtkCollectionSimpleIterator cookie;
   props->InitTraversal(cookie);
   while (vtkProp* prop = props->GetNextProp(cookie))
@@ -72,7 +86,20 @@ vtkGodRaysSilhouette::vtkGodRaysSilhouette(
       }
     }
   }
-  this->SumUp();
+  this->Join(compositor);
+  this->CoveredCount = std::count(this->Covered.begin(), this->Covered.end(), 1);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSilhouette::Join(vtkGodRaysCompositor* compositor)
+{
+  if (compositor && compositor->IsDistributed())
+  {
+    std::vector<float> covered(this->Covered.begin(), this->Covered.end());
+    compositor->Reduce(covered.data(), covered.size(), vtkGodRaysCompositor::GREATEST);
+    std::transform(covered.begin(), covered.end(), this->Covered.begin(),
+      [](float value) { return static_cast<unsigned char>(value > 0.0f); });
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -303,22 +330,6 @@ void vtkGodRaysSilhouette::DrawTriangle(const double a[2], const double b[2], co
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysSilhouette::SumUp()
-{
-  const int width = this->Columns + 1;
-  this->Sums.assign(static_cast<std::size_t>(width) * (this->Rows + 1), 0);
-  for (int row = 0; row < this->Rows; ++row)
-  {
-    for (int column = 0; column < this->Columns; ++column)
-    {
-      this->Sums[(row + 1) * width + column + 1] = this->Covered[row * this->Columns + column] +
-        this->Sums[row * width + column + 1] + this->Sums[(row + 1) * width + column] -
-        this->Sums[row * width + column];
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
 bool vtkGodRaysSilhouette::IsCovered(double column, double row) const
 {
   const int x = std::clamp(static_cast<int>(column), 0, this->Columns - 1);
@@ -327,73 +338,109 @@ bool vtkGodRaysSilhouette::IsCovered(double column, double row) const
 }
 
 //------------------------------------------------------------------------------
-double vtkGodRaysSilhouette::GetCoveredFraction(int column, int row, int radius) const
+/**
+ * Past what the light about a place goes in one direction, and what it falls on.
+ */
+vtkGodRaysSilhouette::Way vtkGodRaysSilhouette::Follow(
+  double column, double row, const double direction[2]) const
 {
-  const int left = std::max(column - radius, 0);
-  const int right = std::min(column + radius + 1, this->Columns);
-  const int bottom = std::max(row - radius, 0);
-  const int top = std::min(row + radius + 1, this->Rows);
-  const int width = this->Columns + 1;
-  const int covered = this->Sums[top * width + right] - this->Sums[bottom * width + right] -
-    this->Sums[top * width + left] + this->Sums[bottom * width + left];
-  return covered / static_cast<double>((right - left) * (top - bottom));
-}
-
-//------------------------------------------------------------------------------
-int vtkGodRaysSilhouette::CountEdges(int column, int row, double radius) const
-{
-  constexpr int directions = 48;
-  int edges = 0;
-  bool former = this->IsCovered(column + radius, row);
-  for (int i = 1; i <= directions; ++i)
+  Way way;
+  double light = 0.0;
+  const double reach = GlowReach * std::min(this->Rows, this->Columns);
+  for (double distance = 0.5;; distance += distance < reach ? 1.0 : 2.0)
   {
-    const double angle = 2.0 * vtkMath::Pi() * i / directions;
-    const bool covered =
-      this->IsCovered(column + radius * std::cos(angle), row + radius * std::sin(angle));
-    edges += covered != former;
-    former = covered;
+    const double x = column + distance * direction[0];
+    const double y = row + distance * direction[1];
+    if (x < 0.0 || y < 0.0 || x >= this->Columns || y >= this->Rows)
+    {
+      break;
+    }
+    const bool covered = this->IsCovered(x, y);
+    const bool near = distance < reach;
+    const double glow = near ? 1.0 - distance / reach : 0.0;
+    const double step = near ? 1.0 : 2.0;
+    light += glow;
+    way.Light += covered ? 0.0 : glow;
+    way.Data += covered ? std::max(glow, FarGlare) * distance * step : 0.0;
+    way.Room += covered || near ? 0.0 : step / this->Rows;
   }
-  return edges;
+  way.Light /= std::max(light, 1.0);
+  way.Room = std::min(way.Room, 1.0);
+  return way;
 }
 
 //------------------------------------------------------------------------------
+/**
+ * How much the light that leaves a place varies with its direction, where the picture has room for
+ * it, less the part of the data that it outshines. 0 if it does not vary.
+ */
 double vtkGodRaysSilhouette::GetScore(int column, int row) const
 {
-  const double near = this->GetCoveredFraction(column, row, this->Rows / 24);
-  if (near < 0.2 || near > 0.75)
+  double shafts = 0.0;
+  double glare = 0.0;
+  Way former = this->Follow(column + 0.5, row + 0.5, this->Directions.back().data());
+  for (const auto& direction : this->Directions)
+  {
+    const Way way = this->Follow(column + 0.5, row + 0.5, direction.data());
+    shafts += std::abs(way.Light - former.Light) * std::max(way.Room, former.Room);
+    glare += way.Light * way.Data;
+    former = way;
+  }
+  if (shafts < LeastShafts)
   {
     return 0.0; // in the open, or behind something
   }
-  const double wide = this->GetCoveredFraction(column, row, this->Rows / 5);
-  int edges = 0;
-  for (const double radius : { 0.06, 0.12, 0.2 })
-  {
-    edges += this->CountEdges(column, row, radius * this->Rows);
-  }
+  glare *= 2.0 * vtkMath::Pi() / static_cast<double>(this->Directions.size()) /
+    static_cast<double>(std::max<std::ptrdiff_t>(this->CoveredCount, 1));
   const double x = 2.0 * (column + 0.5) / this->Columns - 1.0;
   const double y = 2.0 * (row + 0.5) / this->Rows - 1.0;
   const double offThird = std::min(std::abs(x - 0.33), std::abs(x + 0.33));
-  return 0.5 * (1.0 - std::abs(near - 0.4)) + 0.7 * (1.0 - 2.0 * std::abs(wide - 0.5)) +
-    1.6 * std::min(edges, 16) / 16.0 + 0.8 * (1.0 - offThird) + 0.3 * (1.0 - std::abs(y - 0.35));
+  const double score = ShaftsWeight * std::min(shafts, MostShafts) / MostShafts -
+    GlareWeight * glare + 0.4 * (1.0 - offThird) + 0.3 * (1.0 - std::abs(y - 0.35));
+  return std::max(score, 1e-3);
 }
 
 //------------------------------------------------------------------------------
 vtkGodRaysSilhouette::Place vtkGodRaysSilhouette::FindSun(double lowest) const
 {
   Place best;
-  const int firstRow = std::max(this->Rows / 4, static_cast<int>(lowest * this->Rows));
-  for (int row = firstRow; row < this->Rows * 9 / 10; ++row)
+  int bestColumn = 0;
+  int bestRow = 0;
+  const auto look = [&](int column, int row)
   {
-    for (int column = this->Columns / 8; column < this->Columns * 7 / 8; ++column)
+    const double score = this->GetScore(column, row);
+    if (score > best.Score)
     {
-      const double score = this->GetScore(column, row);
-      if (score > best.Score)
+      best.Score = score;
+      bestColumn = column;
+      bestRow = row;
+    }
+  };
+  constexpr int step = 3;
+  const int firstRow = std::max(this->Rows / 4, static_cast<int>(lowest * this->Rows));
+  for (int row = firstRow; row < this->Rows * 9 / 10; row += step)
+  {
+    for (int column = this->Columns / 8; column < this->Columns * 7 / 8; column += step)
+    {
+      look(column, row);
+    }
+  }
+  const int middleColumn = bestColumn;
+  const int middleRow = bestRow;
+  for (int row = middleRow - step / 2; best.Score > 0.0 && row <= middleRow + step / 2; ++row)
+  {
+    for (int column = middleColumn - step / 2; column <= middleColumn + step / 2; ++column)
+    {
+      if (row >= firstRow)
       {
-        best.X = (column + 0.5) / this->Columns;
-        best.Y = (row + 0.5) / this->Rows;
-        best.Score = score;
+        look(column, row);
       }
     }
+  }
+  if (best.Score > 0.0)
+  {
+    best.X = (bestColumn + 0.5) / this->Columns;
+    best.Y = (bestRow + 0.5) / this->Rows;
   }
   return best;
 }
@@ -401,5 +448,30 @@ vtkGodRaysSilhouette::Place vtkGodRaysSilhouette::FindSun(double lowest) const
 //------------------------------------------------------------------------------
 double vtkGodRaysSilhouette::GetCoveredFraction() const
 {
-  return this->Sums.back() / static_cast<double>(this->Columns * this->Rows);
+  return this->CoveredCount / static_cast<double>(this->Covered.size());
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSilhouette::GetCoveredBounds(double bounds[4]) const
+{
+  int box[4] = { this->Columns, 0, this->Rows, 0 };
+  for (int row = 0; row < this->Rows; ++row)
+  {
+    for (int column = 0; column < this->Columns; ++column)
+    {
+      if (this->IsCovered(column, row))
+      {
+        box[0] = std::min(box[0], column);
+        box[1] = std::max(box[1], column + 1);
+        box[2] = std::min(box[2], row);
+        box[3] = std::max(box[3], row + 1);
+      }
+    }
+  }
+  const bool isEmpty = this->CoveredCount == 0;
+  for (int i = 0; i < 4; ++i)
+  {
+    const int all = i < 2 ? this->Columns : this->Rows;
+    bounds[i] = isEmpty ? i % 2 : static_cast<double>(box[i]) / all;
+  }
 }

@@ -46,14 +46,15 @@ double GetAspect(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysSunPlacer::Find(vtkRenderer* renderer)
+bool vtkGodRaysSunPlacer::Find(vtkRenderer* renderer, vtkGodRaysCompositor* compositor)
 {
   if (!renderer)
   {
     vtkErrorMacro("Find needs a vtkRenderer, not null; nothing is changed.");
     return false;
   }
-  return this->Find(renderer->GetViewProps(), renderer->GetActiveCamera(), GetAspect(renderer));
+  return this->Find(vtkGodRaysSilhouette(
+    renderer->GetViewProps(), renderer->GetActiveCamera(), GetAspect(renderer), compositor));
 }
 
 //------------------------------------------------------------------------------
@@ -65,13 +66,19 @@ bool vtkGodRaysSunPlacer::Find(vtkPropCollection* props, vtkCamera* camera, doub
                   "changed.");
     return false;
   }
-  const vtkGodRaysSilhouette silhouette(props, camera, aspect);
+  return this->Find(vtkGodRaysSilhouette(props, camera, aspect));
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSunPlacer::Find(const vtkGodRaysSilhouette& silhouette)
+{
   const vtkGodRaysSilhouette::Place best = silhouette.FindSun(this->Lowest);
   const bool found = best.Score > 0.0;
   this->Place[0] = found ? best.X : DefaultPlace[0];
   this->Place[1] = found ? best.Y : std::max(DefaultPlace[1], this->Lowest);
   this->Score = best.Score;
   this->Coverage = silhouette.GetCoveredFraction();
+  silhouette.GetCoveredBounds(this->CoveredBounds);
   return found;
 }
 
@@ -152,4 +159,6 @@ void vtkGodRaysSunPlacer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Place: " << this->Place[0] << " " << this->Place[1] << "\n";
   os << indent << "Score: " << this->Score << "\n";
   os << indent << "Coverage: " << this->Coverage << "\n";
+  os << indent << "CoveredBounds: " << this->CoveredBounds[0] << " " << this->CoveredBounds[1]
+     << " " << this->CoveredBounds[2] << " " << this->CoveredBounds[3] << "\n";
 }

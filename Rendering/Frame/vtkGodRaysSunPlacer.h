@@ -5,9 +5,10 @@
  * @brief   where in a picture a sun behind the scene makes the most shafts
  *
  * What props cover of the picture is drawn on a grid of 128 rows, by the processor: no window and no
- * OpenGL are needed. A place is good if it is partly covered, so that the sun shines past edges, if many
- * edges are about it at three distances, and if it is off the middle, a third of the picture from its
- * sides. Places in the open, or behind something wide, are not taken.
+ * OpenGL are needed. A place is good if the light that leaves it changes much with direction, from edge to
+ * gap, where the picture has open room for the shafts; if little of what is covered lies in its glare; and
+ * if it is off the middle, a third of the picture from its sides. Places in the open, or behind something
+ * wide, are not taken.
  *
  * Polygons, lines and points count as they are, other data sets by their surface, glyphs and splats by
  * their points, volumes where their opacity is above 0.1. Props tagged LIGHT or IGNORED do not count, nor
@@ -23,6 +24,8 @@
 #include "vtkObject.h"
 
 class vtkCamera;
+class vtkGodRaysCompositor;
+class vtkGodRaysSilhouette;
 class vtkPropCollection;
 class vtkRenderer;
 
@@ -45,22 +48,25 @@ public:
   ///@{
   /**
    * Look at a renderer's props with its camera, or at props with a camera in a picture of this ratio of
-   * width to height. A renderer whose camera was never set is seen as VTK would set it. Returns whether
-   * there is a place that is partly covered; if not, Place is the default. Null, or a ratio that is not
-   * above 0, is an error.
+   * width to height. A renderer whose camera was never set is seen as VTK would set it. With a compositor,
+   * the props are those of all processes, each of which makes this call, with the same camera and ratio.
+   * Returns whether there is a place that is partly covered; if not, Place is the default. No renderer, or a
+   * ratio that is not above 0, is an error.
    */
-  bool Find(vtkRenderer* renderer);
+  bool Find(vtkRenderer* renderer, vtkGodRaysCompositor* compositor = nullptr);
   bool Find(vtkPropCollection* props, vtkCamera* camera, double aspect);
   ///@}
 
   ///@{
   /**
    * What was found: a place, from (0, 0) at the picture's lower left to (1, 1), by default (0.35, 0.75);
-   * how good it is, 0 if there is none, some 4 at best; the fraction of the picture that is covered.
+   * how good it is, 0 if there is none, some 3 at best; the fraction of the picture that is covered; the
+   * box of what is covered, its left, right, lower and upper edge, the whole picture if nothing is.
    */
   vtkGetVector2Macro(Place, double);
   vtkGetMacro(Score, double);
   vtkGetMacro(Coverage, double);
+  vtkGetVector4Macro(CoveredBounds, double);
   ///@}
 
   ///@{
@@ -85,6 +91,8 @@ protected:
   ~vtkGodRaysSunPlacer() override = default;
 
 private:
+  bool Find(const vtkGodRaysSilhouette& silhouette);
+
   vtkGodRaysSunPlacer(const vtkGodRaysSunPlacer&) = delete;
   void operator=(const vtkGodRaysSunPlacer&) = delete;
 
@@ -92,6 +100,7 @@ private:
   double Place[2] = { 0.35, 0.75 };
   double Score = 0.0;
   double Coverage = 0.0;
+  double CoveredBounds[4] = { 0.0, 1.0, 0.0, 1.0 };
 };
 
 #endif

@@ -23,7 +23,7 @@ void vtkGodRaysView::Set(vtkRenderer* renderer, const int size[2], double margin
   // will not do: it is for picking, and switches stereo off.
   double worldToCamera[16];
   double cameraToClip[16];
-  double clipToCamera[16];
+  double clipToCamera[16] = {}; // which stays 0 if it cannot be inverted
   vtkMatrix4x4::DeepCopy(worldToCamera, camera->GetModelViewTransformMatrix());
   vtkMatrix4x4::DeepCopy(
     cameraToClip, camera->GetProjectionTransformMatrix(this->Aspect, -1.0, 1.0));

@@ -43,7 +43,7 @@ void vtkGodRaysAtmosphereModel::TakeAtmosphere(vtkGodRaysAtmosphere* atmosphere)
   this->SetMieScattering(atmosphere->GetMieScattering());
   this->SetMieAbsorption(atmosphere->GetMieAbsorption());
   this->SetMieScaleHeight(atmosphere->GetMieHeight());
-  this->SetMieAsymmetry(atmosphere->GetMieAsymmetry());
+  this->SetMieAsymmetry(atmosphere->GetMieAsymmetry()[1]);
 }
 
 //------------------------------------------------------------------------------
@@ -95,12 +95,12 @@ void vtkGodRaysAtmosphereModel::FillMedium(
   {
     for (int k = 0; k < 3; ++k)
     {
-      place[k] -= this->WorldUnitInMeters * worldToView[4 * i + k] * worldToView[4 * i + 3];
+      place[k] -= this->GetUnit() * worldToView[4 * i + k] * worldToView[4 * i + 3];
     }
   }
   medium.PlanetRadius = this->PlanetRadius;
   double vertical[3];
-  medium.PlaceEye(place, up, this->WorldUnitInMeters * this->GroundLevel, vertical);
+  medium.PlaceEye(place, up, this->GetUnit() * this->GroundLevel, vertical);
   for (int i = 0; i < 3; ++i)
   {
     medium.Up[i] = vtkMath::Dot(worldToView + 4 * i, vertical);

@@ -38,9 +38,10 @@ public:
 
   /**
    * Take the molecules and the aerosol of an atmosphere, as a sky has it: scattering, absorption, heights,
-   * asymmetry. Its profiles count as EXPONENTIAL, the aerosol's phase function as CORNETTE_SHANKS, and
-   * ozone is left out: near the ground there is next to none. A new model has those of the Earth, a
-   * new vtkGodRaysAtmosphere. A null atmosphere is an error and changes nothing.
+   * asymmetry, of which green's is that of all colours. Its profiles count as EXPONENTIAL, the aerosol's
+   * phase function as CORNETTE_SHANKS, and ozone is left out: near the ground there is next to none. A new
+   * model has those of the Earth, a new vtkGodRaysAtmosphere. A null atmosphere is an error and changes
+   * nothing.
    */
   void TakeAtmosphere(vtkGodRaysAtmosphere* atmosphere);
 

@@ -15,8 +15,11 @@
 
 vtkStandardNewMacro(vtkGodRaysHomogeneousModel);
 
-vtkGodRaysSetFinite3Macro(vtkGodRaysHomogeneousModel, ScatteringCoefficient, 0.0, 1e15);
-vtkGodRaysSetFinite3Macro(vtkGodRaysHomogeneousModel, AbsorptionCoefficient, 0.0, 1e15);
+vtkGodRaysSetFiniteMacro(vtkGodRaysHomogeneousModel, OpticalDepth, 0.0, 100.0);
+vtkGodRaysSetFinite3AndMacro(
+  vtkGodRaysHomogeneousModel, ScatteringCoefficient, 0.0, 1e15, this->OpticalDepth = 0.0);
+vtkGodRaysSetFinite3AndMacro(
+  vtkGodRaysHomogeneousModel, AbsorptionCoefficient, 0.0, 1e15, this->OpticalDepth = 0.0);
 vtkGodRaysSetModeMacro(vtkGodRaysHomogeneousModel, PhaseFunction, vtkGodRaysLastPhaseFunction);
 vtkGodRaysSetFiniteMacro(vtkGodRaysHomogeneousModel, Asymmetry, -0.99, 0.99);
 vtkGodRaysSetModeMacro(
@@ -36,19 +39,23 @@ struct Preset
   double Absorption[3];
   int PhaseFunction;
   double Asymmetry;
+  double OpticalDepth; // across a scene of which nobody said how large it is
 };
 
 const Preset Presets[] = {
   { "clear-air", "molecules alone, at sea level; shows over kilometres",
-    { 5.802e-6, 13.558e-6, 33.1e-6 }, { 0.0, 0.0, 0.0 }, vtkGodRaysMediumModel::RAYLEIGH, 0.0 },
+    { 5.802e-6, 13.558e-6, 33.1e-6 }, { 0.0, 0.0, 0.0 }, vtkGodRaysMediumModel::RAYLEIGH, 0.0,
+    0.15 },
   { "haze", "a visibility of 4 km", { 7.49e-4, 7.49e-4, 7.49e-4 }, { 0.0, 0.0, 0.0 },
-    vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.76 },
+    vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.76, 0.3 },
   { "fog", "a visibility of 200 m", { 1.5e-2, 1.5e-2, 1.5e-2 }, { 0.0, 0.0, 0.0 },
-    vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.85 },
-  { "dust", "10 mg of coarse dust a cubic metre", { 6e-3, 6e-3, 6e-3 }, { 0.0, 0.0, 0.0 },
-    vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.6 },
+    vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.85, 0.7 },
+  { "dust", "10 mg of coarse dust a cubic metre", { 5.88e-3, 5.76e-3, 5.52e-3 },
+    { 1.2e-4, 2.4e-4, 4.8e-4 }, vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.67, 0.5 },
+  { "smoke", "of burning grass and wood, a visibility of 1 km", { 1.71e-3, 2.58e-3, 3.93e-3 },
+    { 3.3e-4, 4.2e-4, 5.4e-4 }, vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.6, 0.6 },
   { "sea-water", "coastal water, which swallows red", { 0.219, 0.219, 0.219 },
-    { 0.61, 0.20, 0.151 }, vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.924 },
+    { 0.61, 0.20, 0.151 }, vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.924, 0.5 },
 };
 }
 
@@ -61,6 +68,7 @@ void vtkGodRaysHomogeneousModel::SetVisibility(double meters)
                                                               << this->GetVisibility() << ".");
     return;
   }
+  this->SetOpticalDepth(0.0);
   const double wanted = LeftOverDepth / std::min(std::max(meters, 1e-9), 1e12);
   const double now = this->ScatteringCoefficient[1] + this->AbsorptionCoefficient[1];
   if (!(now > 0.0))
@@ -118,7 +126,16 @@ bool vtkGodRaysHomogeneousModel::ApplyPreset(const char* name)
   this->SetPhaseFunction(found->PhaseFunction);
   this->SetAsymmetry(found->Asymmetry);
   this->SetSecondWeight(0.0);
+  this->SetOpticalDepth(found->OpticalDepth);
   return true;
+}
+
+//------------------------------------------------------------------------------
+double vtkGodRaysHomogeneousModel::GetScale(const vtkGodRaysMedium& medium, double diagonal) const
+{
+  const vtkGodRaysMedium::Component& component = medium.Components[0];
+  const double depth = (component.Scattering[1] + component.Absorption[1]) * diagonal;
+  return this->OpticalDepth > 0.0 && depth > 0.0 ? this->OpticalDepth / depth : 1.0;
 }
 
 //------------------------------------------------------------------------------
@@ -166,6 +183,7 @@ void vtkGodRaysHomogeneousModel::PrintSelf(ostream& os, vtkIndent indent)
   { os << indent << name << ": " << values[0] << " " << values[1] << " " << values[2] << "\n"; };
   print("ScatteringCoefficient", this->ScatteringCoefficient);
   print("AbsorptionCoefficient", this->AbsorptionCoefficient);
+  os << indent << "OpticalDepth: " << this->OpticalDepth << "\n";
   os << indent << "PhaseFunction: " << this->PhaseFunction << "\n";
   os << indent << "Asymmetry: " << this->Asymmetry << "\n";
   os << indent << "SecondPhaseFunction: " << this->SecondPhaseFunction << "\n";

@@ -27,6 +27,17 @@ public:
 
   ///@{
   /**
+   * Set/Get the optical depth, in green, across the diagonal of the bounds of all visible props, that the
+   * medium has while WorldUnitInMeters is 0: coefficients are then scaled as a whole. 0 takes them as they
+   * are, per scene unit. ApplyPreset() sets one; to change a coefficient, or to set the visibility, sets 0.
+   * Pictures are most believable from 0.1 to 1. Valid range: [0, 100]. Default is 0 [no unit].
+   */
+  void SetOpticalDepth(double depth);
+  vtkGetMacro(OpticalDepth, double);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get how much light is scattered and absorbed, for each colour [1/m]. Valid range: [0, 1e15].
    * Default is 0.02 and 0.
    */
@@ -81,16 +92,18 @@ public:
 
   ///@{
   /**
-   * Set coefficients and phase function to those of a medium in nature; WorldUnitInMeters, FarLimit and
-   * AttenuateScene stay. Red, green and blue stand for 680, 550 and 440 nm.
+   * Set coefficients and phase function to those of a medium in nature, which is that dense if
+   * WorldUnitInMeters is set; else OpticalDepth, the last number, says how dense it is. WorldUnitInMeters,
+   * FarLimit and AttenuateScene stay. Red, green and blue stand for 680, 550 and 440 nm.
    *
-   * | name       | scattering [1/m]       | absorption [1/m]  | phase function | source |
-   * |------------|------------------------|-------------------|----------------|--------|
-   * | clear-air  | 5.802, 13.558, 33.1e-6 | 0                 | Rayleigh       | air at sea level without aerosols [Bruneton2017] |
-   * | haze       | 7.49e-4                | 0                 | HG 0.76        | a visibility of 4 km, 3.00/V [WMO8]; g as in [Bruneton2017] |
-   * | fog        | 1.5e-2                 | 0                 | HG 0.85        | a visibility of 200 m; g of droplets [HansenTravis1974] |
-   * | dust       | 6e-3                   | 0                 | HG 0.6         | 10 mg/m3, the limit for a workplace, times 0.6 m2/g of coarse dust [Pitchford2007]; g is a guess |
-   * | sea-water  | 0.219                  | 0.61, 0.20, 0.151 | HG 0.924       | coastal [Petzold1972]: 0.219 and 0.179 at 514 nm; colours as pure water's [PopeFry1997] |
+   * | name       | scattering [1/m]       | absorption [1/m]  | phase function | source | depth |
+   * |------------|------------------------|-------------------|----------------|--------|-------|
+   * | clear-air  | 5.802, 13.558, 33.1e-6 | 0                 | Rayleigh       | air at sea level without aerosols [Bruneton2017] | 0.15 |
+   * | haze       | 7.49e-4                | 0                 | HG 0.76        | a visibility of 4 km, 3.00/V [WMO8]; g as in [Bruneton2017] | 0.3 |
+   * | fog        | 1.5e-2                 | 0                 | HG 0.85        | a visibility of 200 m; g of droplets [HansenTravis1974] | 0.7 |
+   * | dust       | 5.88, 5.76, 5.52e-3    | 0.12, 0.24, 0.48e-3 | HG 0.67      | 10 mg/m3, the limit for a workplace, times 0.6 m2/g of coarse dust [Pitchford2007]; albedo and g of a desert's [Dubovik2002] | 0.5 |
+   * | smoke      | 1.71, 2.58, 3.93e-3    | 0.33, 0.42, 0.54e-3 | HG 0.6       | a visibility of 1 km; albedo, g and colour of burning savanna [Dubovik2002] | 0.6 |
+   * | sea-water  | 0.219                  | 0.61, 0.20, 0.151 | HG 0.924       | coastal [Petzold1972]: 0.219 and 0.179 at 514 nm; colours as pure water's [PopeFry1997] | 0.5 |
    *
    * Returns false, with an error that lists the names, for a name that is none of them.
    */
@@ -107,11 +120,13 @@ protected:
   ~vtkGodRaysHomogeneousModel() override = default;
 
   void FillMedium(vtkGodRaysMedium& medium, const double worldToView[16]) const override;
+  double GetScale(const vtkGodRaysMedium& medium, double diagonal) const override;
 
 private:
   vtkGodRaysHomogeneousModel(const vtkGodRaysHomogeneousModel&) = delete;
   void operator=(const vtkGodRaysHomogeneousModel&) = delete;
 
+  double OpticalDepth = 0.0;
   double ScatteringCoefficient[3] = { 0.02, 0.02, 0.02 };
   double AbsorptionCoefficient[3] = { 0.0, 0.0, 0.0 };
   int PhaseFunction = HENYEY_GREENSTEIN;

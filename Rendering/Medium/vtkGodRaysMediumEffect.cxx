@@ -5,6 +5,7 @@
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkGodRaysCompositor.h"
+#include "vtkGodRaysGate.h"
 #include "vtkGodRaysLightFinder.h"
 #include "vtkGodRaysMediumIntegrator.h"
 #include "vtkGodRaysMediumModel.h"
@@ -15,6 +16,16 @@
 
 #include <sstream>
 
+namespace
+{
+/// Of bounds, 0 if nothing is in them.
+double GetDiagonal(const double bounds[6])
+{
+  const vtkBoundingBox box(bounds);
+  return box.IsValid() ? box.GetDiagonalLength() : 0.0;
+}
+}
+
 //------------------------------------------------------------------------------
 vtkGodRaysMediumEffect::vtkGodRaysMediumEffect(vtkGodRaysMediumModel* model)
   : Model(model)
@@ -22,15 +33,30 @@ vtkGodRaysMediumEffect::vtkGodRaysMediumEffect(vtkGodRaysMediumModel* model)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkGodRaysMediumEffect::FindObstacle(
-  const vtkGodRaysView& view, const int size[2]) const
+std::string vtkGodRaysMediumEffect::FindObstacle(vtkRenderer* renderer,
+  vtkGodRaysCompositor* compositor, const vtkGodRaysView& view, const int size[2]) const
 {
+  double bounds[6];
+  const std::string fault = vtkGodRaysGate::FindBounds(renderer, compositor, bounds);
+  if (!fault.empty())
+  {
+    return fault;
+  }
   vtkGodRaysView::Pinhole pinhole;
-  return view.GetPinhole(size, pinhole) ? ""
-                                        : "the picture is tilted against the axis of view, or its "
-                                          "pixels are oblong, in which light in a "
-                                          "medium cannot be evaluated. Use a projection matrix "
-                                          "without that, or a vtkGodRaysRadialModel";
+  return view.GetPinhole(size, pinhole)
+    ? vtkGodRaysGate::FindFault(this->GetMedium(renderer, view, bounds), view)
+    : "the picture is tilted against the axis of view, or its pixels are oblong, in which light in "
+      "a "
+      "medium cannot be evaluated. Use a projection matrix without that, or a "
+      "vtkGodRaysRadialModel";
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysMedium vtkGodRaysMediumEffect::GetMedium(
+  vtkRenderer* renderer, const vtkGodRaysView& view, const double bounds[6]) const
+{
+  return this->Model->GetMedium(
+    view.WorldToView, renderer->GetActiveCamera()->GetClippingRange()[1], GetDiagonal(bounds));
 }
 
 //------------------------------------------------------------------------------
@@ -66,18 +92,13 @@ void vtkGodRaysMediumEffect::Begin(const Frame& frame)
   this->SeenDepth = hasSeen ? frame.SceneDepth : occluders;
   this->Depths.Begin(
     frame.Window, *frame.View, occluders, this->SeenDepth == occluders ? nullptr : this->SeenDepth);
-  const double* range = frame.Renderer->GetActiveCamera()->GetClippingRange();
-  this->Medium = this->Model->GetMedium(frame.View->WorldToView, range[1]);
-  this->SceneDepth = 0.0;
-  if (!this->Medium.HasExponentialDensity())
-  {
-    double bounds[6];
-    frame.Renderer->ComputeVisiblePropBounds(bounds);
-    const vtkBoundingBox box(bounds);
-    const vtkGodRaysMedium::Component& air = this->Medium.Components[0];
-    this->SceneDepth =
-      box.IsValid() ? box.GetDiagonalLength() * (air.Scattering[1] + air.Absorption[1]) : 0.0;
-  }
+  double bounds[6];
+  vtkGodRaysGate::FindBounds(frame.Renderer, frame.Compositor, bounds);
+  this->Medium = this->GetMedium(frame.Renderer, *frame.View, bounds);
+  const vtkGodRaysMedium::Component& air = this->Medium.Components[0];
+  this->SceneDepth = this->Medium.HasExponentialDensity()
+    ? 0.0
+    : GetDiagonal(bounds) * (air.Scattering[1] + air.Absorption[1]);
 }
 
 //------------------------------------------------------------------------------
@@ -146,6 +167,8 @@ bool vtkGodRaysMediumEffect::DrawLight(const Frame& frame, const vtkGodRaysLight
 //------------------------------------------------------------------------------
 void vtkGodRaysMediumEffect::Join(vtkGodRaysBlendPass::Request& request) const
 {
+  request.LargestExposure = 4.0; // its lights' unit is anybody's
+  request.SparesData = false;    // light is where the medium is, before data, too
   if (this->DimsScene())
   {
     request.Medium = &this->Medium;

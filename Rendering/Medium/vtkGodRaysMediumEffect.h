@@ -22,7 +22,8 @@ public:
   /// The model must outlive this.
   explicit vtkGodRaysMediumEffect(vtkGodRaysMediumModel* model);
 
-  std::string FindObstacle(const vtkGodRaysView& view, const int size[2]) const override;
+  std::string FindObstacle(vtkRenderer* renderer, vtkGodRaysCompositor* compositor,
+    const vtkGodRaysView& view, const int size[2]) const override;
   bool SumsShownValues() const override { return false; }
   bool DimsScene() const override;
   bool ReadsSceneDepth() const override { return true; }
@@ -40,6 +41,9 @@ public:
   std::string DescribeErrors() const override { return this->Verification.Describe(); }
 
 private:
+  vtkGodRaysMedium GetMedium(
+    vtkRenderer* renderer, const vtkGodRaysView& view, const double bounds[6]) const;
+
   vtkGodRaysMediumModel* Model;
   vtkGodRaysMedium Medium; // of this frame, in scene units
   vtkGodRaysViewDepths Depths;

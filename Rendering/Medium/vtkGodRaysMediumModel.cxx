@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-vtkGodRaysSetFiniteMacro(vtkGodRaysMediumModel, WorldUnitInMeters, 1e-12, 1e12);
+vtkGodRaysSetFiniteMacro(vtkGodRaysMediumModel, WorldUnitInMeters, 0.0, 1e12);
 vtkGodRaysSetFiniteMacro(vtkGodRaysMediumModel, FarLimit, 0.0, 1e9);
 
 namespace
@@ -21,19 +21,29 @@ const double Identity[16] = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 
 
 //------------------------------------------------------------------------------
 vtkGodRaysMedium vtkGodRaysMediumModel::GetMedium(
-  const double worldToView[16], double farDepth) const
+  const double worldToView[16], double farDepth, double diagonal) const
 {
   vtkGodRaysMedium medium;
   this->FillMedium(medium, worldToView);
-  medium.ConvertTo(this->WorldUnitInMeters);
+  medium.ConvertTo(this->GetUnit());
+  if (this->WorldUnitInMeters == 0.0)
+  {
+    medium.Scale(this->GetScale(medium, diagonal));
+  }
   medium.FarLimit = this->FarLimit > 0.0 ? this->FarLimit : farDepth;
   return medium;
 }
 
 //------------------------------------------------------------------------------
+double vtkGodRaysMediumModel::GetUnit() const
+{
+  return this->WorldUnitInMeters > 0.0 ? std::max(this->WorldUnitInMeters, 1e-12) : 1.0;
+}
+
+//------------------------------------------------------------------------------
 bool vtkGodRaysMediumModel::CanScatter() const
 {
-  const vtkGodRaysMedium medium = this->GetMedium(Identity, 1.0);
+  const vtkGodRaysMedium medium = this->GetMedium(Identity, 1.0, 0.0);
   double most = 0.0;
   for (int i = 0; i < medium.NumberOfComponents; ++i)
   {

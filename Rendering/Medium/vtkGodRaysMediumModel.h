@@ -55,8 +55,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how long the scene's unit is [m]. Coefficients are in 1/m. Valid range: [1e-12, 1e12].
-   * Default is 1.
+   * Set/Get how long the scene's unit is [m]. Coefficients are in 1/m. 0 says that nobody knows: it counts
+   * as 1, but for vtkGodRaysHomogeneousModel::OpticalDepth. Valid range: [1e-12, 1e12], and 0. Default is 0.
    */
   void SetWorldUnitInMeters(double meters);
   vtkGetMacro(WorldUnitInMeters, double);
@@ -84,9 +84,10 @@ public:
 
   /**
    * The medium in scene units, as an eye sees it: worldToView is that of vtkGodRaysView, farDepth the
-   * view depth of the far clipping plane.
+   * view depth of the far clipping plane, diagonal that of the scene's bounds, 0 if it has none.
    */
-  VTK_WRAPEXCLUDE vtkGodRaysMedium GetMedium(const double worldToView[16], double farDepth) const;
+  VTK_WRAPEXCLUDE vtkGodRaysMedium GetMedium(
+    const double worldToView[16], double farDepth, double diagonal) const;
 
   bool CanScatter() const override;
   VTK_NEWINSTANCE vtkGodRaysIntegrator* MakeIntegrator() const override;
@@ -101,7 +102,17 @@ protected:
    */
   virtual void FillMedium(vtkGodRaysMedium& medium, const double worldToView[16]) const = 0;
 
-  double WorldUnitInMeters = 1.0;
+  /**
+   * The factor on all coefficients with which a medium of no known unit suits a scene.
+   */
+  virtual double GetScale(const vtkGodRaysMedium&, double) const { return 1.0; }
+
+  /**
+   * How long the scene's unit is taken to be [m], above 0.
+   */
+  double GetUnit() const;
+
+  double WorldUnitInMeters = 0.0;
   double FarLimit = 0.0;
   bool AttenuateScene = true;
 

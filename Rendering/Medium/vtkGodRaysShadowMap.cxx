@@ -5,6 +5,7 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkGodRaysCompositor.h"
+#include "vtkGodRaysGate.h"
 #include "vtkGodRaysLight.h"
 #include "vtkGodRaysMedium.h"
 #include "vtkGodRaysOpenGL.h"
@@ -35,14 +36,14 @@ namespace
 {
 const double Eye[3] = { 0.0, 0.0, 0.0 };
 
-/// The bounds of the occluders, on all processes.
+/// The bounds of the occluders, on all processes, but of those that say theirs do not count and that cannot.
 bool GetBounds(const vtkGodRaysMediumIntegrator::Request& request, double bounds[6])
 {
   vtkMath::UninitializeBounds(bounds);
   for (vtkProp* prop : *request.Occluders)
   {
     const double* own = prop->GetBounds();
-    if (own && vtkMath::AreBoundsInitialized(own))
+    if (own && vtkMath::AreBoundsInitialized(own) && vtkGodRaysGate::IsUsable(own))
     {
       for (int i = 0; i < 6; i += 2)
       {

@@ -99,6 +99,10 @@ vtkGodRaysQuad::~vtkGodRaysQuad() = default;
 vtkShaderProgram* vtkGodRaysQuad::Begin(
   vtkOpenGLRenderWindow* window, std::initializer_list<Term> terms)
 {
+  if (this->Window && this->Window != window) // whose shaders are of another context
+  {
+    this->Release();
+  }
   if (this->Failed)
   {
     return nullptr;

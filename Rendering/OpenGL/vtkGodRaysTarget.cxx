@@ -76,7 +76,8 @@ vtkGodRaysTarget::~vtkGodRaysTarget() = default;
 //------------------------------------------------------------------------------
 void vtkGodRaysTarget::Prepare(vtkOpenGLRenderWindow* window, int width, int height, Format format)
 {
-  if (this->IsReady() && this->Width == width && this->Height == height && this->Formats == format)
+  if (this->IsReady() && this->IsOf(window) && this->Width == width && this->Height == height &&
+    this->Formats == format)
   {
     return;
   }
@@ -101,8 +102,8 @@ void vtkGodRaysTarget::Prepare(
 {
   const int width = static_cast<int>(depth->GetWidth());
   const int height = static_cast<int>(depth->GetHeight());
-  if (this->Color && this->Depth == depth && this->Width == width && this->Height == height &&
-    this->Formats.Color == color)
+  if (this->Color && this->IsOf(window) && this->Depth == depth && this->Width == width &&
+    this->Height == height && this->Formats.Color == color)
   {
     return;
   }
@@ -142,8 +143,15 @@ void vtkGodRaysTarget::Attach(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
+bool vtkGodRaysTarget::IsOf(vtkOpenGLRenderWindow* window) const
+{
+  return this->Framebuffer && this->Framebuffer->GetContext() == window;
+}
+
+//------------------------------------------------------------------------------
 bool vtkGodRaysTarget::Bind()
 {
+  ++this->Version;
   this->Framebuffer->Bind();
   vtkOpenGLState* state = this->Framebuffer->GetContext()->GetState();
   state->vtkglViewport(0, 0, this->Width, this->Height);
@@ -156,6 +164,7 @@ bool vtkGodRaysTarget::Bind()
 //------------------------------------------------------------------------------
 void vtkGodRaysTarget::Release(vtkWindow* window)
 {
+  ++this->Version;
   if (this->Framebuffer)
   {
     this->Framebuffer->ReleaseGraphicsResources(window);
@@ -204,6 +213,7 @@ void vtkGodRaysTarget::Read(unsigned int format, unsigned int type, void* pixels
 //------------------------------------------------------------------------------
 void vtkGodRaysTarget::Write(unsigned int format, unsigned int type, const void* pixels)
 {
+  ++this->Version;
   this->Color->Activate();
   vtkOpenGLState* state = this->Framebuffer->GetContext()->GetState();
   state->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);

@@ -42,7 +42,7 @@ public:
 
   ///@{
   /**
-   * Make textures of this size and format. The second form borrows the depth texture.
+   * Make textures of this size and format, for this window. The second form borrows the depth texture.
    */
   void Prepare(vtkOpenGLRenderWindow* window, int width, int height, Format format);
   void Prepare(vtkOpenGLRenderWindow* window, unsigned int color, vtkTextureObject* depth);
@@ -63,6 +63,9 @@ public:
   vtkTextureObject* GetDepth() const { return this->Depth; }
   unsigned int GetColorFormat() const { return this->Formats.Color; }
   bool IsReady() const { return this->Color || this->Depth; }
+
+  /// A number that changes whenever the contents may have changed.
+  unsigned int GetVersion() const { return this->Version; }
 
   /// Whether the colour is one value a pixel, in red.
   bool HasOneChannel() const;
@@ -101,6 +104,7 @@ public:
 
 private:
   void Attach(vtkOpenGLRenderWindow* window);
+  bool IsOf(vtkOpenGLRenderWindow* window) const;
 
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
   vtkSmartPointer<vtkTextureObject> Color;
@@ -108,6 +112,7 @@ private:
   Format Formats;
   int Width = 0;
   int Height = 0;
+  unsigned int Version = 0;
 };
 
 #endif

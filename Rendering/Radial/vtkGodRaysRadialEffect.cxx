@@ -26,7 +26,8 @@ vtkGodRaysRadialEffect::vtkGodRaysRadialEffect(vtkGodRaysRadialSumModel* model)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkGodRaysRadialEffect::FindObstacle(const vtkGodRaysView&, const int[2]) const
+std::string vtkGodRaysRadialEffect::FindObstacle(
+  vtkRenderer*, vtkGodRaysCompositor*, const vtkGodRaysView&, const int[2]) const
 {
   return "";
 }

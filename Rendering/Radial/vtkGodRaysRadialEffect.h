@@ -21,7 +21,8 @@ public:
   /// The model must outlive this.
   explicit vtkGodRaysRadialEffect(vtkGodRaysRadialSumModel* model);
 
-  std::string FindObstacle(const vtkGodRaysView& view, const int size[2]) const override;
+  std::string FindObstacle(vtkRenderer* renderer, vtkGodRaysCompositor* compositor,
+    const vtkGodRaysView& view, const int size[2]) const override;
   bool SumsShownValues() const override;
   bool DimsScene() const override { return false; }
   bool ReadsSceneDepth() const override { return false; }

@@ -26,12 +26,12 @@ struct Preset
 
 const Preset Presets[] = {
   { "default", "Balanced shafts, for any scene", 0.97, 0.98, 0.03, 1.0, 100 },
-  { "soft-haze", "Short, weak shafts that melt into a haze", 0.95, 0.97, 0.025, 1.0, 100 },
-  { "crisp-shafts", "Long, even shafts with clear edges", 1.0, 1.015, 0.0028, 1.0, 100 },
   { "low-sun", "Strong, long shafts of a sun near the horizon", 0.98, 0.99, 0.028, 1.0, 100 },
-  { "underwater", "Shafts that are lost in murky water", 0.7, 0.96, 0.09, 1.0, 100 },
-  { "dusty-room", "Beams through a window into dust", 0.85, 0.98, 0.035, 1.0, 100 },
+  { "long-shafts", "Even light, and shafts to the edges of the picture", 1.0, 1.015, 0.0028, 1.0,
+    100 },
   { "cathedral", "Broad beams that cross a tall room", 1.2, 0.985, 0.016, 1.0, 100 },
+  { "soft-haze", "Short shafts that melt into a haze", 0.85, 0.97, 0.041, 1.0, 100 },
+  { "halo", "A glow about the light, with short shafts in it", 0.7, 0.96, 0.09, 1.0, 100 },
 };
 }
 

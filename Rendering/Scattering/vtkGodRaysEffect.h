@@ -56,11 +56,12 @@ public:
 
   ///@{
   /**
-   * Questions: why a view of this size [pixels] cannot be evaluated, with the remedy, or nothing;
+   * Questions: why a view of this size [pixels], or its scene, cannot be evaluated, with the remedy, or none;
    * whether shown values are summed instead of light; whether the scene is dimmed where no light is
    * scattered; whether Begin() reads the scene's depth.
    */
-  virtual std::string FindObstacle(const vtkGodRaysView& view, const int size[2]) const = 0;
+  virtual std::string FindObstacle(vtkRenderer* renderer, vtkGodRaysCompositor* compositor,
+    const vtkGodRaysView& view, const int size[2]) const = 0;
   virtual bool SumsShownValues() const = 0;
   virtual bool DimsScene() const = 0;
   virtual bool ReadsSceneDepth() const = 0;

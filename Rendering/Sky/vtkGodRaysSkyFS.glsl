@@ -53,7 +53,7 @@ vec3 DiscLight(vec3 direction, vec3 ray)
 }
 
 // Light at a place of the table, with its phase function.
-vec3 LookUp(vec2 cell, int slice, float aerosolPhase)
+vec3 LookUp(vec2 cell, int slice, vec3 aerosolPhase)
 {
   vec2 uv = (cell + vec2(0.0, slice * halfSize.y)) / vec2(2 * halfSize.x, halfSize.y * slices);
   return textureLod(table, uv, 0.0).rgb +
@@ -61,7 +61,7 @@ vec3 LookUp(vec2 cell, int slice, float aerosolPhase)
 }
 
 // The scene through the air.
-vec3 SceneThroughAir(vec3 ray, float slope, bool above, vec2 cell, float aerosolPhase)
+vec3 SceneThroughAir(vec3 ray, float slope, bool above, vec2 cell, vec3 aerosolPhase)
 {
   ivec2 pixel = ivec2(texCoord * vec2(textureSize(depth, 0)));
   vec3 shown = texelFetch(scene, pixel, 0).rgb;
@@ -100,8 +100,7 @@ void main()
   vec2 cell = vec2(0.5 + 0.5 * (1.0 + direction.x / level) * float(halfSize.x - 1),
     float(rowsBelow) + (above ? row * float(halfSize.y - rowsBelow - 1) + 0.5
                               : row * float(rowsBelow - 1) - 0.5));
-  float aerosolPhase =
-    Phase(PhaseFunction(PhaseKind, sky.AerosolPhase.Asymmetry), dot(direction, sun));
+  vec3 aerosolPhase = SkyAerosolPhase(PhaseKind, sky.AerosolAsymmetry, dot(direction, sun));
   if (beforeScene)
   {
     gl_FragData[0] = vec4(SceneThroughAir(ray, slope, above, cell, aerosolPhase), 1.0);

@@ -9,6 +9,7 @@
 #include "vtkGodRaysAttachment.h"
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysFramebuffer.h"
+#include "vtkGodRaysGate.h"
 #include "vtkGodRaysLight.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysPass.h"
@@ -42,6 +43,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 vtkStandardNewMacro(vtkGodRaysSkyPass);
 
@@ -50,6 +52,7 @@ vtkGodRaysSetFiniteMacro(vtkGodRaysSkyPass, WorldUnitInMeters, 1e-12, 1e12);
 vtkGodRaysSetFiniteMacro(vtkGodRaysSkyPass, Exposure, 0.0, 1e30);
 vtkGodRaysSetModeMacro(vtkGodRaysSkyPass, DisplayTransfer, vtkGodRaysPass::POWER_TRANSFER);
 
+using vtkGodRays::Luminance;
 using vtkGodRays::ToVec3;
 using vtkGodRays::Vec3;
 
@@ -70,6 +73,18 @@ bool IsDrawnAfter(const vtkRenderState* s)
     (!renderer->GetUseFXAA() && std::all_of(props, props + s->GetPropArrayCount(), isOpaque));
 }
 
+/// The weights of red, green and blue: with white balance, those for which SunIrradiance is grey.
+Vec3 GetWeights(vtkGodRaysSkyPass* sky)
+{
+  const Vec3 sun = ToVec3(sky->GetAtmosphere()->GetSunIrradiance());
+  Vec3 weights(1.0);
+  for (int i = 0; i < 3; ++i)
+  {
+    weights[i] = sky->GetWhiteBalance() && sun[i] > 0.0 ? Luminance(sun) / sun[i] : 1.0;
+  }
+  return weights;
+}
+
 void SetVector(vtkShaderProgram* program, const char* name, const Vec3& value)
 {
   vtkGodRaysQuad::SetVector(program, name, &value[0]);
@@ -84,7 +99,7 @@ struct vtkGodRaysSkyPass::Internals
   vtkMTimeType RepeatedTime = 0;      // of the atmosphere that it is of
   vtkNew<vtkTexture> Environment;
   vtkMTimeType EnvironmentTime = 0;  // of the source when its picture was made
-  double EnvironmentExposure = -1.0; // of that picture
+  Vec3 EnvironmentGain = Vec3(-1.0); // of that picture
 
   vtkGodRaysAttachment Attachment;
   vtkSmartPointer<vtkGodRaysCompositor> Compositor;
@@ -262,6 +277,8 @@ void vtkGodRaysSkyPass::GetSunColor(double irradiance[3])
 {
   this->PrepareSource();
   this->Internal->Source->GetSunLight(irradiance);
+  const Vec3 weights = GetWeights(this);
+  std::transform(irradiance, irradiance + 3, &weights[0], irradiance, std::multiplies<>());
 }
 
 //------------------------------------------------------------------------------
@@ -288,7 +305,8 @@ vtkTexture* vtkGodRaysSkyPass::GetEnvironmentTexture()
 {
   Internals& self = *this->Internal;
   this->PrepareSource();
-  if (self.Source->GetMTime() == self.EnvironmentTime && this->Exposure == self.EnvironmentExposure)
+  const Vec3 gain = this->Exposure * GetWeights(this);
+  if (self.Source->GetMTime() == self.EnvironmentTime && gain == self.EnvironmentGain)
   {
     return self.Environment;
   }
@@ -301,11 +319,13 @@ vtkTexture* vtkGodRaysSkyPass::GetEnvironmentTexture()
   vtkNew<vtkImageData> image;
   image->DeepCopy(sky);
   auto* values = static_cast<float*>(image->GetScalarPointer());
-  std::transform(values, values + 3 * image->GetNumberOfPoints(), values,
-    [this](float value) { return static_cast<float>(this->Exposure * value); });
+  for (vtkIdType i = 0; i < 3 * image->GetNumberOfPoints(); ++i)
+  {
+    values[i] *= static_cast<float>(gain[i % 3]);
+  }
   self.Environment->SetInputData(image);
   self.EnvironmentTime = self.Source->GetMTime();
-  self.EnvironmentExposure = this->Exposure;
+  self.EnvironmentGain = gain;
   return self.Environment;
 }
 
@@ -407,6 +427,14 @@ void vtkGodRaysSkyPass::Render(const vtkRenderState* s)
     self.ContextTime = window->GetContextCreationTime();
   }
   this->SetObserver(s);
+  const std::string fault = vtkGodRaysGate::FindFault(s->GetRenderer(), self.View);
+  if (!fault.empty())
+  {
+    this->Complain("sky", fault);
+    self.Plan = "sky: none, " + fault + "\n";
+    this->RenderScene(s);
+    return;
+  }
   self.Plan = self.Observer.Describe();
 
   vtkGodRaysOverlays overlays(s);
@@ -605,7 +633,8 @@ bool vtkGodRaysSkyPass::Draw(const int viewport[4], const int part[4], Stage sta
   SetVector(program, "pictureOrigin", self.Observer.PictureOrigin);
   SetVector(program, "pictureRight", self.Observer.PictureRight);
   SetVector(program, "pictureUp", self.Observer.PictureUp);
-  const Vec3 irradiance = this->Exposure * ToVec3(atmosphere->GetSunIrradiance());
+  const Vec3 irradiance =
+    this->Exposure * GetWeights(this) * ToVec3(atmosphere->GetSunIrradiance());
   SetVector(program, "irradiance", irradiance);
   if (stage == SKY_WITH_SUN)
   {
@@ -677,6 +706,7 @@ void vtkGodRaysSkyPass::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "WorldUnitInMeters: " << this->WorldUnitInMeters << "\n";
   os << indent << "Exposure: " << this->Exposure << "\n";
+  os << indent << "WhiteBalance: " << this->WhiteBalance << "\n";
   os << indent << "DisplayTransfer: " << this->DisplayTransfer << "\n";
   os << indent << "SunDisc: " << (this->SunDisc ? "on" : "off") << "\n";
   os << indent << "AerialPerspective: " << (this->AerialPerspective ? "on" : "off") << "\n";

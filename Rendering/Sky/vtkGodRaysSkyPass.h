@@ -135,11 +135,23 @@ public:
   ///@{
   /**
    * Set/Get the factor from radiance [the unit of the atmosphere's SunIrradiance/sr] to linear light, of
-   * which 1 is as bright as the window shows. Valid range: [0, 1e30]. Default is 4: the sky of a clear day
-   * is bright, and white things in the sun are too bright to be shown, as on a photograph of the sky.
+   * which 1 is as bright as the window shows; see WhiteBalance. Valid range: [0, 1e30]. Default is 4: the
+   * sky of a clear day is bright, and white things in the sun are too bright to be shown, as on a photograph
+   * of the sky.
    */
   void SetExposure(double exposure);
   vtkGetMacro(Exposure, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether the sun is white before its light meets the air: the three radiances are then weighted
+   * such that the atmosphere's SunIrradiance is grey, of the luminance that it has. Else they are red, green
+   * and blue as they are; SunIrradiance of sunlight is bluish so, and a sky of dust greenish. Default is on.
+   */
+  vtkSetMacro(WhiteBalance, bool);
+  vtkGetMacro(WhiteBalance, bool);
+  vtkBooleanMacro(WhiteBalance, bool);
   ///@}
 
   ///@{
@@ -196,7 +208,8 @@ public:
 
   /**
    * The irradiance of the sun across its light at Origin, on the ground: what the air leaves of the
-   * atmosphere's SunIrradiance, in its unit. 0 after an error, and for a sun below the horizon.
+   * atmosphere's SunIrradiance, in its unit, with WhiteBalance. 0 after an error, and for a sun below the
+   * horizon.
    */
   void GetSunColor(double irradiance[3]);
 
@@ -212,8 +225,8 @@ public:
    * for vtkRenderer::SetEnvironmentTexture(), with EnvironmentUp set to Up and EnvironmentRight to the
    * opposite of North; or for a vtkSkybox in a sphere's projection, with FloorPlane set to Up and FloorRight
    * to the west. It is equirectangular, 128 x 64, without the sun's disc, which is a light of its own. It is
-   * the same object every time, and made anew by this call when the sun, the atmosphere, MultipleScattering
-   * or Exposure has changed. Null after an error.
+   * the same object every time, and made anew by this call when the sun, the atmosphere, MultipleScattering,
+   * Exposure or WhiteBalance has changed. Null after an error.
    */
   vtkTexture* GetEnvironmentTexture();
 
@@ -264,6 +277,7 @@ private:
   double Origin[3] = { 0.0, 0.0, 0.0 };
   double WorldUnitInMeters = 1.0;
   double Exposure = 4.0;
+  bool WhiteBalance = true;
   int DisplayTransfer = 0;
   bool SunDisc = true;
   bool AerialPerspective = true;

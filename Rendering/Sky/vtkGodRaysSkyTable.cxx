@@ -193,7 +193,8 @@ void vtkGodRaysSkyTable::SetAtmosphere(vtkShaderProgram* program, const SkyAtmos
   vtkGodRaysQuad::SetVector(program, "sky.AerosolExtinction", &sky.AerosolExtinction[0]);
   vtkGodRaysQuad::SetVector(program, "sky.Absorption", &sky.Absorption[0]);
   SetPhase(program, "sky.AirPhase", sky.AirPhase);
-  SetPhase(program, "sky.AerosolPhase", sky.AerosolPhase);
+  program->SetUniformi("sky.AerosolPhaseKind", sky.AerosolPhaseKind);
+  vtkGodRaysQuad::SetVector(program, "sky.AerosolAsymmetry", &sky.AerosolAsymmetry[0]);
 }
 
 //------------------------------------------------------------------------------

@@ -158,10 +158,12 @@ private:
       }
       weight *= (air + aerosol) / extinction;
       const double cosSun = dot(direction, this->Sun);
+      const PhaseFunction aerosolPhase = { this->Sky.AerosolPhaseKind,
+        this->Sky.AerosolAsymmetry[color] };
       if (order > 0)
       {
-        const double phase = (air * Phase(this->Sky.AirPhase, cosSun) +
-                               aerosol * Phase(this->Sky.AerosolPhase, cosSun)) /
+        const double phase =
+          (air * Phase(this->Sky.AirPhase, cosSun) + aerosol * Phase(aerosolPhase, cosSun)) /
           (air + aerosol);
         radiance += weight * phase *
           this->GetSunTransmittance(there, dot(place, this->Sun) / length(place), color);
@@ -172,9 +174,9 @@ private:
       }
       else
       {
-        const double g = this->Sky.AerosolPhase.Asymmetry;
+        const double g = aerosolPhase.Asymmetry;
         const double c = this->GetHenyeyGreensteinCosine(g);
-        weight *= Phase(this->Sky.AerosolPhase, c) / PhaseHenyeyGreenstein(c, g);
+        weight *= Phase(aerosolPhase, c) / PhaseHenyeyGreenstein(c, g);
         direction = this->Turn(direction, c);
       }
       ++order;

@@ -218,14 +218,17 @@ def write_gltf(path):
     (path.parent / "triangles.bin").write_bytes(buffer)
 
 
-def write_glb(path):
-    document, buffer = gltf(embed=True)
+def write_glb_parts(path, document, buffer):
     document += b" " * (-len(document) % 4)
     total = 12 + 8 + len(document) + 8 + len(buffer)
     path.write_bytes(
         struct.pack("<4sII", b"glTF", 2, total) +
         struct.pack("<I4s", len(document), b"JSON") + document +
         struct.pack("<I4s", len(buffer), b"BIN\0") + buffer)
+
+
+def write_glb(path):
+    write_glb_parts(path, *gltf(embed=True))
 
 
 def write_3ds(path):
@@ -258,6 +261,29 @@ def write_hdr(path):
     pixels = b"".join(
         bytes((int(v), 128, 200 - int(v) // 2, 128)) for v in heights(n).ravel())
     path.write_bytes(f"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {n} +X {n}\n".encode() + pixels)
+
+
+def write_strips_ply(path, order=None):
+    """A tube of triangle strips, in one list; order: of a binary file, > or <."""
+    around, along = 16, 4
+    angles = numpy.linspace(0, 2 * numpy.pi, around, endpoint=False)
+    points = [(numpy.cos(a), z, numpy.sin(a)) for z in range(along) for a in angles]
+    strips = []
+    for z in range(along - 1):
+        for i in range(around + 1):
+            strips += [(z + 1) * around + i % around, z * around + i % around]
+        strips.append(-1)
+    kind = {None: "ascii", "<": "binary_little_endian", ">": "binary_big_endian"}[order]
+    head = f"ply\nformat {kind} 1.0\nelement vertex {len(points)}\n" + "".join(
+        f"property float {axis}\n" for axis in "xyz")
+    head += "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+    if order:
+        body = b"".join(struct.pack(order + "3f", *point) for point in points)
+        body += struct.pack(f"{order}{1 + len(strips)}i", len(strips), *strips)
+    else:
+        body = "".join("{:.6f} {:.6f} {:.6f}\n".format(*point) for point in points)
+        body = (body + " ".join(map(str, [len(strips), *strips])) + "\n").encode()
+    path.write_bytes(head.encode() + body)
 
 
 def write_colored_obj(path):
@@ -323,6 +349,9 @@ def write_all(folder):
         "colored.obj": write_colored_obj,
         "elevation.vti": lambda p: write(
             vtkXMLImageDataWriter(), image(heights(), 30.0, "Elevation"), p),
+        "strips.ply": write_strips_ply,
+        "strips-big.ply": lambda p: write_strips_ply(p, ">"),
+        "strips-little.ply": lambda p: write_strips_ply(p, "<"),
         "upper.VTP": lambda p: write(vtkXMLPolyDataWriter(), surface(), p),
         "volume.vtk": lambda p: write(vtkStructuredPointsWriter(), volume(), p),
     }

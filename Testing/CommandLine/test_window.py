@@ -76,14 +76,15 @@ class Window(ProgramTest):
     SIZE = (123, 77)  # that no other program on the screen has
 
     def draw_and_press(self, *keys):
-        """Press N until it has an effect, then these keys, then Q; the picture written at the end."""
+        """From the last look or medium of ours press N until it has an effect, which brings the first one, then
+        these keys, then Q; the picture written at the end."""
         screen = Screen()
         self.addCleanup(screen.close)
         path = self.folder / "window.png"
         path.unlink(missing_ok=True)
         program = subprocess.Popen(
             [os.environ["GODRAYS_PROGRAM"], self.mesh, "--size", "{}x{}".format(*self.SIZE),
-             "--interactive", "--output", path],
+             "--preset", "sea-water", "--interactive", "--output", path],
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.addCleanup(program.kill)
         end = time.monotonic() + 30
@@ -91,9 +92,10 @@ class Window(ProgramTest):
         while program.poll() is None and time.monotonic() < end:
             time.sleep(0.2)
             window, title = screen.find_window(self.SIZE) or (None, "")
-            if window and title != "godrays: default":
+            if window and title == "godrays":
                 screen.press(window, "n")
             elif window:
+                self.assertEqual(title, "godrays: default")
                 for key in [*keys, "q"] if not pressed else "q":
                     screen.press(window, key)
                     pressed.append(key)

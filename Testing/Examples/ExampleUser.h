@@ -99,7 +99,7 @@ protected:
 };
 vtkStandardNewMacro(UserFactory);
 
-/// Run the example without arguments, and the user in its window.
+/// Run the example without a picture, and the user in its window.
 inline void RunExample(std::function<void(User*)> act)
 {
   vtkObjectFactory::SetAllEnableFlags(false, "vtkRenderWindowInteractor");
@@ -107,8 +107,9 @@ inline void RunExample(std::function<void(User*)> act)
   vtkObjectFactory::RegisterFactory(factory);
   User::Act = std::move(act);
   std::string name = "example";
-  char* arguments[] = { &name[0], nullptr };
-  EXPECT_EQ(ExampleMain(1, arguments), EXIT_SUCCESS);
+  std::string size = "800x600";
+  char* arguments[] = { &name[0], &size[0], nullptr };
+  EXPECT_EQ(ExampleMain(2, arguments), EXIT_SUCCESS);
   vtkObjectFactory::UnRegisterFactory(factory);
 }
 

@@ -158,13 +158,14 @@ int GetDifference(const std::string& picture, const std::string& baseline)
 
 namespace
 {
-/// variant: the example's second argument, or null.
+/// variant: the example's third argument, or null.
 int Run(const std::string& picture, char* variant)
 {
   std::string name = EXAMPLE_NAME;
   std::string file = picture;
-  char* arguments[] = { &name[0], &file[0], variant, nullptr };
-  return ExampleMain(variant ? 3 : 2, arguments);
+  std::string size = "400x300"; // of the baselines
+  char* arguments[] = { &name[0], &file[0], &size[0], variant, nullptr };
+  return ExampleMain(variant ? 4 : 3, arguments);
 }
 }
 

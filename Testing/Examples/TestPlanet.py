@@ -33,17 +33,19 @@ def expected(x, y):
     source.SetSunElevation(numpy.degrees(numpy.arcsin(sun.dot(up))))
     light = [0, 0, 0]
     source.GetRadiance([look.dot(each) for each in (numpy.cross(north, up), north, up)], light)
-    return encoded(scene["sky"].GetExposure() * numpy.array(light))
+    sun = numpy.array(source.GetAtmosphere().GetSunIrradiance())
+    white = sun.dot((0.2126, 0.7152, 0.0722)) / sun
+    return encoded(scene["sky"].GetExposure() * white * light)
 
 
 folder = os.getcwd()
 example, program = sys.argv[1:]
 picture = os.path.join(folder, "Planet_cxx.png")
-subprocess.run([program, picture], check=True)
+subprocess.run([program, picture, "400x300"], check=True)
 difference = numpy.abs(read(picture) - baseline("Planet")).max()
 check("the program draws the baseline", difference <= 2, f"to {difference} levels")
 picture = os.path.join(folder, "Planet_py.png")
-sys.argv = [example, picture]
+sys.argv = [example, picture, "400x300"]
 scene = runpy.run_path(example)
 difference = numpy.abs(read(picture) - baseline("Planet")).max()
 check("so does the script", difference <= 2, f"to {difference} levels")

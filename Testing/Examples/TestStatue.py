@@ -65,7 +65,7 @@ vtk.vtkRenderWindowInteractor = User  # for the example
 class Window(unittest.TestCase):
     def run_example(self, act):
         User.act = act
-        sys.argv = [EXAMPLE]
+        sys.argv = [EXAMPLE, "800x600"]
         sys.path.insert(0, os.path.dirname(EXAMPLE))
         runpy.run_path(EXAMPLE)
 
@@ -105,7 +105,7 @@ class Window(unittest.TestCase):
     def test_models(self):
         def draw(model):
             return subprocess.run(
-                [sys.executable, EXAMPLE, "Statue-model.png", model],
+                [sys.executable, EXAMPLE, "Statue-model.png", "400x300", model],
                 stderr=subprocess.PIPE, text=True)  # fmt: skip
 
         ball = vtk.vtkSphereSource()

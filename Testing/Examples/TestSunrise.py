@@ -57,7 +57,7 @@ def checksum_of(page):
 def check_film():
     count = 25
     film = os.path.join(folder, "Sunrise.ogv")
-    done = run(film, count)
+    done = run(film, "400x300", count)
     check("a film is made", done.returncode == 0, done.stderr)
     check("its progress is told", done.stdout.count("frame ") == count, done.stdout.split("\r")[-1].strip())
     frames = [read(f"{film[:-4]}-{i:04}.png") for i in range(count)]
@@ -88,7 +88,7 @@ def check_program():
     frames = []
     for name, command in ("a", [program]), ("b", [sys.executable, example]):
         film = os.path.join(folder, f"Sunrise_{name}.ogv")
-        done = subprocess.run([*command, film, "3"], capture_output=True, text=True)
+        done = subprocess.run([*command, film, "400x300", "3"], capture_output=True, text=True)
         check(f"{command[-1]} makes a film", done.returncode == 0, done.stdout.splitlines()[-1])
         frames.append(numpy.array([read(f"{film[:-4]}-{i:04}.png") for i in range(3)]))
     difference = numpy.abs(frames[0] - frames[1]).max()
@@ -96,7 +96,7 @@ def check_program():
 
 
 def check_light():
-    sys.argv = [example, os.path.join(folder, "Sunrise_checks.png")]
+    sys.argv = [example, os.path.join(folder, "Sunrise_checks.png"), "400x300"]
     scene = runpy.run_path(example)
     colors = []
     for hours in scene["day"].GetSunrise() + 0.2, 12:
@@ -133,7 +133,7 @@ def check_elevations():
         writer.SetFileName(elevations)
         writer.Write()
         picture = os.path.join(folder, f"Sunrise_{base}.png")
-        done = run(picture, elevations)
+        done = run(picture, "400x300", elevations)
         check("elevations are read", done.returncode == 0, done.stderr)
         pictures.append(read(picture))
     ground, sky = pictures[0][:20].mean(), pictures[0][-20:].mean()

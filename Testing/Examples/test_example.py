@@ -13,12 +13,13 @@ import sys
 import numpy
 from example_testing import read
 
+SIZE = "400x300"  # of the baselines
 LEVELS = int(os.environ["EXAMPLE_LEVELS"])
 
 
 def difference(example, picture, baseline, **environment):
     subprocess.run(
-        [sys.executable, example, picture, *variant], check=True, env={**os.environ, **environment}
+        [sys.executable, example, picture, SIZE, *variant], check=True, env={**os.environ, **environment}
     )
     values, expected = read(picture), read(baseline)
     if values.shape != expected.shape:

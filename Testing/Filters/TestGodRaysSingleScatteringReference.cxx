@@ -336,7 +336,7 @@ TEST(SingleScatteringReference, AirOverAPlanet)
   const double top = 320e3;
   const vtkGodRays::SkyAtmosphere sky = { ground, top, { 0, 8000.0, 0.0 }, { 0, 1200.0, 0.0 },
     { 2, 25e3, 15e3 }, Vec3(5.802e-6, 13.558e-6, 33.1e-6), Vec3(3.996e-6), Vec3(4.44e-6), Vec3(0.0),
-    { 1, 0.0 }, { 3, 0.8 } };
+    { 1, 0.0 }, 3, Vec3(0.8) };
   vtkNew<Reference> reference;
   reference->SetSize(1, 1);
   reference->SetViewAngle(1e-3);

@@ -494,6 +494,41 @@ TEST(SkySource, TakesAnAtmosphere)
 }
 
 //------------------------------------------------------------------------------
+// The sky of Mars is a light to moderate yellowish brown, linear light of (1.66, 1, 0.45), and redder away
+// from the sun [Maki1999]; about a low sun it is blue [Ehlers2014]. In units of the sun's own colour.
+TEST(SkySource, IsYellowishBrownOverMarsAndBlueAboutTheSun)
+{
+  vtkNew<Source> source;
+  source->SetAtmospherePreset(Atmosphere::MARS);
+  source->MultipleScatteringOn();
+  const double* sun = source->GetAtmosphere()->GetSunIrradiance();
+  for (const double elevation : { 45.0, 20.0, 5.0, 2.0 })
+  {
+    Prepare(source, 90.0 - elevation, 1e-3);
+    const auto getColor = [&](double zenith, double azimuth)
+    {
+      const Vec3 color = GetRadiance(source, zenith, azimuth) / Vec3(sun[0], sun[1], sun[2]);
+      return color / color.y;
+    };
+    double before = 0.0;
+    for (const double azimuth : { 0.0, 5.0, 10.0, 20.0, 40.0, 90.0 })
+    {
+      const Vec3 color = getColor(90.0 - elevation, azimuth);
+      EXPECT_GT(color.x / color.z, before) << elevation << " " << azimuth;
+      before = color.x / color.z;
+    }
+    EXPECT_GT(getColor(90.0 - elevation, 1.0).z, 1.4);
+    EXPECT_LT(getColor(90.0 - elevation, 1.0).x, 0.8);
+    for (const double zenith : { 0.0, 30.0, 60.0, 80.0, 88.0 })
+    {
+      const Vec3 color = getColor(zenith, 180.0);
+      EXPECT_NEAR(color.x, 1.66, 0.5) << elevation << " " << zenith;
+      EXPECT_NEAR(color.z, 0.45, 0.09) << elevation << " " << zenith;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // By night there is no light that is scattered twice where there is none that is scattered once; by day it
 // is more over bright ground.
 TEST(SkySource, GivesItsTableOfMultipleScattering)

@@ -105,6 +105,44 @@ TEST(Sun, FollowsTheCameraInItsFrameAlone)
 }
 
 //------------------------------------------------------------------------------
+TEST(Sun, IsPutInADirection)
+{
+  vtkNew<vtkCamera> camera;
+  camera->SetPosition(5.0, 1.0, 2.0);
+  camera->SetFocalPoint(9.0, 2.0, 2.0);
+  camera->SetViewUp(0.0, 0.6, 0.8);
+  vtkNew<Sun> sun;
+  sun->SetUp(0.1, 0.2, 3.0);
+  sun->SetNorth(1.0, 2.0, 0.5);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (int frame = Sun::CAMERA; frame <= Sun::UP_AND_NORTH; ++frame)
+  {
+    sun->SetFrame(frame);
+    for (const auto& wanted : { std::array<double, 3>{ 0.3, -0.5, 0.2 }, { -3.0, 0.1, 0.0 },
+           { 0.0, 0.0, 1.0 }, { 1e-8, 0.0, -2e-8 } })
+    {
+      sun->SetPosition(Sun::DATE_AND_PLACE);
+      ASSERT_TRUE(sun->MoveTo(camera, wanted.data())) << frame;
+      EXPECT_EQ(sun->GetPosition(), Sun::AZIMUTH_AND_ELEVATION);
+      EXPECT_EQ(sun->GetFrame(), frame);
+      double direction[3];
+      ASSERT_TRUE(sun->GetDirection(camera, direction));
+      const double length = vtkMath::Norm(wanted.data());
+      ExpectNear(direction, wanted[0] / length, wanted[1] / length, wanted[2] / length);
+    }
+    const double azimuth = sun->GetAzimuth();
+    for (const auto& wrong : { std::array<double, 3>{ 0.0, 0.0, 0.0 }, { nan, 0.0, 1.0 } })
+    {
+      EXPECT_FALSE(sun->MoveTo(camera, wrong.data()));
+      EXPECT_EQ(sun->GetAzimuth(), azimuth);
+    }
+  }
+  sun->SetNorth(0.1, 0.2, 3.0);
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  EXPECT_FALSE(sun->MoveTo(camera, up));
+}
+
+//------------------------------------------------------------------------------
 TEST(Sun, StandsWhereItsEphemerisSays)
 {
   vtkNew<vtkGodRaysSunPosition> expected;

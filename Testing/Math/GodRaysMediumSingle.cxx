@@ -60,8 +60,8 @@ void GodRaysMediumSingle::EarthInscatter(
   using vtkGodRaysSingle::Vec3;
   const vtkGodRaysSingle::SkyAtmosphere earth = { 6360e3f, 60e3f, { 0, 8000.0f, 0.0f },
     { 0, 1200.0f, 0.0f }, { 2, 25e3f, 15e3f }, Vec3(5.802e-6f, 13.558e-6f, 33.1e-6f),
-    Vec3(3.996e-6f), Vec3(4.44e-6f), Vec3(0.650e-6f, 1.881e-6f, 0.085e-6f), { 1, 0.0f },
-    { 3, 0.8f } };
+    Vec3(3.996e-6f), Vec3(4.44e-6f), Vec3(0.650e-6f, 1.881e-6f, 0.085e-6f), { 1, 0.0f }, 3,
+    Vec3(0.8f) };
   const Vec3 light =
     vtkGodRaysSingle::SkyInscatter(earth, height, slope, sunSlope, cosAngle, distance);
   result[0] = light.x;

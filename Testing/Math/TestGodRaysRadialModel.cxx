@@ -375,7 +375,7 @@ void CheckPresets(const char* usual, const std::function<void(Model*, const char
 TEST(RadialModel, HasPresets)
 {
   CheckPresets<vtkGodRaysRadialModel>("default", [](vtkGodRaysRadialModel*, const char*) {});
-  EXPECT_GE(vtkGodRaysRadialModel::GetNumberOfPresets(), 7);
+  EXPECT_GE(vtkGodRaysRadialModel::GetNumberOfPresets(), 6);
 }
 
 TEST(PublishedModel, HasAPresetForEachFormulation)

@@ -31,7 +31,7 @@ const SkyProfile ozone = { 2, 25e3, 15e3 };
 SkyAtmosphere MakeEarth()
 {
   SkyAtmosphere earth = { ground, top, air, aerosol, ozone, Vec3(0.0), Vec3(3.996e-6),
-    Vec3(4.44e-6), Vec3(0.650e-6, 1.881e-6, 0.085e-6), { 1, 0.0 }, { 3, 0.8 } };
+    Vec3(4.44e-6), Vec3(0.650e-6, 1.881e-6, 0.085e-6), { 1, 0.0 }, 3, Vec3(0.8) };
   earth.AirScattering =
     1.24062e-6 * Vec3(std::pow(0.68, -4.0), std::pow(0.55, -4.0), std::pow(0.44, -4.0));
   return earth;

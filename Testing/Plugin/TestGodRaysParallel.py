@@ -17,7 +17,9 @@ from parallel_testing import MPIRUN, difference, draw, on_processes, read
 LEVELS = 2
 
 # What ParaView draws alike without rays; what it joins in order differs by a few levels.
-SCENES = ["opaque", "gradient", "tagged", "lamp", "bright", "medium", "shadows", "sky", "one_process"]
+SCENES = [
+    "opaque", "gradient", "tagged", "lamp", "bright", "medium", "shadows", "sky", "placed", "one_process",
+]  # fmt: skip
 ORDERED = ["volume", "translucent", "veil"]
 
 
@@ -45,7 +47,7 @@ class Parallel(unittest.TestCase):
                 self.assertGreater(rays, 10 * LEVELS)
 
     def test_the_scenes_differ(self):
-        for name in ("gradient", "tagged", "lamp", "bright", "medium", "sky", "volume"):
+        for name in ("gradient", "tagged", "lamp", "bright", "medium", "sky", "volume", "placed"):
             change = abs(read(self.serial, name) - read(self.serial, "opaque")).max()
             self.assertGreater(change, 10 * LEVELS, name)
         change = abs(read(self.serial, "medium") - read(self.serial, "shadows")).max()
@@ -73,12 +75,12 @@ class Parallel(unittest.TestCase):
         self.assertEqual(str(failed.exception).count("no solid layers"), 1)
 
     def test_four_processes(self):
-        scenes = ["opaque", "tagged", "lamp", "medium", "shadows", "sky", "one_process"]
+        scenes = ["opaque", "tagged", "lamp", "medium", "shadows", "sky", "placed", "one_process"]
         folder = self.draw("four", on_processes(4), scenes)
         self.check(folder, scenes)
 
     def test_client_and_server(self):
-        scenes = ["gradient", "tagged", "lamp", "sky"]
+        scenes = ["gradient", "tagged", "lamp", "sky", "placed"]
         for count, remote in (("2", "1"), ("2", "0")):
             with self.subTest(f"{count} processes, remote rendering {remote}"):
                 with socket.socket() as free:

@@ -10,7 +10,8 @@ ELSEWHERE = {
     "vtkGodRaysPass": {
         "Model", "Integrator", "Role", "DelegatePass", "Compositor", "DisplayTransfer", "Sun",
         "SunPlacement"},  # fmt: skip
-    "vtkGodRaysHomogeneousModel": {"Visibility"},  # another form of its coefficients
+    # another form of its coefficients; what media by name have without a unit
+    "vtkGodRaysHomogeneousModel": {"Visibility", "OpticalDepth"},
     "vtkGodRaysReferenceFilter": set(),
     "vtkGodRaysScatteringFilter": set(),
     "vtkGodRaysSkySource": {"Atmosphere", "Sun"},

@@ -16,7 +16,7 @@ class Readme(Case):
         text = README.read_text(encoding="utf-8")
         self.assertIn(PATH, text)
         scripts = re.findall("```python\n(.*?)```", text, re.DOTALL)
-        first, sun, sky, roles, plan, own_view = scripts
+        first, by_hand, sun, sky, roles, plan, own_view = scripts
         os.chdir(TEMPORARY)
         names = {"__name__": "__main__"}
         first = first.replace("LoadPlugin", "# ")  # it is loaded
@@ -33,6 +33,9 @@ class Readme(Case):
         view = names["view"]
         self.assertEqual(read("picture.png").shape, (1080, 1920, 3))
         self.assertIn("epipolar", rays(view).GetPlan())
+        self.assertEqual(view.PlaceSun, 0)
+        run(by_hand)
+        self.assertEqual((view.SunAzimuth, view.SunElevation), (5.0, 12.0))
         run(sun)
         self.assertLess(abs(names["azimuth"] - 290.0), 15.0)  # in the north-west
         self.assertLess(abs(names["elevation"] - 15.0), 5.0)  # some hours before it sets

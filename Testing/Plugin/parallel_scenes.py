@@ -94,6 +94,7 @@ def translucent(view):
     shown.DiffuseColor = [0.4, 0.45, 0.5]
     shown.Opacity = 0.4
     shown.UseDataPartitions = 1
+    view.AutomaticExposure = 0  # one process has no alpha that says where translucent data are
     view.CameraPosition = [0, 0, 60]
 
 
@@ -137,8 +138,17 @@ def layers(view):
 def sky(view):
     """A low sun behind the spheres, and its sky."""
     add_spheres(view)
+    view.AutomaticExposure = 0  # the sky says how bright the sun is
+    view.BackgroundGlow, view.BackgroundGlowFalloff = 0.4, 18  # wide enough for coarse pictures
     view.UseSky = 1
     view.SunFrame = "World, Y up"
+
+
+def placed(view):
+    """A sun that the first frame places, by the occluders of all processes."""
+    add_spheres(view)
+    view.SunAzimuth, view.SunElevation = 0.0, 10.0
+    view.PlaceSun = 1
 
 
 def one_process(view):
@@ -150,7 +160,7 @@ SCENES = {
     scene.__name__: scene
     for scene in (
         opaque, gradient, tagged, lamp, bright, medium, shadows, layers, sky, translucent, veil, volume,
-        one_process,
+        placed, one_process,
     )  # fmt: skip
 }
 
@@ -191,6 +201,7 @@ for name in sys.argv[2:] or SCENES:
         view.RemoteRenderThreshold = 0.0 if os.environ["GODRAYS_REMOTE_RENDERING"] == "1" else 1e9
     SCENES[name](view)
     simple.Render(view)
+    assert view.PlaceSun == 0
     path = os.path.join(FOLDER, name)
     simple.SaveScreenshot(path + ".png", view)
     if "GODRAYS_REMOTE_RENDERING" in os.environ:

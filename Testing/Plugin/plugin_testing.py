@@ -43,6 +43,8 @@ def make_view(name=VIEW, size=(160, 120), **properties):
     view.CameraPosition = [0, 0, 8]
     view.CameraFocalPoint = [0, 0, 0]
     view.CameraViewUp = [0, 1, 0]
+    if name == VIEW:
+        view.PlaceSun = 0  # 10 degrees above the centre of the picture
     for key, value in properties.items():
         setattr(view, key, value)
     return view

@@ -266,7 +266,7 @@ class Parameters(unittest.TestCase):
         foggy = pixels(window)
         godrays.enable(renderer, model="atmosphere", mie_scattering=(0.01, 0.01, 0.01))
         self.assertEqual(rays.GetModel().GetClassName(), "vtkGodRaysAtmosphereModel")
-        godrays.enable(renderer, preset="mitchell")
+        godrays.enable(renderer, preset="published:mitchell")
         self.assertEqual(rays.GetModel().GetClassName(), "vtkGodRaysPublishedModel")
         self.assertNotEqual(foggy, pixels(window))
         godrays.enable(renderer, preset="low-sun")
@@ -281,17 +281,20 @@ class Parameters(unittest.TestCase):
     def test_a_preset_belongs_to_the_class_that_lists_it(self):
         presets = godrays.vtkGodRaysPresets
         names = []
-        for model in (
-            godrays.vtkGodRaysRadialModel,
-            godrays.vtkGodRaysPublishedModel,
-            godrays.vtkGodRaysHomogeneousModel,
+        for model, prefix in (
+            (godrays.vtkGodRaysRadialModel, ""),
+            (godrays.vtkGodRaysHomogeneousModel, ""),
+            (godrays.vtkGodRaysPublishedModel, "published:"),
         ):
             for i in range(model.GetNumberOfPresets()):
-                name = model.GetPresetName(i)
+                name = prefix + model.GetPresetName(i)
                 self.assertEqual(presets.GetPresetDescription(len(names)), model.GetPresetDescription(i))
                 names.append(name)
                 expected = model()
-                expected.ApplyPreset(name)
+                expected.ApplyPreset(model.GetPresetName(i))
+                again = model()
+                self.assertTrue(presets.ApplyTo(again, name))
+                self.assertEqual(again.Describe(), expected.Describe())
                 made = presets.NewModel(name)
                 self.assertEqual(made.GetReferenceCount(), 1)  # nobody else's
                 self.assertEqual(made.GetClassName(), model.__name__)
@@ -305,6 +308,9 @@ class Parameters(unittest.TestCase):
         self.assertEqual(len(set(names)), count)
         for wrong in ("nonesuch", "", None):
             self.assertIsNone(presets.NewModel(wrong))
+            self.assertFalse(presets.ApplyTo(godrays.vtkGodRaysRadialModel(), wrong))
+        self.assertFalse(presets.ApplyTo(godrays.vtkGodRaysRadialModel(), "fog"))
+        self.assertFalse(presets.ApplyTo(None, "default"))
 
     def test_an_unknown_preset_changes_nothing(self):
         with self.assertRaisesRegex(ValueError, "no preset 'nonesuch'; there are: "):

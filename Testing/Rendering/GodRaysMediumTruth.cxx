@@ -16,6 +16,8 @@
 #include "vtkPolyData.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
+#include "vtkTransform.h"
+#include "vtkTransformPolyDataFilter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +37,12 @@ vtkSmartPointer<vtkImageData> GetTrueScattering(
     if (actor && actor->GetVisibility())
     {
       actor->GetMapper()->Update();
-      occluders->AddInputData(vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput()));
+      vtkNew<vtkTransform> toWorld;
+      toWorld->SetMatrix(actor->GetMatrix());
+      vtkNew<vtkTransformPolyDataFilter> placed;
+      placed->SetInputData(actor->GetMapper()->GetInput());
+      placed->SetTransform(toWorld);
+      occluders->AddInputConnection(placed->GetOutputPort());
     }
   }
   vtkNew<vtkGodRaysSingleScatteringReference> truth;

@@ -144,6 +144,14 @@ vtkSmartPointer<vtkLight> MakeLamplight(std::array<double, 3> position, std::arr
 }
 
 //------------------------------------------------------------------------------
+void AddPlainly(vtkGodRaysPass* rays)
+{
+  rays->SetAutomaticExposure(false);
+  rays->SetHighlightShoulder(false);
+  rays->SetDarkenLightBackground(false);
+}
+
+//------------------------------------------------------------------------------
 Stage::Stage(int width, int height)
 {
   this->Window->SetOffScreenRendering(true);
@@ -158,6 +166,7 @@ Stage::Stage(int width, int height)
   camera->SetViewUp(0.0, 1.0, 0.0);
   camera->SetViewAngle(40.0);
   camera->SetClippingRange(1.0, 100.0);
+  AddPlainly(this->Rays);
   // a glow that fills much of the picture
   this->Rays->SetBackgroundGlow(0.5);
   this->Rays->SetBackgroundGlowFalloff(25.0);

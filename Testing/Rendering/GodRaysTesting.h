@@ -57,6 +57,9 @@ vtkSmartPointer<vtkLight> MakeSun(
 vtkSmartPointer<vtkLight> MakeLamplight(
   std::array<double, 3> position, std::array<double, 3> color = { 1.0, 1.0, 1.0 });
 
+/// Have the pass add its plain sum, whatever the picture shows; see TestGodRaysExposure for the rest.
+void AddPlainly(vtkGodRaysPass* rays);
+
 /// Off screen, one renderer, dark background, camera at (0, 0, 10) that looks at the origin with a
 /// view angle of 40 degrees and sees depths of 1 to 100; no multisampling.
 struct Stage

@@ -182,7 +182,7 @@ TEST_F(GodRaysAtmosphereModel, TakesTheAirOfASky)
     }
     EXPECT_EQ(model->GetRayleighScaleHeight(), sky->GetRayleighHeight());
     EXPECT_EQ(model->GetMieScaleHeight(), sky->GetMieHeight());
-    EXPECT_EQ(model->GetMieAsymmetry(), sky->GetMieAsymmetry());
+    EXPECT_EQ(model->GetMieAsymmetry(), sky->GetMieAsymmetry()[1]);
   };
   expectSame();
   sky->LoadPreset(vtkGodRaysAtmosphere::MARS);

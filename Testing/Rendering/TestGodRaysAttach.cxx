@@ -56,6 +56,28 @@ TEST(GodRaysAttach, KeepsWhatTheRendererHad)
   scene.Rays->Detach(nullptr);
 }
 
+TEST(GodRaysAttach, OfTwoPassesEndsInEitherOrder)
+{
+  Messages messages;
+  for (const bool outerFirst : { true, false })
+  {
+    Stage scene;
+    auto sun = scene.AddPillarsAndSun();
+    scene.Rays->Detach(scene.Renderer);
+    const auto without = GetPixels(scene.Window);
+    vtkNew<vtkGodRaysPass> outer;
+    outer->AddLight(sun);
+    scene.Rays->Attach(scene.Renderer);
+    outer->Attach(scene.Renderer);
+    EXPECT_NE(GetPixels(scene.Window), without);
+    (outerFirst ? outer.Get() : scene.Rays)->Detach(scene.Renderer);
+    EXPECT_NE(GetPixels(scene.Window), without) << "of the one that is left";
+    (outerFirst ? scene.Rays : outer.Get())->Detach(scene.Renderer);
+    EXPECT_EQ(GetPixels(scene.Window), without) << (outerFirst ? "outer first" : "inner first");
+    EXPECT_EQ(scene.Renderer->GetPass(), nullptr);
+  }
+}
+
 TEST(GodRaysAttach, IsToOneRendererAtATime)
 {
   Messages messages;

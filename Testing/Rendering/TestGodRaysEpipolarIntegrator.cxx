@@ -158,7 +158,8 @@ TEST_P(GodRaysEpipolar, MeasuresItsOwnError)
 TEST_P(GodRaysEpipolar, SumsParityFormulationsAsPublished)
 {
   this->Scene.AddPillarsAndSun();
-  for (const char* preset : { "mitchell", "postprocessing", "three.js" })
+  for (const char* preset :
+    { "published:mitchell", "published:postprocessing", "published:three.js" })
   {
     ASSERT_TRUE(this->Rays->ApplyPreset(preset));
     this->Rays->SetIntegrator(this->Integrator);

@@ -15,6 +15,7 @@
 #include "vtkGodRaysShadowMapIntegrator.h"
 #include "vtkGodRaysSingleScatteringReference.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -215,6 +216,44 @@ TEST_F(GodRaysMedium, TellsItsDepthAcrossTheScene)
   EXPECT_TRUE(Says(getPlan(1e-4), "it hardly shows; set WorldUnitInMeters"));
 }
 
+// A medium by name is as dense as suits the scene, whatever its unit, until somebody says how long that is.
+TEST_F(GodRaysMedium, SuitsASceneOfWhichNobodyKnowsTheUnit)
+{
+  this->AddPillars();
+  this->AddSun({ 0.15, 0.1, -1.0 });
+  const auto getMean = [this]
+  {
+    this->Scene.Window->Render();
+    return GetMean(this->GetScattering());
+  };
+  ASSERT_TRUE(this->Model->ApplyPreset("sea-water"));
+  EXPECT_EQ(this->Model->GetOpticalDepth(), 0.5);
+  const double suits = getMean();
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "optical depth across the scene 0.5"))
+    << this->Rays->GetPlan();
+  double bounds[6];
+  this->Renderer->ComputeVisiblePropBounds(bounds);
+  const double diagonal = vtkBoundingBox(bounds).GetDiagonalLength();
+  // the same by hand: 0.419/m in green
+  this->Model->SetWorldUnitInMeters(0.5 / (0.419 * diagonal));
+  EXPECT_NEAR(getMean(), suits, 1e-5 * suits);
+  this->Model->SetWorldUnitInMeters(1.0);
+  EXPECT_GT(std::abs(getMean() - suits), 0.1 * suits);
+  EXPECT_FALSE(Says(this->Rays->GetPlan(), "across the scene 0.5"));
+
+  this->Model->SetWorldUnitInMeters(0.0);
+  this->Model->SetOpticalDepth(0.1);
+  EXPECT_LT(getMean(), 0.6 * suits);
+  // numbers of one's own are taken as they are
+  this->Model->SetAbsorptionCoefficient(0.0, 0.0, 0.0);
+  EXPECT_EQ(this->Model->GetOpticalDepth(), 0.0);
+  this->Model->SetOpticalDepth(0.1);
+  this->Model->SetVisibility(60.0);
+  EXPECT_EQ(this->Model->GetOpticalDepth(), 0.0);
+  this->Model->SetOpticalDepth(101.0);
+  EXPECT_EQ(this->Model->GetOpticalDepth(), 100.0);
+}
+
 TEST_F(GodRaysMedium, DimsTheScene)
 {
   this->AddPillars();
@@ -307,6 +346,7 @@ TEST_F(GodRaysMedium, GoesTogetherWithARadialSum)
   auto mediumAlone = this->GetScattering();
   vtkNew<vtkGodRaysPass> radial;
   radial->SetPrecision(vtkGodRaysPass::SINGLE);
+  AddPlainly(radial);
   radial->AddLight(MakeSun({ -0.2, 0.1, -1.0 }, { 1.0, 0.7, 0.3 }));
   radial->Attach(this->Renderer);
   const auto both = GetPixels(this->Scene.Window);
@@ -401,7 +441,7 @@ TEST(GodRaysHomogeneousModel, RefusesWhatIsNoMedium)
   EXPECT_TRUE(Says(messages.Take().at(0),
     "PhaseFunction must be in 0.." + std::to_string(vtkGodRaysLastPhaseFunction)));
   EXPECT_FALSE(model->ApplyPreset("soup"));
-  EXPECT_TRUE(Says(messages.Take().at(0), "clear-air, haze, fog, dust, sea-water"));
+  EXPECT_TRUE(Says(messages.Take().at(0), "clear-air, haze, fog, dust, smoke, sea-water"));
   for (int i = 0; i < model->GetNumberOfPresets(); ++i)
   {
     EXPECT_TRUE(model->ApplyPreset(model->GetPresetName(i)));

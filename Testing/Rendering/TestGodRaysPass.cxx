@@ -124,12 +124,13 @@ TEST(GodRaysPassParameters, AreClampedAndRefuseNaN)
     #Name, [&](double v) { rays->Set##Name(v); }, [&] { return rays->Get##Name(); }, low, high,    \
     now)
   CHECK(Intensity, 0.0, 1e4, 1.0);
+  CHECK(MostDataLightness, 0.0, 100.0, 10.0);
   CHECK(ErrorTolerance, 1e-6, 0.1, 1.0 / 255.0);
   CHECK(InteractiveErrorTolerance, 1e-6, 0.1, 0.01);
   CHECK(SourceRadius, 0.0, 1e30, 0.0);
-  CHECK(BackgroundGlow, 0.0, 1.0, 0.4);
+  CHECK(BackgroundGlow, 0.0, 1.0, 0.6);
   CHECK(BackgroundGlowRadius, 0.0, 180.0, 2.0);
-  CHECK(BackgroundGlowFalloff, 0.0, 180.0, 18.0);
+  CHECK(BackgroundGlowFalloff, 0.0, 180.0, 10.0);
   CHECK(LayerMargin, 0.0, 1.0, 0.0);
 #undef CHECK
   check(
@@ -151,8 +152,9 @@ TEST(GodRaysPassParameters, AreAllPrinted)
   vtkNew<vtkGodRaysPass> rays;
   std::ostringstream text;
   rays->Print(text);
-  for (const char* name : { "Intensity", "ErrorTolerance", "InteractiveErrorTolerance",
-         "UntaggedPropsOcclude", "SourceRadius", "SunAngularRadius",
+  for (const char* name : { "Intensity", "AutomaticExposure", "HighlightShoulder",
+         "DarkenLightBackground", "DataFirst", "MostDataLightness", "ErrorTolerance",
+         "InteractiveErrorTolerance", "UntaggedPropsOcclude", "SourceRadius", "SunAngularRadius",
          "BackgroundGlow:", "BackgroundGlowRadius", "BackgroundGlowFalloff", "LayerMargin", "Blend",
          "Output", "Precision", "MeasureTimes", "Density", "VerifyPixels" })
   {
@@ -186,12 +188,12 @@ TEST(GodRaysPassParameters, APresetBringsItsModelAndKeepsOneOfItsClass)
   ASSERT_TRUE(rays->ApplyPreset("low-sun"));
   EXPECT_EQ(rays->GetModel(), model);
   EXPECT_EQ(model->GetWeight(), 0.028);
-  ASSERT_TRUE(rays->ApplyPreset("mitchell"));
+  ASSERT_TRUE(rays->ApplyPreset("published:mitchell"));
   EXPECT_TRUE(rays->GetModel()->IsA("vtkGodRaysPublishedModel"));
   EXPECT_EQ(model->GetWeight(), 0.028) << "the former model";
   EXPECT_EQ(rays->GetIntegrator(), integrator) << "which evaluates both";
   vtkSmartPointer<vtkGodRaysModel> published = rays->GetModel();
-  ASSERT_TRUE(rays->ApplyPreset("babylon"));
+  ASSERT_TRUE(rays->ApplyPreset("published:babylon"));
   EXPECT_EQ(rays->GetModel(), published);
 
   ASSERT_TRUE(rays->ApplyPreset("fog"));

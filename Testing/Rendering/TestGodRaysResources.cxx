@@ -19,6 +19,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProperty.h"
 
+#include <algorithm>
 #include <functional>
 #include <string>
 
@@ -78,6 +79,7 @@ std::ostream& operator<<(std::ostream& os, const Counts& c)
 }
 
 Counts Now;
+GLint RefusedFormat = 0; // of textures that are not made
 
 }
 
@@ -102,7 +104,9 @@ COUNT_CALLS(TexImage2DMultisample,
 COUNT_CALLS_1_1(TexImage2D,
   (GLenum target, GLint level, GLint internalFormat, GLsizei width, GLsizei height, GLint border,
     GLenum format, GLenum type, const void* pixels),
-  (target, level, internalFormat, width, height, border, format, type, pixels), ++Now.Images)
+  (target, level, internalFormat, width, height, border, format, type, pixels),
+  (++Now.Images,
+    width = internalFormat == RefusedFormat ? -1 : width)) // which is an error of OpenGL's
 COUNT_CALLS_1_1(TexSubImage2D,
   (GLenum target, GLint level, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
     GLenum type, const void* pixels),
@@ -217,7 +221,7 @@ const Kind Kinds[] = {
     1 }, // a mapper's vertex array, as the prop is drawn now with, now without the peeling's shader
   { "Margin", [](Stage& scene) { scene.Rays->SetLayerMargin(0.25); } },
   { "MultiSamples", [](Stage& scene) { scene.Window->SetMultiSamples(8); } },
-  { "ThreePasses", [](Stage& scene) { scene.Rays->ApplyPreset("three.js"); } },
+  { "ThreePasses", [](Stage& scene) { scene.Rays->ApplyPreset("published:three.js"); } },
   { "Timed", [](Stage& scene) { scene.Rays->MeasureTimesOn(); } },
   { "All", AddAll },
   { "AllInShaders",
@@ -320,7 +324,7 @@ TEST_P(GodRaysSteadyFrame, NeedsNoShaderForANumber)
   }
   const std::pair<const char*, std::function<void()>> objects[] = {
     { "Blend", [=] { rays->SetBlend(vtkGodRaysPass::SCREEN); } },
-    { "Formulation", [=] { rays->ApplyPreset("babylon"); } },
+    { "Formulation", [=] { rays->ApplyPreset("published:babylon"); } },
     { "Output", [=] { rays->SetOutput(vtkGodRaysPass::SCATTERING); } },
     { "Precision", [=] { rays->SetPrecision(vtkGodRaysPass::SINGLE); } },
   };
@@ -560,4 +564,76 @@ TEST(GodRaysResources, AreFreedWithTheWindow)
   vtkNew<vtkImageData> image;
   EXPECT_FALSE(rays->GetScatteringImage(image)) << "there is no window any more";
   EXPECT_FALSE(rays->GetOcclusionImage(image));
+}
+
+// The window has its own textures by then: without them there is no scene, with rays or without.
+TEST(GodRaysResources, ThatADriverRefusesLeaveTheSceneAsWithoutRays)
+{
+  const std::pair<const char*, std::function<void(Stage&)>> kinds[] = {
+    { "plain", [](Stage&) {} },
+    { "in shaders", UseShaders },
+    { "all", AddAll },
+    { "medium", [](Stage& scene) { scene.Rays->SetModel(vtkNew<vtkGodRaysHomogeneousModel>()); } },
+    { "solid layers",
+      [](Stage& scene)
+      {
+        scene.Rays->SetModel(vtkNew<vtkGodRaysHomogeneousModel>());
+        vtkNew<vtkGodRaysEpipolarCoverageIntegrator> integrator;
+        integrator->SetNumberOfLayers(2);
+        scene.Rays->SetIntegrator(integrator);
+      } },
+    { "steps",
+      [](Stage& scene)
+      {
+        scene.Rays->SetModel(vtkNew<vtkGodRaysHomogeneousModel>());
+        scene.Rays->SetIntegrator(vtkNew<vtkGodRaysShadowMapIntegrator>());
+      } },
+  };
+  int refused = 0;
+  for (const auto& kind : kinds)
+  {
+    for (const int format : { GL_DEPTH_COMPONENT32, GL_DEPTH_COMPONENT32F, GL_RGBA8, GL_RGBA16F,
+           GL_RGBA32F, GL_R16F, GL_R32F })
+    {
+      SCOPED_TRACE(std::string(kind.first) + ", format " + std::to_string(format));
+      Messages messages;
+      Stage scene(64, 48);
+      scene.AddPillarsAndSun();
+      kind.second(scene);
+      scene.Rays->Detach(scene.Renderer);
+      const auto without = GetPixels(scene.Window);
+      const auto depths = GetDepths(scene.Window);
+      scene.Rays->Attach(scene.Renderer);
+      Count(scene.Window);
+      RefusedFormat = format;
+      std::vector<unsigned char> with;
+      for (int frame = 0; frame < 3; ++frame)
+      {
+        with = GetPixels(scene.Window);
+      }
+      RefusedFormat = 0;
+      while (glGetError() != GL_NO_ERROR) // that was asked for
+      {
+      }
+      std::string plan = scene.Rays->GetPlan();
+      auto said = messages.Take();
+      // Debian 14's VTK tells the driver's error wherever it asks for errors.
+      said.erase(std::remove_if(said.begin(), said.end(),
+                   [](const std::string& each)
+                   { return Says(each, "OpenGL errors detected") || Says(each, "GL Message"); }),
+        said.end());
+      if (!Says(plan, "after an error"))
+      {
+        EXPECT_NE(with, without) << "it is not needed: there are rays";
+        EXPECT_TRUE(said.empty());
+        continue;
+      }
+      ++refused;
+      EXPECT_EQ(with, without);
+      EXPECT_EQ(depths, GetDepths(scene.Window, false));
+      ASSERT_EQ(said.size(), 1u);
+      EXPECT_TRUE(Says(said[0], "The scene is drawn without god rays: the framebuffer")) << said[0];
+    }
+  }
+  EXPECT_GT(refused, 15);
 }

@@ -440,13 +440,13 @@ TEST(GodRaysSceneBlend, IsTheFormula)
 
   // published formulations, each by its own convention
   scene.Rays->SetBlend(vtkGodRaysPass::MODEL_BLEND);
-  ASSERT_TRUE(scene.Rays->ApplyPreset("babylon"));
+  ASSERT_TRUE(scene.Rays->ApplyPreset("published:babylon"));
   ExpectBlend(
     scene, without, 1.0, [](double shown, double rays) { return 1.1 * shown + rays; }, "BABYLON");
-  ASSERT_TRUE(scene.Rays->ApplyPreset("mitchell"));
+  ASSERT_TRUE(scene.Rays->ApplyPreset("published:mitchell"));
   ExpectBlend(
     scene, without, 1.0, [](double shown, double rays) { return shown + rays; }, "MITCHELL");
-  ASSERT_TRUE(scene.Rays->ApplyPreset("postprocessing"));
+  ASSERT_TRUE(scene.Rays->ApplyPreset("published:postprocessing"));
   ExpectBlend(scene, without, 1.0, screen, "POSTPROCESSING");
   auto model = vtkGodRaysPublishedModel::SafeDownCast(scene.Rays->GetModel());
   ASSERT_TRUE(model);

@@ -11,6 +11,7 @@
 #include "vtkAssembly.h"
 #include "vtkCamera.h"
 #include "vtkCompositePolyDataMapper.h"
+#include "vtkConeSource.h"
 #include "vtkDataSetMapper.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageData.h"
@@ -126,6 +127,97 @@ TEST_F(GodRaysSunPlacer, TakesAPlaceAmongEdges)
     EXPECT_GT(here, 1.2 * there);
   }
   EXPECT_EQ(this->Rays->GetNumberOfLights(), 1) << "one sun, that is moved";
+}
+
+// What the props cover gets less of the rays than the open picture, as the sun stands at their edge and not
+// among them.
+TEST_F(GodRaysSunPlacer, KeepsGlareOffTheData)
+{
+  const auto add = [this](vtkAlgorithm* source)
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(source->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    this->Renderer->AddActor(actor);
+  };
+  const std::vector<std::pair<const char*, std::function<void()>>> scenes = {
+    { "ball",
+      [&]
+      {
+        vtkNew<vtkSphereSource> ball;
+        ball->SetRadius(1.5);
+        ball->SetThetaResolution(40);
+        ball->SetPhiResolution(40);
+        add(ball);
+      } },
+    { "helix of balls",
+      [&]
+      {
+        for (int i = 0; i < 30; ++i)
+        {
+          vtkNew<vtkSphereSource> ball;
+          ball->SetRadius(0.22);
+          ball->SetCenter(std::cos(0.6 * i), -1.5 + 0.1 * i, std::sin(0.6 * i));
+          add(ball);
+        }
+      } },
+    { "ring of cones",
+      [&]
+      {
+        for (int i = 0; i < 5; ++i)
+        {
+          const double angle = 2.0 * vtkMath::Pi() * i / 5;
+          vtkNew<vtkConeSource> cone;
+          cone->SetDirection(0.0, 1.0, 0.0);
+          cone->SetHeight(1.6);
+          cone->SetRadius(0.4);
+          cone->SetResolution(24);
+          cone->SetCenter(1.6 * std::cos(angle), 0.0, 1.6 * std::sin(angle));
+          add(cone);
+        }
+      } },
+    { "rods",
+      [&]
+      {
+        for (int i = 0; i < 24; ++i)
+        {
+          this->Renderer->AddActor(
+            MakeBox({ 1.8 * std::sin(2.4 * i), 0.0, 0.1 * i }, { 0.05, 2.5, 0.05 }));
+          this->Renderer->AddActor(
+            MakeBox({ 0.0, 1.2 * std::sin(2.4 * i), 0.1 * i }, { 3.6, 0.05, 0.05 }));
+        }
+      } },
+  };
+  for (const auto& [name, make] : scenes)
+  {
+    make();
+    this->Rays->RemoveAllLights();
+    vtkLight* sun = this->Rays->PlaceSun(this->Renderer);
+    ASSERT_NE(sun, nullptr);
+    const auto depths = GetDepths(this->Scene.Window);
+    vtkNew<vtkImageData> rays;
+    ASSERT_TRUE(this->Rays->GetScatteringImage(rays));
+    const auto* values = static_cast<const float*>(rays->GetScalarPointer());
+    double sums[2] = {};
+    int counts[2] = {};
+    for (int i = 0; i < Width * Height; ++i)
+    {
+      const int covered = depths[i] < 1.0f ? 1 : 0;
+      sums[covered] += values[3 * i + 1];
+      ++counts[covered];
+    }
+    const double open = sums[0] / counts[0];
+    const double data = sums[1] / counts[1];
+    ASSERT_TRUE(this->Placer->Find(this->Renderer));
+    const double* place = this->Placer->GetPlace();
+    const double contrast = this->GetContrast(place[0], place[1]);
+    std::cout << name << ": rays " << data << " over the data, " << open
+              << " beside them, contrast " << contrast << "\n";
+    EXPECT_LT(data, 0.8 * open) << name;
+    EXPECT_GT(contrast, 0.04) << name;
+    this->Renderer->RemoveAllViewProps();
+  }
 }
 
 TEST_F(GodRaysSunPlacer, IsWhereTheSunIsSeen)

@@ -158,6 +158,7 @@ TEST(GodRaysToneMapping, GetsTheSkysLinearLight)
   stage.Renderer->GetActiveCamera()->SetFocalPoint(direction[0], direction[1], direction[2] + 2.0);
   vtkNew<vtkGodRaysSkyPass> sky;
   sky->SetExposure(200.0);
+  sky->WhiteBalanceOff();
   sky->MultipleScatteringOff();
   vtkNew<vtkToneMappingPass> outer;
   outer->SetToneMappingType(vtkToneMappingPass::Reinhard);

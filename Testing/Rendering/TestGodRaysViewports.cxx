@@ -136,6 +136,7 @@ struct View
     this->Window->SetAlphaBitPlanes(true);
     this->Window->SetSize(width, height);
     this->Window->AddRenderer(this->Renderer);
+    AddPlainly(this->Rays);
     Fill(this->Renderer, this->Rays, content, attach);
   }
 };
@@ -167,6 +168,7 @@ TEST(GodRaysViewports, OneOfFourHasThePixelsOfAWindowAndTheOthersKeepTheirs)
       const double y = 0.5 * (i / 2);
       renderers[i]->SetViewport(x, y, x + 0.5, y + 0.5);
       window->AddRenderer(renderers[i]);
+      AddPlainly(passes[i]);
       Fill(renderers[i], passes[i], content, false);
     }
     for (int on = 0; on < 4; ++on)
@@ -221,6 +223,7 @@ TEST(GodRaysLayers, ATopLayerCoversRaysAndRaysOfATopLayerCoverTheBottom)
     View bottom(w, h, PLAIN, false);
     vtkNew<vtkRenderer> top;
     vtkNew<vtkGodRaysPass> topRays;
+    AddPlainly(topRays);
     bottom.Window->SetNumberOfLayers(2);
     top->SetLayer(1);
     bottom.Window->AddRenderer(top);

@@ -49,6 +49,8 @@ _ROLES = {
     "ignored": vtkGodRaysPass.IGNORED,
 }
 
+_STRENGTHS = {"Exposure", "Weight"}  # of a model
+
 _MODELS = {
     "radial": vtkGodRaysRadialModel,
     "published": vtkGodRaysPublishedModel,
@@ -85,7 +87,8 @@ def enable(
         camera as it is.
     parameters: every property of the pass, its model and its integrator, in the spelling
         ``sun_angular_radius`` or ``SunAngularRadius``. Constants can be given by name:
-        output="occlusion". They come after the preset. model is an object, or one of "radial",
+        output="occlusion". They come after the preset. Where a model's strength is given, exposure or weight,
+        it is taken as it is, unless automatic_exposure=True. model is an object, or one of "radial",
         "published", "homogeneous" and "atmosphere".
 
     Enabling a renderer again changes the pass that it has; a light given then replaces the lights
@@ -450,6 +453,8 @@ def _settings(rays, parameters):
         owner = next(owner for owner in owners if name in _properties(owner))
         if isinstance(value, str):
             settings[name] = _constant(owner, name, value)
+    if not settings.keys().isdisjoint(_STRENGTHS):
+        settings.setdefault("AutomaticExposure", False)
     return settings
 
 

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "UpAxis.h"
+
+#include "Scene.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkTriangle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+constexpr double ClearlyLonger = 1.2;
+constexpr double ClearlyBroader = 1.5;
+constexpr double Foot = 0.02;     // of the height
+constexpr double OpenShare = 0.5; // of the ground, at least, that an open surface covers
+
+//------------------------------------------------------------------------------
+/**
+ * The share of the ground that the box of the lowest points covers, when an axis points up.
+ */
+double GetFootShare(vtkPolyData* surface, int axis)
+{
+  double bounds[6];
+  surface->GetBounds(bounds);
+  const double top = bounds[2 * axis] + Foot * (bounds[2 * axis + 1] - bounds[2 * axis]);
+  vtkBoundingBox foot;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    surface->GetPoint(i, point);
+    if (point[axis] <= top)
+    {
+      foot.AddPoint(point);
+    }
+  }
+  double share = 1.0;
+  for (int other = 0; other < 3; ++other)
+  {
+    const double length = bounds[2 * other + 1] - bounds[2 * other];
+    share *= other == axis || length == 0.0 ? 1.0 : foot.GetLength(other) / length;
+  }
+  return share;
+}
+
+//------------------------------------------------------------------------------
+/**
+ * The area that a surface covers from above less what it covers from below, along Z. It is 0 of closed
+ * ones.
+ */
+double GetOpenArea(vtkPolyData* surface)
+{
+  double sum = 0.0;
+  auto cell = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    cell->GetCurrentCell(size, ids);
+    for (vtkIdType i = 2; i < size; ++i)
+    {
+      double corners[3][3];
+      surface->GetPoint(ids[0], corners[0]);
+      surface->GetPoint(ids[i - 1], corners[1]);
+      surface->GetPoint(ids[i], corners[2]);
+      double normal[3];
+      vtkTriangle::ComputeNormalDirection(corners[0], corners[1], corners[2], normal);
+      sum += 0.5 * normal[2];
+    }
+  }
+  return std::abs(sum);
+}
+}
+
+//------------------------------------------------------------------------------
+std::string GetReasonForZUp(vtkPolyData* surface)
+{
+  if (surface->GetNumberOfPoints() == 0)
+  {
+    return "";
+  }
+  double lengths[3];
+  vtkBoundingBox(surface->GetBounds()).GetLengths(lengths);
+  if (lengths[2] > ClearlyLonger * std::max(lengths[0], lengths[1]) &&
+    GetFootShare(surface, 2) > ClearlyBroader * GetFootShare(surface, 1))
+  {
+    return "it stands along Z";
+  }
+  if (lengths[2] < Scene::LowestOfShapes * std::min(lengths[0], lengths[1]) &&
+    GetOpenArea(surface) > OpenShare * lengths[0] * lengths[1])
+  {
+    return "it lies flat over X and Y";
+  }
+  return "";
+}

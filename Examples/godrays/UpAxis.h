@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Which axis of a surface points up, where its file does not say it.
+ */
+
+#ifndef UpAxis_h
+#define UpAxis_h
+
+#include <string> // For std::string
+
+class vtkPolyData;
+
+/**
+ * Why Z seems to point up in a surface of a type in which Y usually does; empty when it does not.
+ * It does where the surface stands: clearly longest along Z, and on a clearly broader foot than if Y
+ * pointed up; and where it lies, open and low, over the plane of X and Y, as terrain does.
+ */
+std::string GetReasonForZUp(vtkPolyData* surface);
+
+#endif

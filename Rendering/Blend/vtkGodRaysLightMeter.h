@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysLightMeter
+ * @brief   how strong rays may be in a picture; private to this module
+ *
+ * Reads a few thousand pixels of what is to be joined, scene and rays, and finds the factors on the rays with
+ * which
+ * - data, the pixels that show something rather than a background, keep their colours: those that are lit
+ *   change by at most MostDifference on average, and keep at least LeastChroma of their chroma; where most
+ *   are lit, the former is aimed at for all of them, too;
+ * - rays are neither invisible nor a white sheet: see FindExposure().
+ *
+ * @sa vtkGodRaysBlendPass
+ */
+
+#ifndef vtkGodRaysLightMeter_h
+#define vtkGodRaysLightMeter_h
+
+#include "vtkGodRaysBlendPass.h" // For Request
+#include "vtkGodRaysTarget.h"
+
+#include <array>
+#include <vector>
+
+class vtkWindow;
+
+class vtkGodRaysLightMeter
+{
+public:
+  /// What is joined in a pixel [linear light].
+  struct Sample
+  {
+    std::array<double, 3> Scene = {}; ///< without rays, and without what dims it
+    std::array<double, 3> Base = {};  ///< to which rays are added
+    std::array<double, 3> Rays = {};
+    double DataPart = 0.0; ///< how much of it shows something rather than a background
+  };
+
+  ///@{
+  /// What is promised, 10 and 0.9, with something to spare for the pixels that are not read.
+  static constexpr double MostDifference = 8.0; ///< mean distance in CIE 1976 L*a*b*
+  static constexpr double LeastChroma = 0.91;   ///< fraction of the mean chroma
+  ///@}
+  static constexpr double MostBrightest =
+    1.0; ///< 99th percentile of the rays [linear light, 1 is white]
+  static constexpr double MostMean = 0.2; ///< mean of the rays [linear light, 1 is white]
+
+  /**
+   * Read the pixels that a request joins, at intensity 1, into the samples. Returns false, after an error,
+   * if that failed; the framebuffer that was bound is bound again.
+   */
+  bool Read(vtkGodRaysBlendPass* blending, const vtkGodRaysBlendPass::Request& request);
+
+  /// Whether alpha is 0 where nothing is drawn, as far as was read.
+  bool AlphaShowsData() const { return this->HasAlpha; }
+
+  const std::vector<Sample>& GetSamples() const { return this->Samples; }
+
+  /// Factors on the rays.
+  struct Exposure
+  {
+    double Everywhere = 1.0;
+    double OverData = 1.0; ///< a further one where data are seen, see SeenPart() in the formulas
+  };
+
+  /// How rays darken a light background, see BlendSurround() in the formulas.
+  struct Surround
+  {
+    double Part = 0.0; ///< 0: it is not light, or has room for rays
+    double Light = 1.0;
+  };
+
+  static constexpr double MostSurroundPart = 0.4;
+
+  /**
+   * The surround for some samples whose rays have this factor: from none, where the lightness of the
+   * background is 75 [L*] on average, to MostSurroundPart, from 90 on. Rays leave it as it is from the 90th
+   * percentile of theirs before it.
+   */
+  static Surround FindSurround(const std::vector<Sample>& samples, double exposure);
+
+  /**
+   * The exposure for some samples: the largest, at most largest, with which the mean of the rays is MostMean
+   * or less, and their 99th percentile MostBrightest or less; largest, if there are no rays. Then it is
+   * lowered so far that data keep their colours, over data alone if they are to be spared. What the base has
+   * changed by itself is not held against the rays. Of light in a medium data leave 30 % at least: a medium
+   * that only dims would be none.
+   */
+  static Exposure FindExposure(
+    const std::vector<Sample>& samples, bool shoulder, double largest, bool sparesData);
+
+  void Release(vtkWindow* window);
+
+private:
+  vtkGodRaysTarget Target;
+  std::vector<Sample> Samples;
+  bool HasAlpha = false;
+};
+
+#endif

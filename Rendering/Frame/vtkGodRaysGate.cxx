@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysGate.h"
+
+#include "vtkCamera.h"
+#include "vtkGodRaysCompositor.h"
+#include "vtkGodRaysLight.h"
+#include "vtkGodRaysMedium.h"
+#include "vtkGodRaysView.h"
+#include "vtkLight.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+namespace
+{
+const double MostProjected =
+  1e30;                        // scene units for one of clip coordinates: of a near plane at 1e-30
+const double Thinnest = 1e-12; // of what has a width, in parts of its length
+const double BrightestColor = 1e9;
+const double BrightestPower = 1e30;
+
+bool AreWithin(const double* values, int count, double largest)
+{
+  return std::all_of(
+    values, values + count, [=](double value) { return std::abs(value) <= largest; }); // not NaN
+}
+
+/// Members of a camera or a light, with their names.
+using Members = std::vector<std::pair<const char*, std::vector<double>>>;
+
+std::string FindMember(const std::string& whose, const Members& members, double largest)
+{
+  for (const auto& member : members)
+  {
+    if (!AreWithin(member.second.data(), static_cast<int>(member.second.size()), largest))
+    {
+      std::ostringstream text;
+      text << whose << member.first << " is not finite, or beyond " << largest
+           << ". Set one that is within that";
+      return text.str();
+    }
+  }
+  return "";
+}
+
+std::vector<double> ToVector(const double* values, int count = 3)
+{
+  return { values, values + count };
+}
+
+/// Whether a world has three directions in a view, and a picture a width and a height.
+bool IsUsable(const vtkGodRaysView& view)
+{
+  const double* toView = view.WorldToView;
+  if (!AreWithin(toView, 16, vtkGodRaysGate::Largest) ||
+    !AreWithin(view.CameraToView, 16, vtkGodRaysGate::Largest) ||
+    !AreWithin(view.ViewToClip, 16, vtkGodRaysGate::Largest) ||
+    !AreWithin(view.ClipToView, 16, MostProjected) || !(view.Aspect > 0.0))
+  {
+    return false;
+  }
+  const double lengths[3] = { vtkMath::Norm(toView), vtkMath::Norm(toView + 4),
+    vtkMath::Norm(toView + 8) };
+  const double volume = vtkMath::Determinant3x3(toView, toView + 4, toView + 8);
+  if (!(std::min({ lengths[0], lengths[1], lengths[2] }) > Thinnest) ||
+    !(std::abs(volume) > Thinnest * lengths[0] * lengths[1] * lengths[2]))
+  {
+    return false;
+  }
+  double origin[3];
+  double right[3];
+  double up[3];
+  double across[3];
+  view.GetPicture(view.Parallel, origin, right, up);
+  vtkMath::Cross(right, up, across);
+  const double most = vtkMath::Norm(right) * vtkMath::Norm(up);
+  double ray[3];
+  view.GetRay(0.0, 0.0, ray);
+  return vtkMath::Norm(across) > Thinnest * most && vtkMath::Norm(ray) > 0.5;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysGate::FindFault(vtkRenderer* renderer, const vtkGodRaysView& view)
+{
+  if (::IsUsable(view))
+  {
+    return "";
+  }
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const double* range = camera->GetClippingRange();
+  const std::string fault = FindMember("the camera's ",
+    { { "Position", ToVector(camera->GetPosition()) },
+      { "FocalPoint", ToVector(camera->GetFocalPoint()) },
+      { "ViewUp", ToVector(camera->GetViewUp()) }, { "ViewAngle", { camera->GetViewAngle() } },
+      { "ClippingRange", ToVector(range, 2) }, { "ParallelScale", { camera->GetParallelScale() } },
+      { "WindowCenter", ToVector(camera->GetWindowCenter(), 2) },
+      { "ViewShear", ToVector(camera->GetViewShear()) },
+      { "ModelTransformMatrix", ToVector(camera->GetModelTransformMatrix()->GetData(), 16) } },
+    Largest);
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  if (!(range[0] < range[1]))
+  {
+    return "the camera's ClippingRange is empty. Set one whose end is beyond its beginning, as "
+           "ResetCameraClippingRange() does";
+  }
+  if (!(camera->GetDistance() > 1e-20)) // to which vtkCamera makes it from less
+  {
+    return "the camera's Position is its FocalPoint. Move one of them";
+  }
+  double sideways[3];
+  vtkMath::Cross(camera->GetDirectionOfProjection(), camera->GetViewUp(), sideways);
+  if (!(vtkMath::Norm(sideways) > 0.0))
+  {
+    return "the camera's ViewUp is along its direction of view. Set another";
+  }
+  return "the camera's picture has no width, or one of its matrices cannot be inverted. Set "
+         "another ViewAngle, "
+         "ParallelScale or matrix";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysGate::FindFault(
+  vtkLight* light, const double position[3], const double focalPoint[3])
+{
+  const std::string fault = FindMember("its ",
+    { { "Position", ToVector(position) }, { "FocalPoint", ToVector(focalPoint) },
+      { "Intensity", { light->GetIntensity() } },
+      { "DiffuseColor", ToVector(light->GetDiffuseColor()) },
+      { "ConeAngle", { light->GetConeAngle() } }, { "Exponent", { light->GetExponent() } },
+      { "AttenuationValues", ToVector(light->GetAttenuationValues()) } },
+    VTK_DOUBLE_MAX);
+  return !fault.empty() || !light->GetPositional()
+    ? fault
+    : FindMember("its ", { { "Position", ToVector(position) } }, Largest);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysGate::FindFault(const vtkGodRaysMedium& medium, const vtkGodRaysView& view)
+{
+  if (!(medium.FarLimit > 0.0 && medium.FarLimit <= Largest))
+  {
+    return "the medium ends at the eye, or nowhere. Set a FarLimit, or the camera's ClippingRange";
+  }
+  if (view.Parallel && !(view.GetPictureHeight() > Thinnest * medium.FarLimit))
+  {
+    return "the picture is too small for the depth of the medium. Set a larger ParallelScale, or a "
+           "smaller "
+           "FarLimit";
+  }
+  bool isWithin = AreWithin(medium.Up, 3, 2.0) && std::abs(medium.EyeHeight) <= Largest &&
+    medium.PlanetRadius <= Largest;
+  for (int k = 0; k < medium.NumberOfComponents; ++k)
+  {
+    isWithin = isWithin && medium.Components[k].ScaleHeight <= Largest;
+  }
+  return isWithin
+    ? ""
+    : "the medium's heights are beyond 1e15 scene units. Set WorldUnitInMeters, GroundLevel, "
+      "PlanetRadius or the scale heights for the size of the scene";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysGate::FindBounds(
+  vtkRenderer* renderer, vtkGodRaysCompositor* compositor, double bounds[6])
+{
+  renderer->ComputeVisiblePropBounds(bounds);
+  vtkGodRaysCompositor::JoinBounds(compositor, bounds);
+  if (!vtkMath::AreBoundsInitialized(bounds) || IsUsable(bounds))
+  {
+    return "";
+  }
+  std::string name = "prop";
+  vtkCollectionSimpleIterator iterator;
+  vtkPropCollection* props = renderer->GetViewProps();
+  props->InitTraversal(iterator);
+  while (vtkProp* prop = props->GetNextProp(iterator))
+  {
+    const double* own = prop->GetVisibility() && prop->GetUseBounds() ? prop->GetBounds() : nullptr;
+    if (own && vtkMath::AreBoundsInitialized(own) && !IsUsable(own))
+    {
+      name = prop->GetClassName();
+    }
+  }
+  return "the bounds of a " + name +
+    " are not finite, or beyond 1e15. Move, scale or hide it, or switch its UseBounds off";
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysGate::IsUsable(const double bounds[6])
+{
+  return AreWithin(bounds, 6, Largest);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysGate::Limit(vtkGodRaysLight& light)
+{
+  light.Power = std::min(light.Power, BrightestPower);
+  for (double& color : light.Color)
+  {
+    color = std::min(color, BrightestColor);
+  }
+}

@@ -1,0 +1,363 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// How strong rays are by themselves, and how they join the picture: data keep their colours.
+
+#include "GodRaysTesting.h"
+
+#include "vtkGodRaysHomogeneousModel.h"
+#include "vtkGodRaysMath.h"
+#include "vtkGodRaysPublishedModel.h"
+#include "vtkGodRaysRadialModel.h"
+
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkProperty.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace GodRaysTesting;
+using vtkGodRays::Vec3;
+
+namespace
+{
+constexpr int Width = 160;
+constexpr int Height = 120;
+
+/// Coloured boxes in the light of the eye, a bright sun behind them.
+struct ColorStage : Stage
+{
+  ColorStage()
+    : Stage(Width, Height)
+  {
+    const std::array<double, 3> colors[] = { { 0.9, 0.3, 0.2 }, { 0.3, 0.7, 0.3 },
+      { 0.2, 0.4, 0.9 }, { 0.9, 0.8, 0.3 }, { 0.6, 0.6, 0.6 } };
+    for (int i = 0; i < 5; ++i)
+    {
+      this->Renderer->AddActor(MakeBox({ 1.4 * (i - 2), 0.0, 0.0 }, { 0.9, 4.0, 0.5 }, colors[i]));
+    }
+    this->Renderer->SetBackground(0.0, 0.0, 0.0);
+    this->Sun = MakeSun({ 0.05, 0.1, -1.0 }, { 1.0, 0.9, 0.7 });
+    this->Rays->AddLight(this->Sun);
+    this->Rays->SetAutomaticExposure(true);
+    this->Rays->SetHighlightShoulder(true);
+    this->Rays->SetDarkenLightBackground(true);
+    this->Rays->SetPrecision(vtkGodRaysPass::SINGLE);
+    this->Without = GetPixels(this->Window);
+    this->Rays->Attach(this->Renderer);
+  }
+
+  static Vec3 Get(const std::vector<unsigned char>& picture, int pixel)
+  {
+    return vtkGodRays::DecodeDisplay(
+      Vec3(picture[4 * pixel], picture[4 * pixel + 1], picture[4 * pixel + 2]) / 255.0);
+  }
+
+  bool IsData(int pixel) const { return this->Without[4 * pixel + 3] > 0; }
+
+  struct Change
+  {
+    double Difference = 0.0; // mean over data that are lit, in CIE 1976 L*a*b*
+    double Chroma = 0.0;     // part of theirs that is left
+    double Clipped = 0.0;    // part of all data
+    double Lightness = 0.0;  // largest
+    double Color = 0.0;      // largest in a* and b*
+  };
+
+  Change Compare(const std::vector<unsigned char>& with) const
+  {
+    Change change;
+    double chroma[2] = { 0.0, 0.0 };
+    double lit = 0.0;
+    int count = 0;
+    for (int i = 0; i < Width * Height; ++i)
+    {
+      if (!this->IsData(i))
+      {
+        continue;
+      }
+      const double weight = vtkGodRays::SeenPart(Get(this->Without, i));
+      lit += weight;
+      ++count;
+      const Vec3 before = vtkGodRays::LabOfLight(Get(this->Without, i));
+      const Vec3 after = vtkGodRays::LabOfLight(Get(with, i));
+      change.Difference += weight * glm::length(after - before);
+      chroma[0] += weight * std::hypot(before.y, before.z);
+      chroma[1] += weight * std::hypot(after.y, after.z);
+      change.Lightness = std::max(change.Lightness, std::abs(after.x - before.x));
+      change.Color = std::max(change.Color, std::hypot(after.y - before.y, after.z - before.z));
+      const bool clipped = std::max({ with[4 * i], with[4 * i + 1], with[4 * i + 2] }) == 255;
+      change.Clipped += clipped ? 1.0 : 0.0;
+    }
+    change.Difference /= lit;
+    change.Clipped /= count;
+    change.Chroma = chroma[1] / chroma[0];
+    return change;
+  }
+
+  void SetStrength(double exposure)
+  {
+    vtkGodRaysRadialModel::SafeDownCast(this->Rays->GetModel())->SetExposure(exposure);
+  }
+
+  vtkSmartPointer<vtkLight> Sun;
+  std::vector<unsigned char> Without;
+};
+}
+
+//------------------------------------------------------------------------------
+TEST(Exposure, DataKeepTheirColours)
+{
+  Messages messages;
+  ColorStage stage;
+  for (const double strength : { 1.0, 4.0, 40.0 })
+  {
+    stage.SetStrength(strength);
+    const auto change = stage.Compare(GetPixels(stage.Window));
+    EXPECT_LE(change.Difference, 10.0) << strength;
+    EXPECT_GE(change.Chroma, 0.9) << strength;
+    EXPECT_LE(change.Clipped, 0.005) << strength;
+    EXPECT_GT(change.Difference, 2.0) << strength; // rays are seen
+  }
+  EXPECT_TRUE(Says(stage.Rays->GetPlan(), "by the picture"));
+  EXPECT_LT(stage.Rays->GetDataExposure(), 1.0);
+
+  // not by themselves
+  stage.Rays->SetAutomaticExposure(false);
+  stage.Rays->SetHighlightShoulder(false);
+  const auto change = stage.Compare(GetPixels(stage.Window));
+  EXPECT_GT(change.Difference, 30.0);
+  EXPECT_LT(change.Chroma, 0.7);
+  EXPECT_GT(change.Clipped, 0.5);
+  EXPECT_EQ(stage.Rays->GetExposure(), 1.0);
+  EXPECT_FALSE(Says(stage.Rays->GetPlan(), "by the picture"));
+}
+
+//------------------------------------------------------------------------------
+TEST(Exposure, PictureIsTheFormula)
+{
+  Messages messages;
+  ColorStage stage;
+  stage.SetStrength(6.0);
+  stage.Rays->SetIntensity(1.5);
+  const auto with = GetPixels(stage.Window);
+  vtkNew<vtkImageData> light;
+  ASSERT_TRUE(stage.Rays->GetScatteringImage(light));
+  const double exposure = stage.Rays->GetExposure();
+  const double overData = stage.Rays->GetDataExposure();
+  EXPECT_LT(overData, 0.9);
+  int largest = 0;
+  int plain = 0;
+  for (int i = 0; i < Width * Height; ++i)
+  {
+    const Vec3 scene = ColorStage::Get(stage.Without, i);
+    const Vec3 rays(GetValue(light, i % Width, i / Width, 0),
+      GetValue(light, i % Width, i / Width, 1), GetValue(light, i % Width, i / Width, 2));
+    const double part =
+      stage.IsData(i) ? glm::mix(1.0, overData, vtkGodRays::SeenPart(scene)) : 1.0;
+    const Vec3 sum =
+      vtkGodRays::EncodeDisplay(vtkGodRays::BlendShoulder(scene, exposure * part * rays));
+    const Vec3 added = vtkGodRays::EncodeDisplay(scene + exposure * rays);
+    for (int c = 0; c < 3; ++c)
+    {
+      largest = std::max(
+        largest, std::abs(static_cast<int>(std::lround(255.0 * sum[c])) - with[4 * i + c]));
+      plain = std::max(plain,
+        std::abs(static_cast<int>(std::lround(255.0 * std::min(added[c], 1.0))) - with[4 * i + c]));
+    }
+  }
+  EXPECT_LE(largest, 1);
+  EXPECT_GT(plain, 20); // a plain sum is something else
+}
+
+//------------------------------------------------------------------------------
+TEST(Exposure, LooksAreNotStrengthenedMediaAre)
+{
+  Messages messages;
+  ColorStage stage;
+  stage.SetStrength(0.05);
+  stage.Window->Render();
+  EXPECT_EQ(stage.Rays->GetExposure(), 1.0);
+  EXPECT_EQ(stage.Rays->GetDataExposure(), 1.0);
+
+  vtkNew<vtkGodRaysHomogeneousModel> medium;
+  medium->SetScatteringCoefficient(1e-5, 1e-5, 1e-5);
+  stage.Rays->SetModel(medium);
+  stage.Window->Render();
+  EXPECT_EQ(stage.Rays->GetExposure(), 4.0);
+  medium->SetScatteringCoefficient(0.05, 0.05, 0.05);
+  medium->SetAsymmetry(0.9);
+  stage.Window->Render();
+  EXPECT_LT(stage.Rays->GetExposure(), 0.2);
+  EXPECT_EQ(stage.Rays->GetDataExposure(), 1.0); // one factor for all of it
+
+  vtkNew<vtkGodRaysPublishedModel> published;
+  stage.Rays->SetModel(published);
+  stage.Window->Render();
+  EXPECT_EQ(stage.Rays->GetExposure(), 1.0);
+}
+
+//------------------------------------------------------------------------------
+TEST(Exposure, ChangesGraduallyWhileTheCameraIsDragged)
+{
+  Messages messages;
+  ColorStage stage;
+  stage.SetStrength(1.0);
+  stage.Window->Render();
+  const double weak = stage.Rays->GetDataExposure();
+  stage.SetStrength(8.0);
+  stage.Window->Render();
+  const double strong = stage.Rays->GetDataExposure();
+  ASSERT_LT(strong, 0.85 * weak);
+
+  stage.Window->SetDesiredUpdateRate(15.0);
+  stage.SetStrength(1.0);
+  stage.Window->Render();
+  EXPECT_NEAR(stage.Rays->GetDataExposure(), strong + 0.25 * (weak - strong), 0.02 * weak);
+  for (int i = 0; i < 30; ++i)
+  {
+    stage.Window->Render();
+  }
+  EXPECT_NEAR(stage.Rays->GetDataExposure(), weak, 0.02 * weak);
+
+  // a still picture does not depend on what was before
+  stage.SetStrength(8.0);
+  stage.Window->Render();
+  stage.Window->SetDesiredUpdateRate(0.001);
+  stage.Window->Render();
+  EXPECT_EQ(stage.Rays->GetDataExposure(), strong);
+}
+
+//------------------------------------------------------------------------------
+TEST(Exposure, TilesAreThoseOfOnePicture)
+{
+  Messages messages;
+  ColorStage stage;
+  stage.SetStrength(6.0);
+  stage.Window->Render();
+  const double whole = stage.Rays->GetDataExposure();
+  vtkNew<vtkWindowToImageFilter> tiles;
+  tiles->SetInput(stage.Window);
+  tiles->SetScale(2);
+  tiles->ReadFrontBufferOff();
+  tiles->Update();
+  EXPECT_EQ(stage.Rays->GetDataExposure(), whole);
+}
+
+//------------------------------------------------------------------------------
+// Light can add nothing to white: there, shadows are what is seen.
+TEST(LightBackground, IsDarkerInShadows)
+{
+  Messages messages;
+  ColorStage stage;
+  stage.Renderer->SetBackground(1.0, 1.0, 1.0);
+  const auto with = GetPixels(stage.Window);
+  vtkNew<vtkImageData> light;
+  ASSERT_TRUE(stage.Rays->GetScatteringImage(light));
+  std::vector<double> luminance(Width * Height, 0.0);
+  std::vector<double> before;
+  for (int i = 0; i < Width * Height; ++i)
+  {
+    luminance[i] = vtkGodRays::Luminance(Vec3(GetValue(light, i % Width, i / Width, 0),
+      GetValue(light, i % Width, i / Width, 1), GetValue(light, i % Width, i / Width, 2)));
+    if (!stage.IsData(i))
+    {
+      before.push_back(luminance[i]);
+    }
+  }
+  std::nth_element(before.begin(), before.begin() + before.size() * 9 / 10, before.end());
+  const double reference = before[before.size() * 9 / 10];
+  int darker = 0;
+  int worst = 0;
+  for (int i = 0; i < Width * Height; ++i)
+  {
+    if (!stage.IsData(i))
+    {
+      const double value = vtkGodRays::EncodeDisplay(
+        1.0 - 0.4 * (1.0 - std::cbrt(std::min(luminance[i] / reference, 1.0))));
+      worst = std::max(worst, std::abs(static_cast<int>(std::lround(255.0 * value)) - with[4 * i]));
+      EXPECT_EQ(with[4 * i], with[4 * i + 1]);
+      darker += with[4 * i] < 245 ? 1 : 0;
+    }
+  }
+  EXPECT_LE(worst, 3); // the reference is found in some of the pixels
+  EXPECT_GT(darker, Width * Height / 20);
+  EXPECT_TRUE(Says(stage.Rays->GetPlan(), "darken the background"));
+  EXPECT_LE(stage.Compare(with).Difference, 10.0);
+
+  stage.Rays->SetDarkenLightBackground(false);
+  const auto off = GetPixels(stage.Window);
+  stage.Renderer->SetBackground(0.6, 0.6, 0.6);
+  stage.Rays->SetDarkenLightBackground(true);
+  stage.Window->Render();
+  EXPECT_FALSE(Says(stage.Rays->GetPlan(), "darken the background"));
+  for (int i = 0; i < Width * Height; ++i)
+  {
+    if (!stage.IsData(i))
+    {
+      EXPECT_EQ(off[4 * i], 255);
+    }
+  }
+}
+
+// A medium takes light as well, and so its shadows are seen before white.
+TEST(LightBackground, IsSeenThroughAMedium)
+{
+  Messages messages;
+  ColorStage stage;
+  stage.Renderer->SetBackground(1.0, 1.0, 1.0);
+  vtkNew<vtkGodRaysHomogeneousModel> medium;
+  medium->ApplyPreset("haze");
+  stage.Rays->SetModel(medium);
+  const auto with = GetPixels(stage.Window);
+  int lightest = 0;
+  int darkest = 255;
+  for (int i = 0; i < Width * Height; ++i)
+  {
+    if (!stage.IsData(i))
+    {
+      lightest = std::max<int>(lightest, with[4 * i]);
+      darkest = std::min<int>(darkest, with[4 * i]);
+    }
+  }
+  EXPECT_GT(lightest, darkest + 10);
+  EXPECT_FALSE(Says(stage.Rays->GetPlan(), "darken the background"));
+}
+
+//------------------------------------------------------------------------------
+TEST(DataFirst, KeepsHueAndChroma)
+{
+  Messages messages;
+  ColorStage stage;
+  stage.Rays->SetAutomaticExposure(false);
+  stage.SetStrength(2.0);
+  stage.Rays->SetMostDataLightness(6.0);
+  const auto plain = stage.Compare(GetPixels(stage.Window));
+  EXPECT_GT(plain.Color, 20.0);
+  EXPECT_GT(plain.Lightness, 20.0);
+
+  stage.Rays->SetDataFirst(true);
+  const auto with = GetPixels(stage.Window);
+  const auto change = stage.Compare(with);
+  EXPECT_LT(change.Color, 3.0); // what rounding to 8 bits does
+  EXPECT_LT(change.Lightness, 7.0);
+  EXPECT_GT(change.Lightness, 4.0);
+  int lighter = 0;
+  for (int i = 0; i < Width * Height; ++i)
+  {
+    lighter += !stage.IsData(i) && with[4 * i] > stage.Without[4 * i] + 20 ? 1 : 0;
+  }
+  EXPECT_GT(lighter, Width * Height / 10); // rays are seen beside the data
+
+  // also of what a medium does
+  vtkNew<vtkGodRaysHomogeneousModel> medium;
+  medium->SetScatteringCoefficient(0.06, 0.06, 0.06);
+  stage.Rays->SetModel(medium);
+  const auto dimmed = stage.Compare(GetPixels(stage.Window));
+  EXPECT_LT(dimmed.Color, 3.0);
+  EXPECT_LT(dimmed.Lightness, 7.0);
+  stage.Rays->SetDataFirst(false);
+  EXPECT_GT(stage.Compare(GetPixels(stage.Window)).Color, 10.0);
+}
