@@ -1,0 +1,211 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What god rays do to data by themselves: data sets without and with them, with defaults alone, and
+numbers for what became of the data's colours.
+
+Usage: defaults.py <folder>
+
+Writes Defaults.md and its pictures there. VTK's own renderers and cameras are as they come.
+"""
+
+import math
+import os
+import sys
+
+import numpy
+import vtkmodules.all as vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+
+import default_scenes
+import godrays
+
+SIZE = (400, 280)
+COLUMNS = {"a look": {}, "a medium": {"preset": "haze"}}
+
+
+def read(window, buffer):
+    """The window's pixels [row, column, channel] from the lower left."""
+    reader = vtk.vtkWindowToImageFilter()
+    reader.SetInput(window)
+    reader.ReadFrontBufferOff()
+    reader.ShouldRerenderOff()
+    if buffer == "depth":
+        reader.SetInputBufferTypeToZBuffer()
+    elif buffer == "alpha":
+        reader.SetInputBufferTypeToRGBA()
+    reader.Update()
+    image = reader.GetOutput()
+    values = vtk_to_numpy(image.GetPointData().GetScalars())
+    return values.reshape(image.GetDimensions()[1], image.GetDimensions()[0], -1).astype(float)
+
+
+def to_lab(picture):
+    """CIE 1976 L*a*b* of what sRGB shows, from 0 to 255."""
+    shown = picture / 255
+    light = numpy.where(shown <= 0.04045, shown / 12.92, ((shown + 0.055) / 1.055) ** 2.4)
+    matrix = [[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]]
+    xyz = light @ numpy.transpose(matrix) / (0.9505, 1.0, 1.089)
+    x, y, z = numpy.moveaxis(
+        numpy.where(xyz > 216 / 24389, numpy.cbrt(xyz), xyz * 841 / 108 + 4 / 29), -1, 0
+    )
+    return numpy.stack([116 * y - 16, 500 * (x - y), 200 * (y - z)], -1)
+
+
+def get_contrast(change, place):
+    """How much light changes along circles about the sun, apart from slow changes: the root mean square
+    of the lightness less its mean over 30 degrees [L*]."""
+    height, width = change.shape
+    y, x = numpy.mgrid[0:height, 0:width] + 0.5
+    x, y = x - place[0] * width, y - place[1] * height
+    count = 192
+    ring = (numpy.hypot(x, y) / 2).astype(int)
+    angle = ((numpy.arctan2(y, x) / (2 * math.pi) + 0.5) * count).astype(int) % count
+    sums = numpy.zeros((ring.max() + 1, count))
+    counts = numpy.zeros_like(sums)
+    numpy.add.at(sums, (ring, angle), change)
+    numpy.add.at(counts, (ring, angle), 1)
+    window = count // 12
+    squares = []
+    for values, known in zip(sums[5:], counts[5:]):
+        mean = numpy.zeros(count)
+        weight = numpy.zeros(count)
+        for shift in range(-(window // 2), window // 2 + 1):
+            mean += numpy.roll(values, shift)
+            weight += numpy.roll(known, shift)
+        some = known > 0
+        squares.extend((values[some] / known[some] - mean[some] / weight[some]) ** 2)
+    return math.sqrt(numpy.mean(squares))
+
+
+def get_place(renderer, light):
+    """Where a sun stands in the picture, from (0, 0) to (1, 1)."""
+    camera = renderer.GetActiveCamera()
+    direction = numpy.subtract(light.GetTransformedPosition(), light.GetTransformedFocalPoint())
+    far = camera.GetClippingRange()[1] * direction / numpy.linalg.norm(direction)
+    renderer.SetWorldPoint(*(numpy.array(camera.GetPosition()) + far), 1)
+    renderer.WorldToView()
+    return [(each + 1) / 2 for each in renderer.GetViewPoint()[:2]]
+
+
+def measure(before, after, data, place):
+    lab, changed = to_lab(before), to_lab(after)
+    difference = numpy.linalg.norm(changed - lab, axis=-1)
+    chroma = [numpy.hypot(each[..., 1], each[..., 2])[data].mean() for each in (lab, changed)]
+    clipped = (after.max(-1) == 255) & (before.max(-1) < 255)
+    return (
+        difference[data].mean(),
+        chroma[1] / chroma[0] if chroma[0] > 1 else None,
+        100 * clipped[data].mean(),
+        get_contrast(changed[..., 0] - lab[..., 0], place),
+    )
+
+
+def write(pictures, name):
+    """Pictures side by side, as a JPEG."""
+    joined = numpy.concatenate(pictures, axis=1).astype(numpy.uint8)
+    image = vtk.vtkImageData()
+    image.SetDimensions(joined.shape[1], joined.shape[0], 1)
+    image.GetPointData().SetScalars(numpy_to_vtk(joined.reshape(-1, 3), deep=True))
+    writer = vtk.vtkJPEGWriter()
+    writer.SetQuality(85)
+    writer.SetInputData(image)
+    writer.SetFileName(name)
+    writer.Write()
+
+
+def draw(name, background=None, samples=0):
+    """Pictures of a scene without rays and with each of COLUMNS; what of them shows data; where the sun of
+    each stands."""
+    window, renderer = default_scenes.make(name, SIZE)
+    window.SetMultiSamples(samples)
+    window.Render()
+    # a skybox is drawn at the far end of the depth
+    data = (read(window, "depth")[..., 0] < 1) | (read(window, "alpha")[..., 3] > 127)
+    if background:
+        default_scenes.BACKGROUNDS[background](renderer)
+        window.Render()
+    shown, places = [read(window, "colour")], []
+    for parameters in COLUMNS.values():
+        rays = godrays.enable(renderer, **parameters)
+        window.Render()
+        shown.append(read(window, "colour"))
+        places.append(get_place(renderer, rays.GetLight(0)))
+        godrays.disable(renderer)
+    window.Finalize()
+    return shown, data, places
+
+
+def measure_all(name, background=None):
+    """The numbers of each of COLUMNS, where a pixel shows either data or a background; and how much of the
+    picture data are."""
+    (before, *with_rays), data, places = draw(name, background)
+    numbers = [measure(before, after, data, place) for after, place in zip(with_rays, places)]
+    print(name, background or "", numbers, flush=True)
+    return numbers, 100 * data.mean()
+
+
+def main(folder):
+    pictures = os.path.join(folder, "defaults")
+    os.makedirs(pictures, exist_ok=True)
+    rows = []
+    for name, (what, *_) in default_scenes.SCENES.items():
+        shown, _, _ = draw(name, samples=8)
+        write(shown, os.path.join(pictures, f"{name}.jpg"))
+        numbers, fill = measure_all(name)
+        rows.append((name, what, fill, numbers))
+    before_others = []
+    for background in default_scenes.BACKGROUNDS:
+        file = "before-" + background.replace(" ", "-") + ".jpg"
+        shown, _, _ = draw("cones", background, samples=8)
+        write(shown, os.path.join(pictures, file))
+        before_others.append((background, file, measure_all("cones", background)[0]))
+
+    def format_numbers(numbers):
+        difference, chroma, clipped, contrast = numbers
+        kept = "grey" if chroma is None else f"{100 * chroma:.0f} %"
+        return f"{difference:.1f} | {kept} | {clipped:.2f} % | {contrast:.1f}"
+
+    with open(os.path.join(folder, "Defaults.md"), "w", encoding="utf-8") as page:
+        page.write(PAGE.format(count=len(rows)))
+        for name, what, fill, numbers in rows:
+            page.write(f"\n![{what}](defaults/{name}.jpg)\n\n**{what}**, {fill:.0f} % of the picture\n\n")
+            page.write("| | dE | chroma | clipped | contrast |\n|---|---|---|---|---|\n")
+            for column, each in zip(COLUMNS, numbers):
+                page.write(f"| {column} | {format_numbers(each)} |\n")
+        page.write("\n## Before other backgrounds\n")
+        for background, file, numbers in before_others:
+            page.write(f"\n![cones before a background: {background}](defaults/{file})\n\n")
+            page.write(f"**{background}**\n\n")
+            page.write("| | dE | chroma | clipped | contrast |\n|---|---|---|---|---|\n")
+            for column, each in zip(COLUMNS, numbers):
+                page.write(f"| {column} | {format_numbers(each)} |\n")
+        page.write("\n## All of them\n\n")
+        page.write("| | dE of a look | chroma | clipped | contrast | dE of a medium | contrast |\n")
+        page.write("|---|---|---|---|---|---|---|\n")
+        for name, what, fill, (look, medium) in rows:
+            page.write(f"| {what} | {format_numbers(look)} | {medium[0]:.1f} | {medium[3]:.1f} |\n")
+
+
+PAGE = """# What happens by itself
+
+{count} data sets, each without rays, with `godrays.enable(renderer)`, and with
+`godrays.enable(renderer, preset="haze")`: nothing else is set, neither camera nor lights nor background, so
+this is what a first script shows. Made by
+
+    PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a /usr/bin/python3 Documentation/Gallery/defaults.py \\
+      Documentation/Gallery
+
+The numbers are of pictures without anti-aliasing, in which a pixel shows either data or the background:
+
+- dE: how far data change on average, as a distance in CIE 1976 L\\*a\\*b\\*; 2 to 3 are just visible. A look
+  is to keep below 10, of data that are lit: the dark sides of the molecule's balls count here alone. A medium
+  also dims data, which its strength cannot help.
+- chroma: how much is left of the data's.
+- clipped: data of which a channel became 255, in percent of the data.
+- contrast of the shafts: the root mean square of their lightness along circles about the sun, less its mean
+  over 30 degrees [L\\*].
+"""
+
+if __name__ == "__main__":
+    sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+    main(sys.argv[1])
