@@ -19,6 +19,9 @@ function(godrays_add_test_program name)
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} glm::glm)
   target_compile_options(${name} PRIVATE ${godrays_warnings})
   target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
+  if(GODRAYS_SANITIZERS)
+    target_sources(${name} PRIVATE "${PROJECT_SOURCE_DIR}/Testing/Sanitizers.cxx")
+  endif()
   # PRE_TEST: the cases are asked for when the tests run, not while the program is built.
   gtest_discover_tests(${name}
     DISCOVERY_MODE PRE_TEST

@@ -127,8 +127,8 @@ public:
     const SweepWedge& w = this->Wedge;
     const bool up = w.Direction > 0;
     const double border = up ? -1.0 : w.Rows;
-    this->FirstRow = up ? std::max(0, Floor(std::max(w.LightRow, -2.0)) + 1)
-                        : std::min(w.Rows - 1, Ceil(std::min(w.LightRow, w.Rows + 1.0)) - 1);
+    const double light = std::clamp(w.LightRow, -2.0, w.Rows + 1.0); // farther is no other row
+    this->FirstRow = up ? std::max(0, Floor(light) + 1) : std::min(w.Rows - 1, Ceil(light) - 1);
     this->LastRow = up ? w.Rows - 1 : 0;
     if (up ? this->FirstRow > this->LastRow : this->FirstRow < this->LastRow)
     {
