@@ -11,102 +11,68 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtk_tiff.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
-#include <fstream>
-#include <map>
 #include <vector>
 
 namespace
 {
 //------------------------------------------------------------------------------
 /**
- * The first directory of a TIFF file: the raw bytes of each tag's values.
+ * The first directory of a TIFF file. What is wrong with it, VTK's reader says.
  */
 class TiffTags
 {
 public:
   explicit TiffTags(const std::string& path)
-    : File(path, std::ios::binary)
+    : Error(TIFFSetErrorHandler(nullptr))
+    , Warning(TIFFSetWarningHandler(nullptr)) // which tells of tags that it does not know
+    , File(TIFFOpen(path.c_str(), "rm"))
   {
-    char order[2] = {};
-    this->File.read(order, 2);
-    this->Swap = order[0] == 'M';
-    if (order[0] != order[1] || (order[0] != 'I' && order[0] != 'M') ||
-      this->ReadInteger<std::uint16_t>() != 42)
+  }
+  ~TiffTags()
+  {
+    if (this->File)
     {
-      return; // no TIFF, or one of more than 4 GB
+      TIFFClose(this->File);
     }
-    this->File.seekg(this->ReadInteger<std::uint32_t>());
-    const int count = this->ReadInteger<std::uint16_t>();
-    for (int i = 0; i < count && this->File; ++i)
-    {
-      Entry entry;
-      const auto tag = this->ReadInteger<std::uint16_t>();
-      entry.Type = this->ReadInteger<std::uint16_t>();
-      entry.Count = this->ReadInteger<std::uint32_t>();
-      entry.Position = this->File.tellg();
-      this->ReadInteger<std::uint32_t>();
-      this->Entries[tag] = entry;
-    }
+    TIFFSetErrorHandler(this->Error);
+    TIFFSetWarningHandler(this->Warning);
+  }
+  TiffTags(const TiffTags&) = delete;
+  void operator=(const TiffTags&) = delete;
+
+  /// The values of a tag of GeoTIFF; empty when the tag is missing, or has values of another size.
+  template <typename T>
+  std::vector<T> Get(int tag) const
+  {
+    const TIFFField* field = this->File ? TIFFFindField(this->File, tag, TIFF_ANY) : nullptr;
+    std::uint32_t count = 0;
+    const T* values = nullptr;
+    const bool isList = field && TIFFFieldPassCount(field) &&
+      TIFFFieldReadCount(field) == TIFF_VARIABLE2 &&
+      TIFFDataWidth(TIFFFieldDataType(field)) == sizeof(T);
+    return isList && TIFFGetField(this->File, tag, &count, &values)
+      ? std::vector<T>(values, values + count)
+      : std::vector<T>();
   }
 
-  /// The values of a tag, as numbers; empty when the tag is missing.
-  template <typename T>
-  std::vector<T> Get(int tag)
+  std::uint32_t GetRows() const
   {
-    const auto found = this->Entries.find(tag);
-    if (found == this->Entries.end() || found->second.Count > 100000)
-    {
-      return {};
-    }
-    const Entry& entry = found->second;
-    this->File.clear();
-    this->File.seekg(entry.Position);
-    if (entry.Count * sizeof(T) > 4)
-    {
-      this->File.seekg(this->ReadInteger<std::uint32_t>());
-    }
-    std::vector<T> values(entry.Count);
-    for (T& value : values)
-    {
-      value = this->ReadInteger<T>();
-    }
-    return this->File ? values : std::vector<T>();
+    std::uint32_t rows = 0;
+    return this->File && TIFFGetField(this->File, TIFFTAG_IMAGELENGTH, &rows) ? rows : 0;
   }
 
 private:
-  struct Entry
-  {
-    int Type = 0;
-    std::uint32_t Count = 0;
-    std::streampos Position;
-  };
-
-  template <typename T>
-  T ReadInteger()
-  {
-    char bytes[sizeof(T)] = {};
-    this->File.read(bytes, sizeof(T));
-    if (this->Swap)
-    {
-      std::reverse(bytes, bytes + sizeof(T));
-    }
-    T value;
-    std::memcpy(&value, bytes, sizeof(T));
-    return value;
-  }
-
-  std::ifstream File;
-  std::map<int, Entry> Entries;
-  bool Swap = false;
+  TIFFErrorHandler Error;
+  TIFFErrorHandler Warning;
+  TIFF* File;
 };
 
-constexpr int ImageLengthTag = 257;
 constexpr int PixelScaleTag = 33550;
 constexpr int TiepointTag = 33922;
 constexpr int GeoKeysTag = 34735;
@@ -259,9 +225,8 @@ Georeference ReadGeoTiffTags(const std::string& path)
   {
     const auto tiepoint = tags.Get<double>(TiepointTag);
     const double north = tiepoint.size() >= 6 ? tiepoint[4] + tiepoint[1] * scale[1] : 0.0;
-    auto rows = tags.Get<std::uint16_t>(ImageLengthTag);
     double lengths[2];
-    GetDegreeLengths(north - 0.5 * scale[1] * (rows.empty() ? 0 : rows[0]), lengths);
+    GetDegreeLengths(north - 0.5 * scale[1] * tags.GetRows(), lengths);
     place.Spacing[0] *= lengths[0];
     place.Spacing[1] *= lengths[1];
   }

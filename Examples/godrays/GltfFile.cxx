@@ -5,6 +5,7 @@
 #include "Failure.h"
 
 #include "vtkVersionMacros.h"
+#include "vtksys/SystemTools.hxx"
 
 #include <cctype>
 #include <cstdint>
@@ -136,30 +137,8 @@ std::string Escape(const std::string& plain)
 }
 
 //------------------------------------------------------------------------------
-/// A URI with the letters that stand in it as %20 and the like.
-std::string DecodePercents(const std::string& uri)
-{
-  std::string plain;
-  for (std::size_t i = 0; i < uri.size(); ++i)
-  {
-    const auto isDigit = [&uri](std::size_t at)
-    { return at < uri.size() && std::isxdigit(static_cast<unsigned char>(uri[at])) != 0; };
-    if (uri[i] == '%' && isDigit(i + 1) && isDigit(i + 2))
-    {
-      plain += static_cast<char>(std::stoi(uri.substr(i + 1, 2), nullptr, 16));
-      i += 2;
-    }
-    else
-    {
-      plain += uri[i];
-    }
-  }
-  return plain;
-}
-
-//------------------------------------------------------------------------------
 /// What names a file in a URI: RFC 3986, section 2.1, of all but unreserved characters and slashes.
-std::string EncodePercents(const std::string& path)
+[[maybe_unused]] std::string EncodePercents(const std::string& path)
 {
   constexpr const char* digits = "0123456789ABCDEF";
   std::string uri;
@@ -312,7 +291,7 @@ void GltfFile::ReplaceUris()
       change = change || !fs::exists(file, ignored) || NameToRead(uri) != uri;
       if (!fs::exists(file, ignored))
       {
-        file = folder / DecodePercents(uri);
+        file = folder / vtksys::SystemTools::DecodeURL(uri);
       }
       const bool isMissing = !fs::exists(file, ignored);
       if (isMissing && !ofPictures)
