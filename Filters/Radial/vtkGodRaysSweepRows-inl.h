@@ -9,6 +9,7 @@
 #define vtkGodRaysSweepRows_inl_h
 #endif
 
+#include "vtkGodRaysMath.h"
 #include "vtkGodRaysSweepKernels.h"
 #include "vtkGodRaysSweepLanes-inl.h"
 
@@ -66,7 +67,8 @@ public:
       SweepChannel& channel = this->Channel[c];
       channel.Image = &images[c];
       channel.Result = results ? results[c] : channel.Result;
-      channel.Gain = ToFloat(plan.March.Gain / MeanKernel(plan.March.K) / channel.Image->Scale);
+      channel.Gain =
+        ToFloat(plan.March.Gain / MeanExponential(plan.March.K) / channel.Image->Scale);
       channel.LightValue = static_cast<float>(channel.Image->Sample(plan.Light[0], plan.Light[1]));
     }
     std::fill_n(this->OutputLast, StripRows, -1);
@@ -78,9 +80,6 @@ protected:
   static constexpr int StripRows = 16;
   static constexpr int StripMargin = 48;
   static constexpr int PrefetchRows = 64;
-
-  // phi(k), the mean of e^(-k t) over t in [0, 1].
-  static double MeanKernel(double k) { return std::abs(k) < 1e-12 ? 1.0 : -std::expm1(-k) / k; }
 
   // How many floats that begin a line of the cache; memory is kept.
   static float* Resize(std::vector<float>& values, std::size_t size)

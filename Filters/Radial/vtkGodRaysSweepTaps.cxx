@@ -11,6 +11,7 @@
   (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #include <hwy/foreach_target.h> // must come before highway.h
 
+#include "vtkGodRaysMath.h"
 #include "vtkGodRaysSweepKernels.h"
 #include "vtkGodRaysSweepLanes-inl.h"
 
@@ -121,8 +122,8 @@ void RunTaps(const vtkGodRaysMarch& march, const SweepImage& image, double toler
   const FloatTag d;
   const int lanes = GetLanes();
   const double k = march.K;
-  const float origin = k < 0.0 ? 1.0f : 0.0f; // of t, so that the weights are at most 1
-  const double mean = std::abs(k) < 1e-12 ? 1.0 : k < 0.0 ? std::expm1(k) / k : -std::expm1(-k) / k;
+  const float origin = k < 0.0 ? 1.0f : 0.0f;       // of t, so that the weights are at most 1
+  const double mean = MeanExponential(std::abs(k)); // from that origin
   const double gain = march.Gain / mean / static_cast<double>(image.Scale);
   // Beyond it is nothing of importance.
   const double reach = std::min(1.0, std::log(100.0 / tolerance) / std::max(k, 1e-300));

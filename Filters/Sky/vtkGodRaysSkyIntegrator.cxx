@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysSkyIntegrator.h"
 
+#include "vtkGodRaysKronrod.h"
 #include "vtkGodRaysSkyAtmosphere.h"
 #include "vtkSMPTools.h"
 
@@ -15,20 +16,6 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr int Slopes = vtkGodRaysSkyIntegrator::Slopes;
 constexpr int Heights = vtkGodRaysSkyIntegrator::Heights;
-
-// Kronrod's rule of 15 points, and Gauss's of 7 within it. [Piessens1983]
-constexpr double Places[8] = { 0.991455371120812639206854697526329,
-  0.949107912342758524526189684047851, 0.864864423359769072789712788640926,
-  0.741531185599394439863864773280788, 0.586087235467691130294144691693013,
-  0.405845151377397166906606412076961, 0.207784955007898467600689403773245, 0.0 };
-constexpr double Weights[8] = { 0.022935322010529224963732008058970,
-  0.063092092629978553290700663189204, 0.104790010322250183839876322541518,
-  0.140653259715525918745189590510238, 0.169004726639267902826583426598550,
-  0.190350578064785409913256402421014, 0.204432940075298892414161999234649,
-  0.209482141084727828012999174891714 };
-constexpr double GaussWeights[4] = { 0.129484966168869693270611432679082,
-  0.279705391489276667901467771423780, 0.381830050505118944950369775488975,
-  0.417959183673469387755102040816327 };
 
 double MaxComponent(const Vec3& value)
 {
@@ -100,21 +87,9 @@ vtkGodRaysSkyIntegrator::Estimate vtkGodRaysSkyIntegrator::EstimatePart(
 {
   const double middle = 0.5 * (begin + end);
   const double reach = 0.5 * (end - begin);
-  Vec3 kronrod(0.0);
-  Vec3 gauss(0.0);
-  for (int i = 0; i < 8; ++i)
-  {
-    Vec3 value = this->GetInscatter(way, middle + Places[i] * reach, lit, multiple);
-    if (i < 7)
-    {
-      value += this->GetInscatter(way, middle - Places[i] * reach, lit, multiple);
-    }
-    kronrod += Weights[i] * value;
-    if (i % 2 == 1)
-    {
-      gauss += GaussWeights[i / 2] * value;
-    }
-  }
+  const auto [kronrod, gauss] =
+    SumByKronrod([&](double distance) { return this->GetInscatter(way, distance, lit, multiple); },
+      middle, reach);
   // The difference is the error of Gauss's rule; that of Kronrod's is about its power of 3/2.
   const double scale = MaxComponent(kronrod);
   const double difference = MaxComponent(abs(kronrod - gauss));
@@ -256,7 +231,7 @@ void vtkGodRaysSkyIntegrator::PrepareMultipleScattering()
         for (int i = 0; i < 15; ++i)
         {
           const int k = std::min(i, 14 - i);
-          const double slope = i < 7 ? -Places[k] : Places[k];
+          const double slope = i < 7 ? -KronrodPlaces[k] : KronrodPlaces[k];
           std::array<double, 8> cosAngles;
           for (int j = 0; j < 8; ++j)
           {
@@ -265,7 +240,7 @@ void vtkGodRaysSkyIntegrator::PrepareMultipleScattering()
                 std::cos(Pi * (j + 0.5) / 8.0);
           }
           SkyWay way = MakeSkyWay(this->Sky, height, slope, sunSlope, cosAngles[0]);
-          const double weight = Weights[k] / 16.0; // of all directions
+          const double weight = KronrodWeights[k] / 16.0; // of all directions
           const double near = 0.15 * way.Length;
           for (int part = 0; part < 2; ++part)
           {
@@ -274,8 +249,9 @@ void vtkGodRaysSkyIntegrator::PrepareMultipleScattering()
             for (int n = 0; n < 15; ++n)
             {
               const int m = std::min(n, 14 - n);
-              const double distance = begin + reach * (1.0 + (n < 7 ? -Places[m] : Places[m]));
-              const Vec3 scattering = (weight * reach * Weights[m]) *
+              const double distance =
+                begin + reach * (1.0 + (n < 7 ? -KronrodPlaces[m] : KronrodPlaces[m]));
+              const Vec3 scattering = (weight * reach * KronrodWeights[m]) *
                 this->GetDiffuseScattering(SkyPoint(this->Sky, way, distance).x) *
                 exp(-SkyDepth(this->DiffuseSky, way.Height, way.Slope, distance));
               for (const double cosAngle : cosAngles) // the sun alone depends on the azimuth
