@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysAtmosphereModel.h"
 
+#include "vtkCommand.h"
 #include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysMedium.h"
 #include "vtkGodRaysSetGet.h"
@@ -27,17 +28,51 @@ vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphereModel, PlanetRadius, 0.0, 1e15);
 vtkGodRaysAtmosphereModel::vtkGodRaysAtmosphereModel()
 {
   vtkNew<vtkGodRaysAtmosphere> earth;
-  this->TakeAtmosphere(earth);
+  this->Take(earth);
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysAtmosphereModel::TakeAtmosphere(vtkGodRaysAtmosphere* atmosphere)
+vtkGodRaysAtmosphereModel::~vtkGodRaysAtmosphereModel()
 {
-  if (!atmosphere)
+  this->SetAtmosphere(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysAtmosphereModel::SetAtmosphere(vtkGodRaysAtmosphere* atmosphere)
+{
+  if (this->Atmosphere == atmosphere)
   {
-    vtkErrorMacro("TakeAtmosphere needs a vtkGodRaysAtmosphere, not null; nothing is changed.");
     return;
   }
+  if (this->Atmosphere)
+  {
+    this->Atmosphere->RemoveObserver(this->Observer);
+  }
+  this->Atmosphere = atmosphere;
+  if (atmosphere)
+  {
+    this->Observer =
+      atmosphere->AddObserver(vtkCommand::ModifiedEvent, this, &vtkGodRaysAtmosphereModel::Follow);
+    this->Follow();
+  }
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysAtmosphere* vtkGodRaysAtmosphereModel::GetAtmosphere()
+{
+  return this->Atmosphere;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysAtmosphereModel::Follow()
+{
+  this->Take(this->Atmosphere);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysAtmosphereModel::Take(vtkGodRaysAtmosphere* atmosphere)
+{
   this->SetRayleighScattering(atmosphere->GetRayleighScattering());
   this->SetRayleighScaleHeight(atmosphere->GetRayleighHeight());
   this->SetMieScattering(atmosphere->GetMieScattering());
@@ -128,6 +163,7 @@ void vtkGodRaysAtmosphereModel::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   const auto print = [&os, indent](const char* name, const double* values)
   { os << indent << name << ": " << values[0] << " " << values[1] << " " << values[2] << "\n"; };
+  os << indent << "Atmosphere: " << this->Atmosphere.Get() << "\n";
   print("RayleighScattering", this->RayleighScattering);
   os << indent << "RayleighScaleHeight: " << this->RayleighScaleHeight << "\n";
   print("MieScattering", this->MieScattering);

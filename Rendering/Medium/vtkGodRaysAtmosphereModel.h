@@ -24,6 +24,7 @@
 
 #include "vtkGodRaysMediumModel.h"
 #include "vtkGodRaysRenderingModule.h" // For export macro
+#include "vtkSmartPointer.h"           // For vtkSmartPointer
 
 #include <string> // For std::string
 
@@ -36,19 +37,24 @@ public:
   vtkTypeMacro(vtkGodRaysAtmosphereModel, vtkGodRaysMediumModel);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
   /**
-   * Take the molecules and the aerosol of an atmosphere, as a sky has it: scattering, absorption, heights,
-   * asymmetry, of which green's is that of all colours. Its profiles count as EXPONENTIAL, the aerosol's
-   * phase function as CORNETTE_SHANKS, and ozone is left out: near the ground there is next to none. A new
-   * model has those of the Earth, a new vtkGodRaysAtmosphere. A null atmosphere is an error and changes
-   * nothing.
+   * Set/Get the atmosphere whose molecules and aerosol these are, as a sky has it: scattering, absorption,
+   * heights, asymmetry, of which green's is that of all colours. One object may be that of a model, of a
+   * vtkGodRaysSkyPass and of a vtkGodRaysSkySource: this model has its numbers now, and again whenever it
+   * changes; what is set here holds until then. Its profiles count as EXPONENTIAL, the aerosol's phase
+   * function as CORNETTE_SHANKS, and ozone is left out: near the ground there is next to none. Default is
+   * null: the model has numbers of its own, at first those of the Earth, a new vtkGodRaysAtmosphere; null
+   * leaves them as they are.
    */
-  void TakeAtmosphere(vtkGodRaysAtmosphere* atmosphere);
+  void SetAtmosphere(vtkGodRaysAtmosphere* atmosphere);
+  vtkGodRaysAtmosphere* GetAtmosphere();
+  ///@}
 
   ///@{
   /**
    * Set/Get how much light molecules scatter at GroundLevel, for each colour [1/m]. Valid range:
-   * [0, 1e15]. Default is that of the Earth, see TakeAtmosphere(): 5.802e-6, 13.558e-6, 33.10e-6.
+   * [0, 1e15]. Default is that of the Earth, see SetAtmosphere(): 5.802e-6, 13.558e-6, 33.10e-6.
    */
   void SetRayleighScattering(double red, double green, double blue);
   void SetRayleighScattering(const double coefficient[3]) VTK_SIZEHINT(3);
@@ -128,7 +134,7 @@ public:
 
 protected:
   vtkGodRaysAtmosphereModel();
-  ~vtkGodRaysAtmosphereModel() override = default;
+  ~vtkGodRaysAtmosphereModel() override;
 
   void FillMedium(vtkGodRaysMedium& medium, const double worldToView[16]) const override;
 
@@ -136,6 +142,11 @@ private:
   vtkGodRaysAtmosphereModel(const vtkGodRaysAtmosphereModel&) = delete;
   void operator=(const vtkGodRaysAtmosphereModel&) = delete;
 
+  void Take(vtkGodRaysAtmosphere* atmosphere);
+  void Follow(); // the atmosphere, which has changed
+
+  vtkSmartPointer<vtkGodRaysAtmosphere> Atmosphere;
+  unsigned long Observer = 0; // of it
   double RayleighScattering[3] = { 0.0, 0.0, 0.0 };
   double RayleighScaleHeight = 1.0;
   double MieScattering[3] = { 0.0, 0.0, 0.0 };

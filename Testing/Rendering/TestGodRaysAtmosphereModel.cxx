@@ -6,6 +6,7 @@
 
 #include "GodRaysMediumTesting.h"
 
+#include "vtkCommand.h"
 #include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysAtmosphereModel.h"
 #include "vtkGodRaysAutomaticIntegrator.h"
@@ -168,7 +169,7 @@ TEST_F(GodRaysAtmosphereModel, DimsLessWhatIsHigh)
   EXPECT_GT(get(Height - 5), get(5) + 20);
 }
 
-TEST_F(GodRaysAtmosphereModel, TakesTheAirOfASky)
+TEST_F(GodRaysAtmosphereModel, SharesTheAirOfASky)
 {
   vtkNew<vtkGodRaysAtmosphere> sky;
   vtkNew<vtkGodRaysAtmosphereModel> model;
@@ -187,11 +188,28 @@ TEST_F(GodRaysAtmosphereModel, TakesTheAirOfASky)
   expectSame();
   sky->LoadPreset(vtkGodRaysAtmosphere::MARS);
   EXPECT_NE(model->GetMieScaleHeight(), sky->GetMieHeight());
-  model->TakeAtmosphere(sky);
+  model->SetAtmosphere(sky);
+  EXPECT_EQ(model->GetAtmosphere(), sky);
   expectSame();
-  model->TakeAtmosphere(nullptr);
-  EXPECT_EQ(this->VTKMessages.Take().size(), 1u);
+  vtkMTimeType time = model->GetMTime();
+  sky->SetMieHeight(400.0); // as a sky pass's owner does it
   expectSame();
+  EXPECT_GT(model->GetMTime(), time);
+  model->SetMieScaleHeight(50.0);
+  EXPECT_EQ(sky->GetMieHeight(), 400.0);
+  sky->LoadPreset(vtkGodRaysAtmosphere::EARTH_HAZY);
+  expectSame();
+  model->SetAtmosphere(nullptr);
+  expectSame();
+  time = model->GetMTime();
+  sky->LoadPreset(vtkGodRaysAtmosphere::MARS);
+  EXPECT_NE(model->GetMieScaleHeight(), sky->GetMieHeight());
+  EXPECT_EQ(model->GetMTime(), time);
+  {
+    vtkNew<vtkGodRaysAtmosphereModel> gone;
+    gone->SetAtmosphere(sky);
+  }
+  EXPECT_FALSE(sky->HasObserver(vtkCommand::ModifiedEvent));
 }
 
 TEST_F(GodRaysAtmosphereModel, RefusesWhatIsNoDirection)
