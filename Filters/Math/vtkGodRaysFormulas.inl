@@ -82,6 +82,7 @@ inline bool IsCosine(Real value)
 #include "vtkGodRaysCommonMath.glsl"
 
 #include "vtkGodRaysColourMath.glsl"
+#include "vtkGodRaysGridMath.glsl"
 #include "vtkGodRaysLightMath.glsl"
 #include "vtkGodRaysPhaseMath.glsl"
 #include "vtkGodRaysPlanetMath.glsl"

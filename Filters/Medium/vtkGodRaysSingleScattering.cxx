@@ -4,6 +4,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
+#include "vtkGodRaysGridRay.h"
 #include "vtkGodRaysMath.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace
@@ -334,6 +336,7 @@ struct Scatter
   Vec3 Light;
   bool Directional;
   vtkGodRays::LitRay Ray;
+  const vtkGodRaysGridRay* Data = nullptr;
 
   // From a distance to the variable of integration.
   double ToVariable(double s) const
@@ -350,6 +353,25 @@ struct Scatter
     const double s = std::max(this->Ray.Foot + this->Ray.Distance * std::tan(v), 0.0);
     return this->Light / this->Ray.Distance *
       this->Evaluate(s, -std::sin(v), this->Ray.Distance / std::cos(v));
+  }
+
+  // The optical depth of the way to the eye.
+  Vec3 GetDepth(double s) const
+  {
+    Vec3 depth(0.0);
+    for (int k = 0; k < this->Medium.NumberOfComponents; ++k)
+    {
+      const vtkGodRaysMedium::Component& component = this->Medium.Components[k];
+      const double length = vtkGodRays::MediumDepth(
+        this->Ray.PlanetRadius, this->Ray.Height, this->Ray.Slope, component.ScaleHeight, s);
+      depth += length * (GetVector(component.Scattering) + GetVector(component.Absorption));
+    }
+    if (this->Data)
+    {
+      Vec3 scattered(0.0);
+      this->Data->Add(s, 0.0, false, scattered, depth);
+    }
+    return depth;
   }
 
 private:
@@ -396,6 +418,10 @@ private:
         depth[c] += extinction[c] > 0.0 ? extinction[c] * length : 0.0;
       }
     }
+    if (this->Data)
+    {
+      this->Data->Add(s, cosAngle, true, scattered, depth);
+    }
     const double spot =
       this->Directional ? 1.0 : vtkGodRays::SpotFactor(this->Ray, s, std::max(way, 1e-300));
     return scattered * (spot * vtkGodRays::exp(-depth));
@@ -424,8 +450,8 @@ const double GaussWeights[4] = { 0.129484966168869693270611432679082,
   0.279705391489276667901467771423780, 0.381830050505118944950369775488975,
   0.417959183673469387755102040816327 };
 
-// To an absolute error, or as closely as it takes with halves of halves, depth times.
-Vec3 Integrate(const Scatter& f, double a, double b, double error, int depth)
+// The integral by one application of the rules, and whether it is as exact as that.
+bool Estimate(const Scatter& f, double a, double b, double error, Vec3& integral)
 {
   const double middle = 0.5 * (a + b);
   const double half = 0.5 * (b - a);
@@ -444,12 +470,42 @@ Vec3 Integrate(const Scatter& f, double a, double b, double error, int depth)
   }
   // Below this there is only rounding.
   const double rounding = 2e-14 * GetLargest(kronrod);
-  if (depth == 0 || GetLargest(kronrod - gauss) * half <= std::max(error, rounding * half))
+  integral = kronrod * half;
+  return GetLargest(kronrod - gauss) * half <= std::max(error, rounding * half);
+}
+
+// To an absolute error, or as closely as it takes with halves of halves, depth times.
+Vec3 Integrate(const Scatter& f, double a, double b, double error, int depth)
+{
+  Vec3 integral;
+  if (Estimate(f, a, b, error, integral) || depth == 0)
   {
-    return kronrod * half;
+    return integral;
   }
+  const double middle = 0.5 * (a + b);
   return Integrate(f, a, middle, 0.5 * error, depth - 1) +
     Integrate(f, middle, b, 0.5 * error, depth - 1);
+}
+
+// Between distances, in the gaps of which the integrand is smooth, a few of them at a time.
+Vec3 IntegrateGaps(
+  const Scatter& f, const double* places, std::size_t gaps, double error, int depth)
+{
+  constexpr std::size_t most = 4; // in which three places of each are looked at
+  const double a = f.ToVariable(places[0]);
+  const double b = f.ToVariable(places[gaps]);
+  Vec3 integral;
+  if (gaps == 1)
+  {
+    return Integrate(f, a, b, error, depth);
+  }
+  if (gaps <= most && Estimate(f, a, b, error, integral))
+  {
+    return integral;
+  }
+  const std::size_t half = gaps / 2;
+  return IntegrateGaps(f, places, half, 0.5 * error, depth) +
+    IntegrateGaps(f, places + half, gaps - half, 0.5 * error, depth);
 }
 
 // Between two distances. Where the density falls, in parts that double, so that no layer near the
@@ -459,15 +515,26 @@ Vec3 IntegrateWay(const Scatter& f, double from, double to, double end, double e
   constexpr int depth = 40;
   const int parts = f.Medium.HasExponentialDensity() ? 13 : 1;
   Vec3 sum(0.0);
+  std::vector<double> places;
   double begin = from;
   const auto add = [&](double place)
   {
     const double next = std::min(place, to);
-    if (next > begin)
+    if (!(next > begin))
     {
-      sum += Integrate(f, f.ToVariable(begin), f.ToVariable(next), error / parts, depth);
-      begin = next;
+      return;
     }
+    places.assign(1, begin);
+    if (f.Data)
+    {
+      const std::vector<double>& knots = f.Data->GetKnots();
+      const auto first = std::upper_bound(knots.begin(), knots.end(), begin);
+      std::unique_copy(
+        first, std::lower_bound(first, knots.end(), next), std::back_inserter(places));
+    }
+    places.push_back(next);
+    sum += IntegrateGaps(f, places.data(), places.size() - 1, error / parts, depth);
+    begin = next;
   };
   for (int i = parts - 1; i >= 0; --i)
   {
@@ -493,6 +560,7 @@ public:
   Vec3 Position = Vec3(0.0);
   Vec3 Axes[3]; // right, up, forward
   bool Parallel = false;
+  std::vector<vtkGodRaysGrid> Grids;
   Scatter Ray; // but for the ray
   Vec3 Light;  // position, or direction of length 1
   Vec3 Upwards;
@@ -561,7 +629,8 @@ public:
       [](const Interval& a, const Interval& b) { return a.Begin < b.Begin; });
     const auto integrate = [&](double from, double to, double error)
     { return IntegrateWay(f, from, to, end, error); };
-    const Vec3 whole = integrate(0.0, end, 1e-3 * GetLargest(integrate(0.0, end, Infinity)));
+    Vec3 whole = integrate(0.0, end, Infinity);
+    whole = f.Data ? whole : integrate(0.0, end, 1e-3 * GetLargest(whole));
     const double error = this->Tolerance * GetLargest(whole);
     Vec3 sum(0.0);
     double lit = 0.0; // from here on
@@ -601,6 +670,12 @@ void vtkGodRaysSingleScattering::SetOccluders(vtkPolyData* occluders)
 void vtkGodRaysSingleScattering::SetSeen(vtkPolyData* seen)
 {
   this->Internals->Seen = seen ? std::make_unique<TriangleTree>(GetTriangles(seen)) : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSingleScattering::SetGrids(const std::vector<vtkGodRaysGrid>& grids)
+{
+  this->Internals->Grids = grids;
 }
 
 //------------------------------------------------------------------------------
@@ -668,7 +743,17 @@ void vtkGodRaysSingleScattering::Evaluate(double x, double y, Result& result, do
   {
     vtkInternals::HideAlong(slice, directional, farthest, result.Crossings, hidden);
   }
+  vtkGodRaysGridRay data;
+  if (!self.Grids.empty())
+  {
+    data.Cast(self.Grids, origin, along, end, self.Light, directional);
+    f.Data = &data;
+  }
   const Vec3 sum = self.Sum(f, end, hidden);
+  const Vec3 left = vtkGodRays::exp(-f.GetDepth(end));
+  result.Transmittance[0] = left.x;
+  result.Transmittance[1] = left.y;
+  result.Transmittance[2] = left.z;
   result.Radiance[0] = sum.x;
   result.Radiance[1] = sum.y;
   result.Radiance[2] = sum.z;

@@ -19,6 +19,7 @@
 #include <vector> // For std::vector
 
 class vtkPolyData;
+struct vtkGodRaysGrid;
 
 class VTKGODRAYSFILTERS_EXPORT vtkGodRaysSingleScattering
 {
@@ -52,6 +53,7 @@ public:
   struct Result
   {
     double Radiance[3];
+    double Transmittance[3];         // of media between the eye and the ray's end
     double Sight;                    // view depth of the first surface; infinite if there is none
     double LengthPerDepth;           // of the ray
     std::vector<Crossing> Crossings; // with what blocks light, from the eye on
@@ -70,6 +72,11 @@ public:
   void SetOccluders(vtkPolyData* occluders);
   void SetSeen(vtkPolyData* seen);
   ///@}
+
+  /**
+   * Media of data that there are besides, which shadow themselves, each other and the medium.
+   */
+  void SetGrids(const std::vector<vtkGodRaysGrid>& grids);
 
   void SetParameters(const Parameters& parameters);
 

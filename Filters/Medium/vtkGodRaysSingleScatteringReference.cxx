@@ -3,6 +3,7 @@
 #include "vtkGodRaysSingleScatteringReference.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkGodRaysGrid.h"
 #include "vtkGodRaysSetGet.h"
 #include "vtkGodRaysSingleScattering.h"
 #include "vtkImageData.h"
@@ -30,7 +31,7 @@ const double Infinity = std::numeric_limits<double>::infinity();
 //------------------------------------------------------------------------------
 vtkGodRaysSingleScatteringReference::vtkGodRaysSingleScatteringReference()
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
 }
 
 //------------------------------------------------------------------------------
@@ -43,10 +44,11 @@ void vtkGodRaysSingleScatteringReference::PrintSelf(ostream& os, vtkIndent inden
 }
 
 //------------------------------------------------------------------------------
-int vtkGodRaysSingleScatteringReference::FillInputPortInformation(int, vtkInformation* info)
+int vtkGodRaysSingleScatteringReference::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 2 ? "vtkImageData" : "vtkPolyData");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), port == 2 ? 1 : 0);
   return 1;
 }
 
@@ -63,9 +65,16 @@ int vtkGodRaysSingleScatteringReference::RequestInformation(
 
 //------------------------------------------------------------------------------
 int vtkGodRaysSingleScatteringReference::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector*)
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
-  return 1; // all of the occluders
+  for (int i = 0; i < input[2]->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkInformation* info = input[2]->GetInformationObject(i);
+    int extent[6];
+    info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+  }
+  return 1; // and all of the occluders
 }
 
 //------------------------------------------------------------------------------
@@ -77,6 +86,11 @@ int vtkGodRaysSingleScatteringReference::RequestData(
   if (this->Size[0] < 1 || this->Size[1] < 1 || this->Size[0] > 32768 || this->Size[1] > 32768)
   {
     fault = "the picture has no size. Set Size to two numbers in [1, 32768].";
+  }
+  std::vector<vtkGodRaysGrid> grids;
+  if (fault.empty())
+  {
+    fault = this->ReadGrids(input[2], grids);
   }
   if (!fault.empty())
   {
@@ -93,6 +107,10 @@ int vtkGodRaysSingleScatteringReference::RequestData(
   radiances->SetName("Radiance");
   radiances->SetNumberOfComponents(3);
   radiances->SetNumberOfTuples(pixels);
+  vtkNew<vtkDoubleArray> transmittances;
+  transmittances->SetName("Transmittance");
+  transmittances->SetNumberOfComponents(3);
+  transmittances->SetNumberOfTuples(pixels);
   vtkNew<vtkDoubleArray> depths;
   depths->SetName("Depth");
   depths->SetNumberOfComponents(components);
@@ -115,6 +133,7 @@ int vtkGodRaysSingleScatteringReference::RequestData(
   parameters.Tolerance = this->Tolerance;
   vtkGodRaysSingleScattering scattering;
   scattering.SetParameters(parameters);
+  scattering.SetGrids(grids);
   scattering.SetOccluders(vtkPolyData::GetData(input[0]));
   if (input[1]->GetNumberOfInformationObjects() > 0)
   {
@@ -130,6 +149,7 @@ int vtkGodRaysSingleScatteringReference::RequestData(
         (x + 0.5 - 0.5 * width) * view.PixelSize, (y + 0.5 - 0.5 * height) * view.PixelSize, ray);
       const vtkIdType pixel = static_cast<vtkIdType>(y) * width + x;
       std::copy_n(ray.Radiance, 3, radiances->GetPointer(3 * pixel));
+      std::copy_n(ray.Transmittance, 3, transmittances->GetPointer(3 * pixel));
       ends->SetValue(pixel, ray.Sight);
       double* depthsHere = depths->GetPointer(components * pixel);
       std::fill_n(depthsHere, components, Infinity);
@@ -173,6 +193,7 @@ int vtkGodRaysSingleScatteringReference::RequestData(
   }
   result->SetDimensions(width, height, 1);
   result->GetPointData()->SetScalars(radiances);
+  result->GetPointData()->AddArray(transmittances);
   result->GetPointData()->AddArray(depths);
   result->GetPointData()->AddArray(ends);
   return 1;

@@ -19,11 +19,17 @@
  * Second input, optional: vtkPolyData at which view rays end, in place of the occluders: what is seen
  * but casts no shadow is in this one alone, what casts shadows unseen in the first alone.
  *
+ * Third input, optional, any number of them: vtkImageData, media of data. The optical depth of a cell along a
+ * line is exact but for rounding. What is scattered is integrated between places where a view ray, or the
+ * light's way to it, goes from one cell to another, and the light's optical depth through data is summed anew
+ * at each place: of the order of 1 ms for each pixel of data with 50 cells along each axis, at a Tolerance
+ * of 1e-6.
+ *
  * Output: vtkImageData of Size pixels with arrays of doubles: "Radiance", the scalars, of red,
- * green and blue; "Depth", the view depth of the first occluder, infinity where there is none; and "End",
- * that of what ends the view ray. With
- * NumberOfLayers n, "Depth" has 2 n components instead: the depths at which the ray enters and leaves
- * solid matter, n times, for closed surfaces with normals outwards by the order of their points.
+ * green and blue; "Transmittance", of all media between the eye and the end of the view ray; "Depth", the
+ * view depth of the first occluder, infinity where there is none; and "End", that of what ends the view
+ * ray. With NumberOfLayers n, "Depth" has 2 n components instead: the depths at which the ray enters and
+ * leaves solid matter, n times, for closed surfaces with normals outwards by the order of their points.
  *
  * Bytes do not depend on the number of threads. AbortExecute is looked at whenever progress is told,
  * 20 times, on the calling thread; the output is empty then, as after an error.
@@ -35,13 +41,14 @@
 #define vtkGodRaysSingleScatteringReference_h
 
 #include "vtkGodRaysFiltersModule.h" // For export macro
-#include "vtkGodRaysMediumFilter.h"
+#include "vtkGodRaysGridMediumFilter.h"
 
-class VTKGODRAYSFILTERS_EXPORT vtkGodRaysSingleScatteringReference : public vtkGodRaysMediumFilter
+class VTKGODRAYSFILTERS_EXPORT vtkGodRaysSingleScatteringReference
+  : public vtkGodRaysGridMediumFilter
 {
 public:
   static vtkGodRaysSingleScatteringReference* New();
-  vtkTypeMacro(vtkGodRaysSingleScatteringReference, vtkGodRaysMediumFilter);
+  vtkTypeMacro(vtkGodRaysSingleScatteringReference, vtkGodRaysGridMediumFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
