@@ -92,6 +92,7 @@ inline bool IsCosine(Real value)
 #include "vtkGodRaysAirlightMath.glsl"
 #include "vtkGodRaysMediumMath.glsl"
 #include "vtkGodRaysSkyMath.glsl"
+#include "vtkGodRaysVisibilityMath.glsl"
 #undef GODRAYS_EXPECT
 #undef IN
 #undef FUNCTION

@@ -172,6 +172,12 @@ std::string vtkGodRaysMediumFilter::FindFault() const
     return "the camera looks nowhere. CameraFocalPoint must differ from CameraPosition, and "
            "CameraViewUp must not be along the direction of view.";
   }
+  return this->FindMediumFault();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysMediumFilter::FindMediumFault() const
+{
   if (!IsWithin(this->ScatteringCoefficient, 3, 0.0, 1e3) ||
     !IsWithin(this->AbsorptionCoefficient, 3, 0.0, 1e3) ||
     !IsWithin(this->GasScatteringCoefficient, 3, 0.0, 1e3) ||

@@ -258,10 +258,13 @@ protected:
    */
   vtkGodRaysSpot GetSpot(const View& view) const;
 
+  ///@{
   /**
-   * Which parameter cannot be used, and what to do; empty if all can.
+   * Which parameter cannot be used, and what to do; empty if all can. The second leaves out the camera.
    */
   std::string FindFault() const;
+  std::string FindMediumFault() const;
+  ///@}
 
   /**
    * Tell the progress [fraction]; false if someone has told the filter to stop. On the thread that

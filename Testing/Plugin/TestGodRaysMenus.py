@@ -81,6 +81,26 @@ class Menus(Case):
         open_sky = vtk_to_numpy(simple.servermanager.Fetch(fast).GetPointData().GetScalars()).ravel()
         self.assertGreater(numpy.sqrt(((open_sky - expected) ** 2).mean()), 0.1 * peak)
 
+    def test_visibility(self):
+        """Signs in fog, one behind a wall."""
+        signs = simple.Line(Point1=[10, 0, 0], Point2=[100, 0, 0], Resolution=1)
+        wall = simple.Plane(Origin=[50, -5, -5], Point1=[50, 5, -5], Point2=[50, -5, 5])
+        seen = simple.GodRaysVisibilityFilter(Input=signs)
+        seen.ScatteringCoefficient = [0.03] * 3
+
+        def array(name):
+            seen.UpdatePipeline()
+            data = simple.servermanager.Fetch(seen).GetPointData()
+            return list(vtk_to_numpy(data.GetArray(name)))
+
+        numpy.testing.assert_allclose(array("Contrast"), numpy.exp([-0.3, -3.0]), 1e-6)
+        self.assertEqual(array("Visible"), [1, 1])
+        seen.ContrastThreshold = 0.05
+        self.assertEqual(array("Visible"), [1, 0])
+        self.assertEqual(array("Hidden"), [0, 0])
+        seen.Occluders = wall
+        self.assertEqual(array("Hidden"), [0, 1])
+
     def test_time(self):
         picture = make_picture()
         rays = simple.GodRaysScatteringFilter(Input=picture)

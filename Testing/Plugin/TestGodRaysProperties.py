@@ -211,6 +211,7 @@ class Properties(Case):
         ]
         data = {
             "vtkImageData": simple.Wavelet(WholeExtent=[0, 7, 0, 7, 0, 0]),
+            "vtkPointSet": simple.Sphere(),
             "vtkPolyData": simple.Sphere(),
         }
         for group in ("filters", "sources"):
