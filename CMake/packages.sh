@@ -10,7 +10,7 @@ suite=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
 
 build_packages=(
   g++ cmake ninja-build ccache
-  libvtk9-dev python3-vtk9 python3-numpy libglm-dev libhwy-dev libcli11-dev
+  libvtk9-dev python3-vtk9 python3-numpy libglm-dev libhwy-dev libcli11-dev libopenexr-dev
   xvfb xauth libgl1-mesa-dri)
 configure_packages=(libgtest-dev libbenchmark-dev) # CMake asks for them, even if no test is built
 example_packages=(python-matplotlib-data assimp-testmodels) # elevations and a mesh

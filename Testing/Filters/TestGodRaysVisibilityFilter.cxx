@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a medium leaves of the sight of points: closed forms, quadratures that share no code, published numbers.
+// What a medium leaves of the sight of points: closed forms, quadratures that share no code, published
+// numbers.
 
 #include "GodRaysFiltersTesting.h"
 #include "GodRaysMediumScenes.h"
@@ -94,8 +95,8 @@ long double Integrate(
 }
 
 //------------------------------------------------------------------------------
-// NIST's verification case smoke_test: K = 0.8286/m over 1 m leaves 43.668 %, a grey of 111. K is published to
-// four figures: that is 2.2e-5 of the light.
+// NIST's verification case smoke_test: K = 0.8286/m over 1 m leaves 43.668 %, a grey of 111. K is published
+// to four figures: that is 2.2e-5 of the light.
 TEST(VisibilityFilter, SmokeTest)
 {
   vtkNew<Filter> filter;

@@ -24,7 +24,7 @@ ELSEWHERE = {
 }
 
 # What is no filter or source, but writes a file.
-NOT_OFFERED = {"vtkGodRaysHDRWriter"}
+NOT_OFFERED = {"vtkGodRaysEXRWriter", "vtkGodRaysHDRWriter"}
 
 
 def parameters(vtk_object):
