@@ -383,6 +383,31 @@ bool vtkGodRaysPass::GetScatteringImage(vtkImageData* image)
 }
 
 //------------------------------------------------------------------------------
+bool vtkGodRaysPass::GetMediumImage(vtkImageData* image)
+{
+  return this->Internal->ReadNumbers(nullptr, this->ErrorTolerance, image);
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysPass::GetMediumImage(vtkImageData* image, const double irradiance[3])
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    if (!(irradiance[c] >= 0.0 && irradiance[c] <= 1e30)) // false for NaN
+    {
+      vtkErrorMacro("The irradiance must be three numbers in [0, 1e30], not "
+        << irradiance[0] << " " << irradiance[1] << " " << irradiance[2] << ".");
+      if (image)
+      {
+        image->Initialize();
+      }
+      return false;
+    }
+  }
+  return this->Internal->ReadNumbers(irradiance, this->ErrorTolerance, image);
+}
+
+//------------------------------------------------------------------------------
 std::string vtkGodRaysPass::GetPlan() const
 {
   return this->Internal->LightPlan + this->Internal->StagePlan;

@@ -41,6 +41,7 @@
 
 #include "vtkGodRaysRenderingModule.h" // For export macro
 #include "vtkImageProcessingPass.h"
+#include "vtkWrappingHints.h" // For VTK_SIZEHINT
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
@@ -436,6 +437,35 @@ public:
    */
   bool GetOcclusionImage(vtkImageData* image);
   bool GetScatteringImage(vtkImageData* image);
+  ///@}
+
+  ///@{
+  /**
+   * Fill an image with what the medium of the last frame is in numbers: 32-bit floats, one value a pixel of
+   * the viewport, origin at the lower left. They are computed when they are asked for, in double precision,
+   * from the depth that is read back.
+   *
+   * | array                 | unit               | what                                                          |
+   * |-----------------------|--------------------|---------------------------------------------------------------|
+   * | Radiance              | sr-1, or W m-2 sr-1 | scattered towards the eye, three components; the scalars      |
+   * | Transmittance         | 1                  | of the way to the visible surface, or to the end of the medium |
+   * | OpticalDepth          | 1                  | alike, three components                                       |
+   * | Depth                 | scene unit         | view depth of the visible surface; infinite for the background |
+   * | Distance_m            | m                  | from the eye to it                                            |
+   * | Contrast              | 1                  | what is left of that of the surface with the horizon, in green |
+   * | MeteorologicalRange_m | m                  | at which 2 % of a contrast are left, in the mean of the way   |
+   *
+   * Radiance is before Intensity and exposure, divided by the irradiance of a light of colour and intensity
+   * 1; times irradiance, for red, green and blue [W m^-2], if that is given. Valid range: [0, 1e30]. The
+   * units are under vtkDataArray::UNITS_LABEL(). The field data have <array>_Error, a bound of the error or,
+   * of Radiance, ErrorTolerance, or what was measured of it if the integrator has VerifyPixels; its
+   * UNITS_LABEL says of what it is a part. A WorldUnitInMeters of 0 counts as 1.
+   *
+   * Returns false, and empties the image, when the model is no medium, and in the cases of
+   * GetScatteringImage(). An irradiance out of its range is an error.
+   */
+  bool GetMediumImage(vtkImageData* image);
+  bool GetMediumImage(vtkImageData* image, const double irradiance[3]) VTK_SIZEHINT(irradiance, 3);
   ///@}
 
   /**

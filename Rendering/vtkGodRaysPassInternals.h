@@ -29,6 +29,7 @@
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkSmartPointer.h"
+#include "vtkTextureObject.h"
 #include "vtkWeakPointer.h"
 
 #include <array>
@@ -99,6 +100,38 @@ struct vtkGodRaysPass::Internals
       image->Initialize();
     }
     return false;
+  }
+
+  /// The numbers of the last frame, if it has any; else an image without points, and false.
+  bool ReadNumbers(const double* irradiance, double tolerance, vtkImageData* image)
+  {
+    vtkNew<vtkImageData> light;
+    bool done = image && this->HasRays && this->Window && this->Scene.GetDepth();
+    if (done && this->NumberOfLights > 0)
+    {
+      done = this->Download(this->HasScattering ? &this->Scattering : nullptr, light);
+    }
+    if (done)
+    {
+      this->Window->MakeCurrent();
+      vtkGodRaysEffect::Reading reading;
+      reading.WindowDepths = this->Scene.ReadDepth();
+      reading.Size[0] = static_cast<int>(this->Scene.GetDepth()->GetWidth());
+      reading.Size[1] = static_cast<int>(this->Scene.GetDepth()->GetHeight());
+      reading.Light = this->NumberOfLights > 0 ? light.Get() : nullptr;
+      reading.Irradiance = irradiance;
+      const double measured = this->Integrator->GetErrorEstimate();
+      reading.LightErrorIsMeasured = measured >= 0.0;
+      reading.LightError = this->NumberOfLights == 0 ? 0.0 : measured >= 0.0 ? measured : tolerance;
+      done = (!reading.Light ||
+               light->GetNumberOfPoints() == static_cast<vtkIdType>(reading.WindowDepths.size())) &&
+        this->Effect->FillNumbers(reading, image);
+    }
+    if (image && !done)
+    {
+      image->Initialize();
+    }
+    return done;
   }
 
   void Release(vtkWindow* window)

@@ -35,6 +35,11 @@ public:
   vtkTextureObject* GetColor() const { return this->Target.GetColor(); }
   vtkTextureObject* GetDepth() const { return this->Target.GetDepth(); }
 
+  /**
+   * Window depths that were copied, in memory; waits for the drawing.
+   */
+  std::vector<float> ReadDepth() { return this->Target.ReadDepth(); }
+
 private:
   bool Resolve(
     vtkOpenGLRenderWindow* window, vtkTextureObject* samples, int count, const int rectangle[4]);

@@ -9,6 +9,7 @@
 #include "vtkGodRaysLightFinder.h"
 #include "vtkGodRaysMediumIntegrator.h"
 #include "vtkGodRaysMediumModel.h"
+#include "vtkGodRaysMediumNumbers.h"
 #include "vtkGodRaysTimers.h"
 #include "vtkGodRaysVerification.h"
 #include "vtkGodRaysView.h"
@@ -89,6 +90,9 @@ void vtkGodRaysMediumEffect::Begin(const Frame& frame)
   const bool hasSeen =
     !frame.Compositor || !frame.Compositor->IsDistributed() || frame.Compositor->HasDepth();
   this->View = frame.View;
+  this->LastView = *frame.View;
+  this->LastUnit = this->Model->GetWorldUnitInMeters();
+  this->HasNumbers = hasSeen;
   this->SeenDepth = hasSeen ? frame.SceneDepth : occluders;
   this->Depths.Begin(
     frame.Window, *frame.View, occluders, this->SeenDepth == occluders ? nullptr : this->SeenDepth);
@@ -183,6 +187,16 @@ void vtkGodRaysMediumEffect::End()
   this->Depths.End();
   this->SeenDepth = nullptr;
   this->View = nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysMediumEffect::FillNumbers(const Reading& reading, vtkImageData* image) const
+{
+  if (this->HasNumbers)
+  {
+    vtkGodRaysMediumNumbers::Fill(reading, this->LastView, this->Medium, this->LastUnit, image);
+  }
+  return this->HasNumbers;
 }
 
 //------------------------------------------------------------------------------

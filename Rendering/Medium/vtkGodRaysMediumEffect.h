@@ -12,6 +12,7 @@
 #include "vtkGodRaysEffect.h"
 #include "vtkGodRaysMedium.h"
 #include "vtkGodRaysMediumVerification.h"
+#include "vtkGodRaysView.h"
 #include "vtkGodRaysViewDepths.h"
 
 class vtkGodRaysMediumModel;
@@ -36,6 +37,7 @@ public:
   void End() override;
   bool HasLayers() const override { return false; }
   vtkGodRaysSum* GetLayers() override { return nullptr; }
+  bool FillNumbers(const Reading& reading, vtkImageData* image) const override;
   void Release(vtkWindow* window) override;
   std::string Describe() const override;
   std::string DescribeErrors() const override { return this->Verification.Describe(); }
@@ -52,6 +54,9 @@ private:
   double SceneDepth = 0.0; // optical depth across the scene; 0 if that is not one number
   vtkTextureObject* SeenDepth = nullptr; // where view rays end
   const vtkGodRaysView* View = nullptr;
+  vtkGodRaysView LastView; // of the last frame, for its numbers
+  double LastUnit = 0.0;   // alike
+  bool HasNumbers = false; // the depth of its picture was there
 };
 
 #endif

@@ -16,12 +16,14 @@
 #include "vtkGodRaysOcclusionPass.h" // For Request
 
 #include <string>
+#include <vector>
 
 class vtkGodRaysCompositor;
 class vtkGodRaysIntegrator;
 class vtkGodRaysLightFinder;
 class vtkGodRaysSum;
 class vtkGodRaysTimers;
+class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
 class vtkTextureObject;
@@ -50,6 +52,18 @@ public:
     bool Interactive = false; ///< the user drags the camera, or the like
     bool KeepsLayers = false; ///< the occlusion layers of all lights are asked for
     bool Scatters = true;     ///< the scattered light is asked for
+  };
+
+  /// What is read back of a frame that has been drawn.
+  struct Reading
+  {
+    std::vector<float> WindowDepths; ///< of the picture
+    int Size[2] = { 0, 0 };          ///< of the picture [pixels]
+    vtkImageData* Light = nullptr;   ///< what is scattered, of that size; null if there is no light
+    const double* Irradiance =
+      nullptr;               ///< of a light of 1, for each colour; null for relative radiance
+    double LightError = 0.0; ///< of the scattered light [fraction of the brightest]
+    bool LightErrorIsMeasured = false;
   };
 
   virtual ~vtkGodRaysEffect() = default;
@@ -105,6 +119,12 @@ public:
   virtual bool HasLayers() const = 0;
   virtual vtkGodRaysSum* GetLayers() = 0;
   ///@}
+
+  /**
+   * Fill an image with the numbers of the last frame. False, and the image is left alone, if the effect has
+   * none.
+   */
+  virtual bool FillNumbers(const Reading&, vtkImageData*) const { return false; }
 
   /**
    * What the plan adds to the model's description, or nothing.

@@ -29,6 +29,8 @@ sky: vtkGodRaysSkyPass = godrays.sky(renderer, sun=direction, light=lamp, atmosp
 sky.SetExposure(2.0)
 godrays.sky(window, sun=[250, 8], world_unit_in_meters=1000.0)
 
+found = godrays.measure(renderer, irradiance=(1000.0, 900.0, 800.0), file="numbers.vti")
+largest: float = found["Radiance"].max()
 godrays.tag(actor, "occluder")
 godrays.tag(actor, vtkGodRaysPass.LIGHT)
 godrays.disable(plotter)

@@ -38,7 +38,10 @@ from . import _browser
 
 if TYPE_CHECKING:
     import datetime
+    import os
     from collections.abc import Sequence
+
+    import numpy
 
     from ._typing import Lights, Prop, Props, Role, Target
 
@@ -268,6 +271,73 @@ def sun(
             f"rises at {position.GetSunrise():.2f} h and sets at {position.GetSunset():.2f} h"
         )
     return direction[0], direction[1], direction[2]
+
+
+def measure(
+    target: Target,
+    irradiance: Sequence[float] | float | None = None,
+    file: str | os.PathLike[str] | None = None,
+) -> dict[str, numpy.ndarray]:
+    """What the medium of a scene with god rays is in numbers, for each pixel of its last picture.
+
+    The keys of the dict are the arrays of vtkGodRaysPass.GetMediumImage(): "Radiance" [1/sr, or W/(m2 sr)],
+    "Transmittance", "OpticalDepth" [1], of shape (height, width, 3); "Depth" [scene units], "Distance_m" [m],
+    "Contrast" [1], "MeteorologicalRange_m" [m], of shape (height, width). Rows go from the bottom up. Under
+    the name with "_Error" is a bound of the error, of shape (); its meaning is there.
+
+    target: as of enable(). What is not drawn yet is drawn.
+    irradiance: of a light of colour and intensity 1 [W/m2], one number or three; None for relative radiance.
+    file: a .vti or .exr to write, with units and errors.
+
+    ValueError: the picture has no medium, or the file is of another kind. OSError: it cannot be written.
+    """
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkCommonDataModel import vtkImageData
+    from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
+
+    renderer = _renderer(target)
+    rays = vtkGodRaysPass.Find(renderer)
+    if rays is None:
+        raise ValueError("the renderer has no god rays; call enable() with a medium, such as preset='fog'")
+    suffix = "" if file is None else str(file)[-4:].lower()
+    if file is not None and suffix not in (".vti", ".exr"):
+        raise ValueError(f"file={str(file)!r} should end in .vti or .exr")
+    if suffix == ".exr" and not vtkGodRaysEXRWriter.IsAvailable():
+        raise ValueError("this godrays was built without OpenEXR; write a .vti")
+    asked: tuple[Any, ...] = ()
+    if irradiance is not None:
+        values = [irradiance] * 3 if isinstance(irradiance, numbers.Real) else list(irradiance)
+        if len(values) != 3 or not all(0 <= value <= 1e30 for value in values):
+            raise ValueError(f"irradiance={irradiance} should be one number or three, in [0, 1e30]")
+        asked = (values,)
+    image = vtkImageData()
+    if not rays.GetMediumImage(image, *asked):
+        window = renderer.GetRenderWindow()
+        if window is None:
+            raise ValueError("the renderer has no window to draw in; call its AddRenderer() first")
+        window.Render()
+        if not rays.GetMediumImage(image, *asked):
+            raise ValueError("the picture has no light in a medium: " + rays.GetPlan().strip())
+    if file is not None:
+        writer = vtkGodRaysEXRWriter() if suffix == ".exr" else vtkXMLImageDataWriter()
+        if suffix == ".vti":
+            writer.SetDataModeToBinary()  # some readers take no appended data
+        writer.AddObserver("ErrorEvent", lambda *_: None)  # told as an exception
+        writer.SetInputData(image)
+        writer.SetFileName(str(file))
+        writer.Write()
+        if writer.GetErrorCode():
+            raise OSError(f"{file} cannot be written; is there such a folder, and is there room?")
+    found = {}
+    width, height, _ = image.GetDimensions()
+    for data in (image.GetPointData(), image.GetFieldData()):
+        for i in range(data.GetNumberOfArrays()):
+            array = data.GetArray(i)
+            shape = (height, width) if data is image.GetPointData() else ()
+            if array.GetNumberOfComponents() > 1:
+                shape += (array.GetNumberOfComponents(),)
+            found[array.GetName()] = vtk_to_numpy(array).reshape(shape).copy()
+    return found
 
 
 def _renderer(target):

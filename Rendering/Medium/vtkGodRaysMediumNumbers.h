@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysMediumNumbers
+ * @brief   what the medium of a frame is in numbers, for each pixel; private to this module
+ *
+ * What vtkGodRaysPass::GetMediumImage() gives, from depths that were read back, by the formulas of
+ * vtkGodRaysVisibilityMath.glsl in double precision.
+ */
+
+#ifndef vtkGodRaysMediumNumbers_h
+#define vtkGodRaysMediumNumbers_h
+
+#include "vtkGodRaysEffect.h" // For Reading
+
+class vtkImageData;
+struct vtkGodRaysMedium;
+struct vtkGodRaysView;
+
+class vtkGodRaysMediumNumbers
+{
+public:
+  /**
+   * Fill the image with the arrays, their units and their errors. unit is how long the scene's unit is [m], 0
+   * if nobody knows.
+   */
+  static void Fill(const vtkGodRaysEffect::Reading& reading, const vtkGodRaysView& view,
+    const vtkGodRaysMedium& medium, double unit, vtkImageData* image);
+};
+
+#endif
