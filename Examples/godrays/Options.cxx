@@ -311,6 +311,13 @@ void AddOutputOptions(Parser& parser, Options& options)
     });
   parser.AddCall("-o,--output", "FILE", "Write the picture to this .png or .jpg, without a window",
     [&options](const std::string& text) { options.Output = text; });
+  parser.AddCall("--numbers", "FILE",
+    "Write what a medium is in numbers, for each pixel, to this .vti or .exr, without a window: "
+    "radiance, transmittance, optical depth, depth, contrast, range; needs a --preset that is a "
+    "medium",
+    [&options](const std::string& text) { options.Numbers = text; });
+  parser.Add("--irradiance", options.Irradiance, "R,G,B",
+    "Irradiance of a white light [W/m2], for the radiance of --numbers; relative to it without");
   parser.AddFlag("--interactive", options.Interactive,
     "Open a window, also with --output, which is then written when it closes");
   parser.AddFlag("--stats", options.Stats,
@@ -403,6 +410,25 @@ void CheckTogether(const Options& options)
   if (options.ViewUp && *options.ViewUp == Vector3{ 0.0, 0.0, 0.0 })
   {
     throw Failure("--view-up: 0,0,0 is no direction; give for example 0,0,1");
+  }
+  if (options.Irradiance && options.Numbers.empty())
+  {
+    throw Failure("--irradiance belongs to --numbers; give both");
+  }
+  if (options.Irradiance &&
+    std::any_of(options.Irradiance->begin(), options.Irradiance->end(),
+      [](double value) { return value < 0.0 || value > 1e30; }))
+  {
+    throw Failure("--irradiance: each number should be from 0 to 1e30");
+  }
+  if (!options.Numbers.empty() && !options.Rays)
+  {
+    throw Failure("--numbers are of rays, and --no-rays leaves them out; drop one of them");
+  }
+  if (!options.Numbers.empty() && options.Show == "occlusion")
+  {
+    throw Failure(
+      "--numbers need the rays, and --show occlusion leaves them out; drop one of them");
   }
   if (options.Range && (*options.Range)[0] >= (*options.Range)[1])
   {

@@ -56,6 +56,8 @@ struct Options
   // Output.
   std::array<int, 2> Size = { 1200, 800 };
   std::string Output;
+  std::string Numbers;               ///< a file of the numbers of a medium; empty for none
+  std::optional<Vector3> Irradiance; ///< [W m-2] of a light of colour 1
   bool Interactive = false;
   bool Stats = false;
   bool ListPresets = false;

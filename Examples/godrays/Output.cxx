@@ -5,7 +5,9 @@
 #include "Failure.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkGodRaysEXRWriter.h"
 #include "vtkGodRaysPass.h"
+#include "vtkImageData.h"
 #include "vtkInteractorStyleTrackballCamera.h"
 #include "vtkJPEGWriter.h"
 #include "vtkNew.h"
@@ -15,6 +17,7 @@
 #include "vtkRenderer.h"
 #include "vtkRenderingOpenGLConfigure.h"
 #include "vtkWindowToImageFilter.h"
+#include "vtkXMLImageDataWriter.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -35,6 +38,68 @@ std::string GetExtension(const std::string& path)
   std::transform(extension.begin(), extension.end(), extension.begin(),
     [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
   return extension;
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Whether a file can be written, for an option of this name.
+ */
+void CheckFile(
+  const std::string& option, const std::string& path, const std::vector<std::string>& inputs)
+{
+  std::error_code error;
+  const fs::path parent = fs::path(path).parent_path();
+  const fs::path folder = parent.empty() ? fs::path(".") : parent;
+  if (!fs::is_directory(folder, error))
+  {
+    throw Failure(
+      option + ": there is no folder " + folder.string() + "; make it first, with mkdir -p");
+  }
+  if (fs::is_directory(path, error))
+  {
+    throw Failure(option + ": " + path + " is a directory; give the name of a file");
+  }
+  for (const fs::path& written : { folder, fs::path(path) })
+  {
+    if (fs::exists(written, error) && access(written.c_str(), W_OK) != 0)
+    {
+      throw Failure(option + ": " + written.string() +
+        " may not be written; change its permissions, or write elsewhere");
+    }
+  }
+  const bool isInput = std::any_of(inputs.begin(), inputs.end(),
+    [&](const std::string& input) { return fs::equivalent(path, input, error); });
+  if (isInput)
+  {
+    throw Failure(option + ": " + path + " is a file to be read; give it another name");
+  }
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Write a file, for an option of this name: beside it at first, so that what is there is whole at any time.
+ */
+template <typename Writer>
+void WriteWhole(Writer* writer, const std::string& option, const std::string& path)
+{
+  std::error_code error;
+  const fs::path final = fs::weakly_canonical(path, error);
+  const fs::path part =
+    final.parent_path() / ("." + std::to_string(getpid()) + "-" + final.filename().string());
+  writer->SetFileName(part.c_str());
+  writer->Write();
+  const auto size = fs::file_size(part, error);
+  bool isWritten = writer->GetErrorCode() == 0 && !error && size > 0;
+  if (isWritten)
+  {
+    fs::rename(part, final, error);
+    isWritten = !error;
+  }
+  if (!isWritten)
+  {
+    fs::remove(part, error);
+    throw Failure(option + ": " + path + " could not be written; is the disk full?");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -114,33 +179,23 @@ void CheckOutput(const std::string& path, const std::vector<std::string>& inputs
   {
     throw Failure("--output: " + path + " should end in .png or .jpg");
   }
-  std::error_code error;
-  const fs::path parent = fs::path(path).parent_path();
-  const fs::path folder = parent.empty() ? fs::path(".") : parent;
-  if (!fs::is_directory(folder, error))
+  CheckFile("--output", path, inputs);
+}
+
+//------------------------------------------------------------------------------
+void CheckNumbers(const std::string& path, const std::vector<std::string>& inputs)
+{
+  const std::string extension = GetExtension(path);
+  if (extension != ".vti" && extension != ".exr")
+  {
+    throw Failure("--numbers: " + path + " should end in .vti or .exr");
+  }
+  if (extension == ".exr" && !vtkGodRaysEXRWriter::IsAvailable())
   {
     throw Failure(
-      "--output: there is no folder " + folder.string() + "; make it first, with mkdir -p");
+      "--numbers: the library was built without OpenEXR; give a name that ends in .vti");
   }
-  if (fs::is_directory(path, error))
-  {
-    throw Failure("--output: " + path + " is a directory; give the name of a file");
-  }
-  for (const fs::path& written : { folder, fs::path(path) })
-  {
-    if (fs::exists(written, error) && access(written.c_str(), W_OK) != 0)
-    {
-      throw Failure("--output: " + written.string() +
-        " may not be written; change its permissions, or write elsewhere");
-    }
-  }
-  for (const std::string& input : inputs)
-  {
-    if (fs::equivalent(path, input, error))
-    {
-      throw Failure("--output: " + path + " is a file to be read; give the picture another name");
-    }
-  }
+  CheckFile("--numbers", path, inputs);
 }
 
 //------------------------------------------------------------------------------
@@ -186,26 +241,30 @@ void WritePicture(vtkRenderWindow* window, const std::string& path)
   {
     writer = vtkSmartPointer<vtkJPEGWriter>::New();
   }
-  // Beside it at first, so that what is there is a whole picture at any time.
-  std::error_code error;
-  const fs::path final = fs::weakly_canonical(path, error);
-  const fs::path part =
-    final.parent_path() / ("." + std::to_string(getpid()) + "-" + final.filename().string());
   writer->SetInputConnection(picture->GetOutputPort());
-  writer->SetFileName(part.c_str());
-  writer->Write();
-  const auto size = fs::file_size(part, error);
-  bool isWritten = writer->GetErrorCode() == 0 && !error && size > 0;
-  if (isWritten)
+  WriteWhole(writer.Get(), "--output", path);
+}
+
+//------------------------------------------------------------------------------
+void WriteNumbers(
+  vtkGodRaysPass* rays, const std::optional<Vector3>& irradiance, const std::string& path)
+{
+  vtkNew<vtkImageData> image;
+  if (!(irradiance ? rays->GetMediumImage(image, irradiance->data()) : rays->GetMediumImage(image)))
   {
-    fs::rename(part, final, error);
-    isWritten = !error;
+    throw Failure("--numbers: the picture has no light in a medium");
   }
-  if (!isWritten)
+  if (GetExtension(path) == ".exr")
   {
-    fs::remove(part, error);
-    throw Failure("--output: " + path + " could not be written; is the disk full?");
+    vtkNew<vtkGodRaysEXRWriter> writer;
+    writer->SetInputData(image);
+    WriteWhole(writer.Get(), "--numbers", path);
+    return;
   }
+  vtkNew<vtkXMLImageDataWriter> writer;
+  writer->SetDataModeToBinary(); // some readers take no appended data
+  writer->SetInputData(image);
+  WriteWhole(writer.Get(), "--numbers", path);
 }
 
 //------------------------------------------------------------------------------

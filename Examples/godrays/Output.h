@@ -11,6 +11,7 @@
 #include "Presets.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,11 @@ class vtkRenderer;
 void CheckOutput(const std::string& path, const std::vector<std::string>& inputs);
 
 /**
+ * The same of the file of --numbers.
+ */
+void CheckNumbers(const std::string& path, const std::vector<std::string>& inputs);
+
+/**
  * Throws Failure when there is no display that can draw. VTK ends the program then.
  */
 void CheckDisplay();
@@ -33,6 +39,13 @@ void CheckDisplay();
  * Write what the window shows. Throws Failure when that fails; a file that was there is then as it was.
  */
 void WritePicture(vtkRenderWindow* window, const std::string& path);
+
+/**
+ * Write the numbers of the medium of the last picture, with the irradiance of a white light [W m-2], or
+ * relative to it. Throws Failure when there are none, or when that fails.
+ */
+void WriteNumbers(
+  vtkGodRaysPass* rays, const std::optional<Vector3>& irradiance, const std::string& path);
 
 /**
  * Let the user look around until the window is closed, and set another look or medium than this one.

@@ -87,7 +87,7 @@ void CheckPreset(const Options& options)
     { "--glow-angle", options.GlowAngle.has_value() } };
   const std::pair<const char*, bool> mediums[] = { { "--optical-depth",
                                                      options.OpticalDepth.has_value() },
-    { "--world-unit", options.WorldUnit.has_value() } };
+    { "--world-unit", options.WorldUnit.has_value() }, { "--numbers", !options.Numbers.empty() } };
   for (const auto& [name, given] : others)
   {
     if (given && isMedium)
@@ -374,7 +374,7 @@ bool TellMessages(const Messages& messages)
  */
 bool Draw(const Scene& scene, const Viewpoint& view, const Options& options, Measured& times)
 {
-  const bool window = options.Output.empty() || options.Interactive;
+  const bool window = (options.Output.empty() && options.Numbers.empty()) || options.Interactive;
   const Messages messages(!window,
     "godrays: the display cannot draw with OpenGL 3.2; see that its driver is there (Debian: "
     "libgl1-mesa-dri)");
@@ -426,6 +426,10 @@ bool Draw(const Scene& scene, const Viewpoint& view, const Options& options, Mea
   {
     WritePicture(renderWindow, options.Output);
   }
+  if (!options.Numbers.empty())
+  {
+    WriteNumbers(rays, options.Irradiance, options.Numbers);
+  }
   if (options.Stats)
   {
     PrintScene(scene, times);
@@ -461,6 +465,10 @@ int Run(int argc, char* argv[])
   if (!options->Output.empty())
   {
     CheckOutput(options->Output, options->Files);
+  }
+  if (!options->Numbers.empty())
+  {
+    CheckNumbers(options->Numbers, options->Files);
   }
   Measured times;
   const double start = GetSeconds();

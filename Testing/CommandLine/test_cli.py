@@ -21,6 +21,7 @@ from vtkmodules.vtkFiltersSources import (
     vtkConeSource, vtkCubeSource, vtkCylinderSource, vtkPlaneSource, vtkSphereSource,
     vtkSuperquadricSource)
 from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import sample_files
@@ -704,6 +705,48 @@ class Lists(ProgramTest):
 
     def test_colormaps(self):
         self.assertIn("viridis", godrays("--list-colormaps").stdout.split())
+
+    def test_numbers(self):
+        """The command of Documentation/Numbers.md, and what a medium leaves of light."""
+        page = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "Numbers.md"
+        command = re.search(r"^    godrays (terrain.tif .*)$", page.read_text("utf-8"), re.M).group(1).split()
+        path = self.folder / "haze.vti"
+        command[command.index("haze.vti")] = path
+        command[0] = self.hills
+        done = godrays(*command, "--size", "96x72")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        reader = vtkXMLImageDataReader()
+        reader.SetFileName(str(path))
+        reader.Update()
+        image = reader.GetOutput()
+        self.assertEqual(image.GetDimensions(), (96, 72, 1))
+
+        def array(name):
+            return vtk_to_numpy(image.GetPointData().GetArray(name)).astype(float)
+
+        seen = numpy.isfinite(array("Depth"))
+        self.assertGreater(seen.mean(), 0.1)
+        tau = 7.49e-4 * array("Distance_m")[seen]  # of haze
+        numpy.testing.assert_allclose(array("OpticalDepth")[seen, 1], tau, 1e-4)
+        numpy.testing.assert_allclose(array("Transmittance")[seen, 0], numpy.exp(-tau), 1e-4)
+        numpy.testing.assert_allclose(array("MeteorologicalRange_m"), 3.912 / 7.49e-4, 1e-4)
+        brightest = 1000 * (1 - 0.76**2) / (4 * numpy.pi * (1 - 0.76) ** 3)  # straight ahead, all of it
+        self.assertGreater(array("Radiance").max(), 1e-3 * brightest)
+        self.assertLess(array("Radiance").max(), brightest)
+        self.fails(self.mesh, "--numbers", path, says=["--numbers", "medium"])
+        fog = (self.mesh, "--preset", "fog", "--numbers")
+        self.fails(*fog, "n.png", says=["--numbers", ".vti or .exr"])
+        self.fails(*fog, self.folder / "none" / "n.vti", says=["--numbers", "no folder"])
+        self.fails(*fog, path, "--no-rays", says=["--numbers", "--no-rays"])
+        self.fails(*fog, path, "--irradiance", "1,-1,1", says=["--irradiance"])
+        self.fails(self.mesh, "--irradiance", "1,1,1", says=["--irradiance", "--numbers"])
+        exr = self.folder / "n.exr"
+        done = godrays(*fog, exr, "--size", "96x72")
+        if done.returncode == 0:  # built with OpenEXR
+            self.assertEqual(exr.read_bytes()[:4], b"\x76\x2f\x31\x01")
+            self.assertIn(b"Transmittance.G", exr.read_bytes())
+        else:
+            self.assertIn("OpenEXR", done.stderr)
 
     def test_help_and_version(self):
         self.assertIn("--sun", godrays("--help").stdout)
