@@ -4,11 +4,18 @@
 
     import godrays
     rays = godrays.enable(renderer, light=(1, 2, 1), occluders=[actor], density=0.9)
-    rays.SetIntensity(0.5)
+    rays.intensity = 0.5
     godrays.sky(renderer, sun=(250, 8), light=rays.GetLight(0))
     godrays.disable(renderer)
 
-The classes are those of C++, vtkGodRaysPass first of all; their documentation is theirs.
+    with godrays.enable(renderer):  # rays while the block is executed
+        window.Render()
+    picture = godrays.render("model.ply", preset="low-sun")  # an array, without a window
+    shafts = godrays.scatter(array, light=(0.5, 0.7))        # of an array, without OpenGL
+
+The classes are those of C++, vtkGodRaysPass first of all; their documentation is theirs. Each GetName() is
+a property, too: rays.intensity for GetIntensity() and SetIntensity(). Properties and functions raise errors
+as godrays.Error.
 """
 
 from __future__ import annotations
@@ -16,11 +23,13 @@ from __future__ import annotations
 import math
 import numbers
 import sys
+import weakref
 from typing import TYPE_CHECKING, Any
 
 try:
     import vtkmodules.vtkRenderingOpenGL2  # the OpenGL classes behind vtkRenderer and the like
     from vtkmodules.vtkCommonCore import vtkObject
+    from vtkmodules.vtkCommonDataModel import vtkImageData
     from vtkmodules.vtkRenderingCore import vtkLight, vtkProp, vtkRenderer, vtkRenderWindow
     from vtkmodules.vtkRenderingOpenGL2 import vtkImageProcessingPass
 
@@ -34,7 +43,21 @@ except ImportError as error:
         "PYTHONPATH."
     ) from error
 
-from . import _browser
+from . import _arrays, _browser, _errors
+from . import _properties as _property
+from ._arrays import apply as apply
+from ._arrays import scatter as scatter
+from ._arrays import to_array as to_array
+from ._arrays import to_image as to_image
+from ._arrays import tone_map as tone_map
+from ._errors import Error as Error
+from ._errors import GodRaysWarning as GodRaysWarning
+from ._errors import raising as raising
+from ._properties import constant as _constant
+from ._properties import set_value as _set_value
+from ._properties import snake as _snake
+from ._render import render as render
+from ._version import __version__ as __version__
 
 if TYPE_CHECKING:
     import datetime
@@ -43,7 +66,7 @@ if TYPE_CHECKING:
 
     import numpy
 
-    from ._typing import Lights, Prop, Props, Role, Target
+    from ._typing import Lights, Model, Prop, Props, Role, Target
 
 _ROLES = {
     "automatic": vtkGodRaysPass.AUTOMATIC,
@@ -69,6 +92,63 @@ def enable(
     ignored: Props | None = (),
     preset: str | None = None,
     sun_at: Sequence[float] | None = None,
+    *,
+    # of the pass
+    intensity: float | None = None,
+    model: vtkGodRaysModel | Model | None = None,
+    integrator: vtkGodRaysIntegrator | None = None,
+    automatic_exposure: bool | None = None,
+    highlight_shoulder: bool | None = None,
+    darken_light_background: bool | None = None,
+    data_first: bool | None = None,
+    most_data_lightness: float | None = None,
+    error_tolerance: float | None = None,
+    interactive_error_tolerance: float | None = None,
+    untagged_props_occlude: bool | None = None,
+    source_radius: float | None = None,
+    sun: vtkGodRaysSun | None = None,
+    sun_angular_radius: float | None = None,
+    sun_placement: str | int | None = None,
+    background_glow: float | None = None,
+    background_glow_radius: float | None = None,
+    background_glow_falloff: float | None = None,
+    layer_margin: float | None = None,
+    blend: str | int | None = None,
+    display_transfer: str | int | None = None,
+    output: str | int | None = None,
+    precision: str | int | None = None,
+    measure_times: bool | None = None,
+    # of looks: "radial" and "published"
+    density: float | None = None,
+    decay: float | None = None,
+    weight: float | None = None,
+    exposure: float | None = None,
+    number_of_samples: int | None = None,
+    formulation: str | int | None = None,
+    clamp_maximum: float | None = None,
+    # of media: "homogeneous" and "atmosphere"
+    scattering_coefficient: Sequence[float] | None = None,
+    absorption_coefficient: Sequence[float] | None = None,
+    phase_function: str | int | None = None,
+    asymmetry: float | None = None,
+    second_phase_function: str | int | None = None,
+    second_asymmetry: float | None = None,
+    second_weight: float | None = None,
+    visibility: float | None = None,
+    optical_depth: float | None = None,
+    attenuate_scene: bool | None = None,
+    far_limit: float | None = None,
+    world_unit_in_meters: float | None = None,
+    rayleigh_scattering: Sequence[float] | None = None,
+    rayleigh_scale_height: float | None = None,
+    mie_scattering: Sequence[float] | None = None,
+    mie_absorption: Sequence[float] | None = None,
+    mie_asymmetry: float | None = None,
+    mie_scale_height: float | None = None,
+    ground_level: float | None = None,
+    planet_radius: float | None = None,
+    up: Sequence[float] | None = None,
+    # of integrators, and in the spelling of C++
     **parameters: Any,
 ) -> vtkGodRaysPass:
     """Put god rays into a scene and return their vtkGodRaysPass, attached to the renderer.
@@ -88,15 +168,26 @@ def enable(
         has it, unless one is given.
     sun_at: a place in the picture, from (0, 0) at its lower left to (1, 1), at which a sun is put with the
         camera as it is.
-    parameters: every property of the pass, its model and its integrator, in the spelling
-        ``sun_angular_radius`` or ``SunAngularRadius``. Constants can be given by name:
-        output="occlusion". They come after the preset. Where a model's strength is given, exposure or weight,
-        it is taken as it is, unless automatic_exposure=True. model is an object, or one of "radial",
-        "published", "homogeneous" and "atmosphere".
+    model: an object, or one of "radial", "published", "homogeneous" and "atmosphere".
+    parameters: every other property of the pass, its model and its integrator; also in the spelling
+        ``SunAngularRadius``.
+
+    Constants can be given by name: output="occlusion". What is None stays as it is. Parameters come after the
+    preset. Where a model's strength is given, exposure or weight, it is taken as it is, unless
+    automatic_exposure=True.
 
     Enabling a renderer again changes the pass that it has; a light given then replaces the lights
-    and the tagged props that shone before.
+    and the tagged props that shone before. ``with godrays.enable(renderer) as rays:`` takes the rays off at
+    the end of the block. What a frame has to tell is a GodRaysWarning.
+
+    TypeError: there is no such parameter of this model and integrator; ValueError: no such name; Error: a
+    number is refused. Nothing is attached then.
+
+    The parameters of the pass, of looks and of media, as C++ has them:
     """
+    given = locals()
+    keywords = enable.__kwdefaults__ or {}
+    parameters.update({name: given[name] for name in keywords if given[name] is not None})
     renderer = _renderer(target)
     rays = vtkGodRaysPass.Find(renderer)
     known = rays is not None
@@ -141,15 +232,17 @@ def enable(
     owners = (rays, rays.GetModel(), rays.GetIntegrator())
     for name, value in settings.items():
         owner = next(owner for owner in owners if name in _properties(owner))
-        getattr(owner, "Set" + name)(value)
+        _set_value(owner, name, value)
 
     if sun_at is not None:
         rays.PlaceSun(renderer, *sun_at)
     if not known:
+        _errors.watch(rays)
         rays.Attach(renderer)
         _rebuild(renderer)
     if hasattr(target, "export_html"):
         _browser.watch(target)
+    rays._target = _weak(target) or _weak(renderer)
     return rays
 
 
@@ -158,6 +251,17 @@ def sky(
     sun: vtkGodRaysSun | Sequence[float] | None = None,
     light: vtkLight | None = None,
     atmosphere: vtkGodRaysAtmosphere | str | None = None,
+    *,
+    exposure: float | None = None,
+    aerial_perspective: bool | None = None,
+    multiple_scattering: bool | None = None,
+    sun_disc: bool | None = None,
+    white_balance: float | None = None,
+    world_unit_in_meters: float | None = None,
+    up: Sequence[float] | None = None,
+    north: Sequence[float] | None = None,
+    origin: Sequence[float] | None = None,
+    display_transfer: str | int | None = None,
     **parameters: Any,
 ) -> vtkGodRaysSkyPass:
     """Put the physical sky behind a scene and return its vtkGodRaysSkyPass, attached to the renderer.
@@ -168,11 +272,16 @@ def sky(
     light: a vtkLight that is given the sun's direction and colour, e.g. that of enable(). It is so once:
         call its UpdateLight() after a change of the sun.
     atmosphere: a vtkGodRaysAtmosphere, or the name of one, such as "earth-hazy"; see its LoadPreset().
-    parameters: every property of the pass, in the spelling ``world_unit_in_meters`` or
-        ``WorldUnitInMeters``.
+    parameters: every other property of the pass; also in the spelling ``WorldUnitInMeters``.
 
-    A renderer that has a sky keeps it, changed. vtkGodRaysSkyPass.Detach(renderer) takes it off.
+    A renderer that has a sky keeps it, changed. vtkGodRaysSkyPass.Detach(renderer) takes it off. What is None
+    stays as it is. Error: a number is refused.
+
+    The parameters of the pass, as C++ has them:
     """
+    given = locals()
+    keywords = sky.__kwdefaults__ or {}
+    parameters.update({name: given[name] for name in keywords if given[name] is not None})
     renderer = _renderer(target)
     own = {"Atmosphere", "Sun", "SunElevation", "SunAzimuth"}
     settings = _named(parameters, _properties(vtkGodRaysSkyPass()) - own)
@@ -190,7 +299,7 @@ def sky(
 
     found = vtkGodRaysSkyPass.Attach(renderer)
     for name, value in settings.items():
-        getattr(found, "Set" + name)(value)
+        _set_value(found, name, value)
     if atmosphere is not None:
         found.SetAtmosphere(atmosphere)
     if isinstance(sun, vtkGodRaysSun):
@@ -221,6 +330,14 @@ def disable(target: Target) -> None:
         )
     if hasattr(target, "export_html"):
         _browser.unwatch(target)
+
+
+def presets() -> dict[str, str]:
+    """The names of all looks and media, and what each is in a few words; see vtkGodRaysPresets."""
+    table = vtkGodRaysPresets
+    return {
+        table.GetPresetName(i): table.GetPresetDescription(i) for i in range(table.GetNumberOfPresets())
+    }
 
 
 def tag(prop: Prop, role: Role | int) -> None:
@@ -535,20 +652,56 @@ def _integrator(rays, model):
     return model.MakeIntegrator()
 
 
-def _constant(owner, name, text):
-    """The value of an owner's constant, such as 1 for "occlusion"."""
-    constants = {
-        each.lower(): getattr(owner, each)
-        for each in dir(owner)
-        if each.isupper() and isinstance(getattr(owner, each), int)
-    }
-    if text.lower() not in constants:
-        raise ValueError(
-            f"{_snake(name)}={text!r} is none of the constants of {owner.GetClassName()}: "
-            f"{', '.join(constants)}"
-        )
-    return constants[text.lower()]
+def _weak(thing):
+    try:
+        return weakref.ref(thing)
+    except TypeError:
+        return None
 
 
-def _snake(name):
-    return "".join("_" + c.lower() if c.isupper() else c for c in name).lstrip("_")
+def _enter(rays):
+    """with godrays.enable(renderer) as rays: they are taken off at the end of the block."""
+    if getattr(rays, "_target", None) is None:
+        raise Error("the rays are on no renderer; write: with godrays.enable(renderer) as rays:")
+    return rays
+
+
+def _exit(rays, *_):
+    target = rays._target()
+    rays._target = None
+    if target is not None:
+        disable(target)
+
+
+def _layer(name):
+    def get(rays):
+        image = vtkImageData()
+        return to_array(image) if getattr(rays, f"Get{name}Image")(image) else None
+
+    return property(get, None, None, f"""The {name.lower()} layer of the last frame, a copy, for NumPy.
+
+        float32 [row, column, channel] with red, green and blue, the top row first; None if the last frame
+        had no rays. See Get{name}Image().""")
+
+
+_classes = [
+    each
+    for name, each in sorted(globals().items())
+    if name.startswith("vtkGodRays") and isinstance(each, type)
+]
+_property.install(_classes)
+for _name, _attribute in {
+    "scattering": _layer("Scattering"),
+    "occlusion": _layer("Occlusion"),
+    "__enter__": _enter,
+    "__exit__": _exit,
+}.items():
+    _property.add(vtkGodRaysPass, _name, _attribute)
+_arrays.document(enable, vtkGodRaysPass, *_MODELS.values())
+_arrays.document(sky, vtkGodRaysSkyPass)
+if not TYPE_CHECKING:
+    __all__ = [
+        "Error", "GodRaysWarning", "apply", "disable", "enable", "presets", "raising", "render", "scatter",
+        "sky", "sun", "tag", "to_array", "to_image", "tone_map",
+        *(each.__name__ for each in _classes),
+    ]

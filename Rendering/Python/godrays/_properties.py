@@ -1,0 +1,99 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Properties of the wrapped classes, such as rays.intensity for GetIntensity() and SetIntensity().
+
+VTK 9.5 and later wrap such properties themselves. These here are the same for all versions; besides, they
+raise errors, and take constants by name.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import gc
+import re
+from typing import Any
+
+from ._errors import raising
+
+
+def snake(name: str) -> str:
+    """sun_angular_radius for SunAngularRadius."""
+    return "".join("_" + c.lower() if c.isupper() else c for c in name).lstrip("_")
+
+
+def constant(owner: Any, name: str, text: str) -> int:
+    """The value of an owner's constant, such as 1 for "occlusion"."""
+    constants = {
+        each.lower(): getattr(owner, each)
+        for each in dir(owner)
+        if each.isupper() and isinstance(getattr(owner, each), int)
+    }
+    if text.lower() not in constants:
+        raise ValueError(
+            f"{snake(name)}={text!r} is none of the constants of {owner.GetClassName()}: "
+            f"{', '.join(constants)}"
+        )
+    return int(constants[text.lower()])
+
+
+def describe(cls: type, name: str) -> str:
+    """What the documentation in C++ says of a property; of several in one group, what it says of the first."""
+    declares = next((each for each in cls.__mro__ if "Set" + name in vars(each)), None)
+    declares = declares or next((each for each in cls.__mro__ if "Get" + name in vars(each)), None)
+    found = ""
+    for method, thing in vars(declares).items():  # in the order of the header
+        if isinstance(thing, property) or not method[:1].isupper():
+            continue
+        found = _text(thing) or found
+        if method in ("Set" + name, "Get" + name):
+            return found
+    return ""
+
+
+def _text(method: Any) -> str:
+    """A wrapped method's documentation, without its signatures."""
+    text = getattr(method, "__doc__", None) or ""
+    text = re.sub(r"(?m)^\w+\([^\n]*(?:\n +[^\n]*)*\nC\+\+:[^\n]*(?:\n +[^\n]*)*\n*", "", text)
+    text = re.sub(r"^(?:Set/Get|The) ", "", " ".join(text.split()))
+    return text[:1].upper() + text[1:]
+
+
+def set_value(owner: Any, name: str, value: Any) -> None:
+    """Call an owner's SetName() with one value or several, a constant by its name; errors are raised."""
+    method = getattr(owner, "Set" + name)
+    if isinstance(value, str) and not re.search(rf"Set{name}\(self,\s+\w+:(?:str|Path)", method.__doc__):
+        value = constant(owner, name, value)
+    is_list = hasattr(value, "__iter__") and not isinstance(value, str) and not hasattr(value, "IsA")
+    with raising():
+        if is_list:
+            method(*value)
+        else:
+            method(value)
+
+
+def install(classes: list[type]) -> None:
+    """Give each class a property for each GetName() without arguments that it declares."""
+    for cls in classes:
+        for method in list(vars(cls)):
+            name = method[3:]
+            if not method.startswith("Get") or name.endswith(("MinValue", "MaxValue")) or name in ("", "MTime"):
+                continue
+            if not re.match(rf"{method}\(self\)\s+->", getattr(cls, method).__doc__ or ""):
+                continue
+            add(cls, snake(name), _make(cls, name))
+
+
+def _make(cls: type, name: str) -> property:
+    def get(self: Any) -> Any:
+        return getattr(self, "Get" + name)()
+
+    def put(self: Any, value: Any) -> None:
+        set_value(self, name, value)
+
+    return property(get, put if hasattr(cls, "Set" + name) else None, None, describe(cls, name))
+
+
+def add(cls: type, name: str, attribute: Any) -> None:
+    """Add an attribute to a wrapped class. VTK's classes are static types, which take none by setattr()."""
+    gc.get_referents(vars(cls))[0][name] = attribute
+    ctypes.pythonapi.PyType_Modified(ctypes.py_object(cls))

@@ -1,0 +1,272 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures and layers as arrays: render(), scatter(), the layers of a frame; the context manager; -m godrays."""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import types
+import unittest
+
+import godrays
+import numpy
+from vtkmodules.vtkFiltersSources import vtkConeSource, vtkCylinderSource, vtkSphereSource
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+from vtkmodules.vtkIOPLY import vtkPLYWriter
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
+
+SIZE = (120, 90)
+BEHIND = (0.1, 0.15, -1)
+
+
+def make_scene():
+    mapper = vtkPolyDataMapper()
+    cone = vtkConeSource()
+    cone.SetCenter(0.3, 0.5, 0)
+    mapper.SetInputConnection(cone.GetOutputPort())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    renderer = vtkRenderer()
+    renderer.AddActor(actor)
+    renderer.GetActiveCamera().SetPosition(0, 0, 5)
+    renderer.ResetCameraClippingRange()
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetMultiSamples(0)
+    window.SetSize(*SIZE)
+    window.AddRenderer(renderer)
+    return window, renderer
+
+
+def light_of(picture, without):
+    return picture[..., :3].astype(float) - without[..., :3]
+
+
+class Images(unittest.TestCase):
+    def test_there_and_back(self):
+        for kind in (numpy.uint8, numpy.float32, numpy.float64, numpy.int16):
+            for shape in ((4, 7), (4, 7, 3), (1, 1)):
+                array = numpy.arange(numpy.prod(shape)).reshape(shape).astype(kind)
+                back = godrays.to_array(godrays.to_image(array))
+                self.assertEqual((back.dtype, back.shape), (array.dtype, shape))
+                self.assertTrue((back == array).all())
+        image = godrays.to_image(numpy.array([[1.0, 2.0], [3.0, 4.0]]))
+        self.assertEqual(image.GetScalarComponentAsDouble(0, 0, 0, 0), 3)  # VTK's origin: the lower left
+        view = numpy.arange(24.0).reshape(4, 6)[:, ::2]
+        self.assertTrue((godrays.to_array(godrays.to_image(view)) == view).all())
+        for wrong in (numpy.zeros(3), numpy.zeros((0, 3)), numpy.array([["a"]]), [[1j]], numpy.zeros((1,) * 4)):
+            with self.assertRaisesRegex(ValueError, "a picture is an array of numbers"):
+                godrays.to_image(wrong)
+
+    def test_scatter_is_the_sum_of_the_model(self):
+        # a constant layer gives the gain, whatever the light [vtkGodRaysReferenceFilter]
+        rays = godrays.scatter(
+            numpy.full((5, 7), 0.5, "f4"), light=(0.5, 0.5), decay=1, weight=0.01, exposure=2,
+            number_of_samples=50)
+        self.assertEqual((rays.dtype, rays.shape), (numpy.float32, (5, 7)))
+        self.assertAlmostEqual(float(rays.min()), 0.5 * 50 * 0.01 * 2, 6)
+        self.assertAlmostEqual(float(rays.max()), 0.5 * 50 * 0.01 * 2, 6)
+        # one bright square, upper right in the array as in the picture
+        layer = numpy.zeros((60, 80, 3))
+        layer[8:12, 62:66] = (1, 0.5, 0.25)
+        place = (64 / 80, 50 / 60)
+        rays = godrays.scatter(layer, place, density=1, error_tolerance=1e-4)
+        self.assertEqual((rays.dtype, rays.shape), (numpy.float32, layer.shape))
+        self.assertEqual(numpy.unravel_index(rays[..., 0].argmax(), (60, 80))[0] < 20, True)
+        self.assertGreater(rays[:20, 50:].mean(), 5 * rays[40:, :30].mean())
+        numpy.testing.assert_allclose(rays[..., 0], 2 * rays[..., 1], rtol=1e-3, atol=1e-4 * rays.max())
+        reference = godrays.vtkGodRaysReferenceFilter()
+        reference.SetLightPosition(*place)
+        reference.density = 1
+        exact = godrays.apply(reference, layer)
+        error = numpy.sqrt(((rays - exact) ** 2).mean()) / exact.max()
+        print(f"scatter() off the reference by {error:.1e} of the largest")
+        self.assertLess(error, 5e-4)
+        for wrong, words in ((((0.5,),), "a place in the picture"), (((0, 0, 0, 1),), "a place in the picture")):
+            with self.assertRaisesRegex(ValueError, words):
+                godrays.scatter(layer, *wrong)
+        with self.assertRaisesRegex(godrays.Error, "Density must be a finite"):
+            godrays.scatter(layer, place, density=numpy.nan)
+        with self.assertRaises(godrays.Error):
+            godrays.scatter(numpy.zeros((4, 4, 5)), place)  # five channels
+        with self.assertRaisesRegex(ValueError, "method='magic' is none of the constants.*sweep"):
+            godrays.scatter(layer, place, method="magic")
+
+    def test_tone_map(self):
+        shown = godrays.tone_map(numpy.full((2, 3), 0.18), exposure=1, curve="clamp")
+        self.assertEqual((shown.dtype, shown.shape), (numpy.uint8, (2, 3)))
+        self.assertEqual(set(shown.ravel()), {118})  # sRGB of 18 %: 117.6
+        self.assertEqual(godrays.tone_map(numpy.ones((2, 3, 3))).shape, (2, 3, 3))
+
+
+class Layers(unittest.TestCase):
+    def test_the_right_way_up_and_as_vtk_has_them(self):
+        window, renderer = make_scene()
+        rays = godrays.enable(renderer, light=BEHIND)
+        self.assertIsNone(rays.scattering)
+        window.Render()
+        for name in ("scattering", "occlusion"):
+            layer = getattr(rays, name)
+            self.assertEqual((layer.dtype, layer.shape), (numpy.float32, (90, 120, 3)))
+            image = godrays.to_image(layer)
+            expected = image.NewInstance()
+            getattr(rays, f"Get{name.title()}Image")(expected)
+            for x, y in ((0, 0), (5, 80), (119, 89)):
+                self.assertEqual(expected.GetScalarComponentAsDouble(x, y, 0, 0), layer[89 - y, x, 0])
+        # the sun's disc is above the centre, to the right: in the upper half, which comes first
+        row, column = numpy.unravel_index(rays.occlusion[..., 0].argmax(), (90, 120))
+        self.assertLess(row, 45)
+        with self.assertRaises(AttributeError):
+            rays.scattering = None
+
+    def test_what_is_added_is_the_layer(self):
+        window, renderer = make_scene()
+        rays = godrays.enable(renderer, light=BEHIND, output="scattering", automatic_exposure=False)
+        shown = godrays._render._read(window, False).astype(float)
+        light = numpy.clip(rays.scattering, 0, 1)
+        encoded = numpy.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055) * 255
+        self.assertGreater(encoded.max(), 30)
+        self.assertLess(numpy.abs(encoded - shown).max(), 2)
+
+
+class Render(unittest.TestCase):
+    def test_data_of_each_kind(self):
+        source = vtkSphereSource()
+        source.Update()
+        data = source.GetOutput()
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "sphere.ply")
+            writer = vtkPLYWriter()
+            writer.SetInputData(data)
+            writer.SetFileName(file)
+            writer.Write()
+            pictures = [godrays.render(each, SIZE, light=(1, 0.2, -0.2))
+                for each in (source, data, file, pathlib.Path(file), [data])]
+            with self.assertRaisesRegex(godrays.Error, "nonesuch.ply: there is no such file"):
+                godrays.render(os.path.join(folder, "nonesuch.ply"))
+            broken = pathlib.Path(folder) / "broken.ply"
+            broken.write_text("none")
+            with self.assertRaisesRegex(godrays.Error, "broken.ply: it cannot be read as ply"):
+                godrays.render(broken)
+            with self.assertRaisesRegex(godrays.Error, "data.xyz: render.. reads .*[.]ply"):
+                godrays.render("data.xyz")
+        for picture in pictures:
+            self.assertEqual((picture.dtype, picture.shape), (numpy.uint8, (90, 120, 3)))
+        for other in (pictures[1], pictures[4]):
+            self.assertTrue((other == pictures[0]).all())
+        self.assertTrue((pictures[2] == pictures[3]).all())
+        self.assertLess(numpy.abs(pictures[2].astype(int) - pictures[0]).mean(), 10)  # without normals
+        self.assertGreater(pictures[0].std(), 10)
+        with self.assertRaisesRegex(TypeError, "not int"):
+            godrays.render(5)
+        with self.assertRaisesRegex(ValueError, "no points"):
+            godrays.render(data.NewInstance())
+        with self.assertRaisesRegex(ValueError, "of 1 pixel or more"):
+            godrays.render(data, (0, 5))
+
+    def test_rays_are_seen_and_parameters_arrive(self):
+        source = vtkCylinderSource()
+        without = godrays.render(source, SIZE, rays=False)
+        self.assertTrue((without == godrays.render(source, SIZE, rays=False)).all())
+        light = light_of(godrays.render(source, SIZE), without)
+        self.assertGreater((numpy.abs(light) > 4).mean(), 0.2)
+        half = light_of(godrays.render(source, SIZE, intensity=0.3), without)
+        self.assertLess(half.mean(), 0.8 * light.mean())
+        fog = godrays.render(source, SIZE, "fog")
+        self.assertGreater((fog != without).mean(), 0.5)
+        left, right = (light_of(godrays.render(source, SIZE, sun_at=(x, 0.8)), without) for x in (0.1, 0.9))
+        self.assertGreater(left[:, :40].mean(), 1.5 * left[:, 80:].mean())
+        self.assertGreater(right[:, 80:].mean(), 1.5 * right[:, :40].mean())
+        with self.assertRaisesRegex(TypeError, "no parameter densty"):
+            godrays.render(source, SIZE, densty=1)
+
+    def test_all_is_in_the_picture_the_right_way_up(self):
+        cone = vtkConeSource()
+        cone.SetDirection(0, 0, 1)  # the tip is up
+        for size in ((120, 90), (60, 120)):
+            picture = godrays.render(cone, size, rays=False, background=(0, 0, 0), transparent=True)
+            self.assertEqual(picture.shape, (size[1], size[0], 4))
+            seen = picture[..., 3] > 127
+            rows, columns = numpy.nonzero(seen)
+            self.assertTrue(0 < rows.min() and rows.max() < size[1] - 1)
+            self.assertTrue(0 < columns.min() and columns.max() < size[0] - 1)
+            middle = (rows.min() + rows.max()) // 2
+            self.assertGreater(seen[middle:].sum(), 1.5 * seen[:middle].sum())
+        self.assertEqual(set(picture[0, 0]), {0})
+        red = godrays.render(cone, SIZE, rays=False, background="tomato")
+        self.assertEqual(tuple(red[0, 0]), (255, 99, 71))
+        with self.assertRaisesRegex(ValueError, "no color 'nocolor'"):
+            godrays.render(cone, SIZE, background="nocolor")
+
+    def test_a_volume_of_data_is_seen_by_its_surface(self):
+        self.assertGreater(godrays.render(vtkRTAnalyticSource(), SIZE).std(), 10)
+
+    def test_a_scene_is_left_as_it_was(self):
+        window, renderer = make_scene()
+        window.Render()
+        for target in (renderer, types.SimpleNamespace(renderer=renderer)):
+            picture = godrays.render(target, (80, 60), light=BEHIND)
+            self.assertEqual(picture.shape, (60, 80, 3))
+            self.assertIsNone(renderer.GetPass())
+            self.assertIs(renderer.GetRenderWindow(), window)
+            self.assertTrue(window.HasRenderer(renderer))
+            window.Render()
+
+    def test_it_shows_itself(self):
+        picture = godrays.render(vtkSphereSource(), SIZE)
+        png = picture._repr_png_()
+        self.assertEqual(png[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual(int.from_bytes(png[16:20], "big"), 120)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "picture.png"
+            picture.save(file)
+            self.assertEqual(file.read_bytes(), png)
+        self.assertIsNone((picture / 2)._repr_png_())  # numbers
+        self.assertEqual(picture[:10, :20]._repr_png_()[19], 20)  # a part is a picture
+
+    def test_without_a_screen(self):
+        if vtkRenderWindow().GetClassName() != "vtkXOpenGLRenderWindow":
+            self.skipTest("this VTK can draw without a screen")
+        code = "import godrays; from vtkmodules.vtkFiltersSources import vtkConeSource\n" \
+            "try: godrays.render(vtkConeSource())\nexcept godrays.Error as error: print(error)"
+        environment = {**os.environ, "DISPLAY": ":987"}
+        ran = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True)
+        if ran.returncode == 0 and not ran.stdout:
+            self.skipTest("this VTK finds another way to draw")
+        self.assertRegex(ran.stdout, "needs a screen.*DISPLAY=:987.*xvfb-run")
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+
+
+class With(unittest.TestCase):
+    def test_rays_end_with_the_block(self):
+        window, renderer = make_scene()
+        for target in (renderer, window, types.SimpleNamespace(renderer=renderer)):
+            with godrays.enable(target, light=BEHIND) as rays:
+                self.assertIs(renderer.GetPass(), rays)
+                window.Render()
+                self.assertGreater(rays.scattering.max(), 0)
+            self.assertIsNone(renderer.GetPass())
+        with self.assertRaises(KeyError), godrays.enable(renderer, light=BEHIND):
+            {}["a"]
+        self.assertIsNone(renderer.GetPass())
+        with self.assertRaisesRegex(godrays.Error, "on no renderer"), rays:
+            pass
+
+
+class Program(unittest.TestCase):
+    def test_python_m(self):
+        folder = pathlib.Path(godrays.__file__).parents[4]
+        if not os.access(folder / "bin" / "godrays", os.X_OK):
+            self.skipTest("the program is not built")
+        ran = subprocess.run(
+            [sys.executable, "-m", "godrays", "--version"], capture_output=True, text=True, check=True)
+        self.assertIn(godrays.__version__, ran.stdout)
+        ran = subprocess.run([sys.executable, "-m", "godrays", "nonesuch.ply"], capture_output=True, text=True)
+        self.assertNotEqual(ran.returncode, 0)
+        self.assertIn("nonesuch.ply", ran.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,185 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Properties of the wrapped classes, and what they tell: exceptions and warnings of Python."""
+
+import importlib.metadata
+import inspect
+import math
+import unittest
+import warnings
+
+import godrays
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer, vtkRenderWindow
+
+CLASSES = [getattr(godrays, name) for name in godrays.__all__ if name.startswith("vtkGodRays")]
+MODELS = [each for each in CLASSES if issubclass(each, godrays.vtkGodRaysModel)]
+
+
+def make(cls):
+    """An instance, None of a class that has none."""
+    try:
+        return cls()
+    except TypeError:
+        return None
+
+
+class Properties(unittest.TestCase):
+    def test_each_getter_without_arguments_is_one(self):
+        tried = changed = 0
+        for cls in CLASSES:
+            one = make(cls)
+            if one is None:
+                continue
+            for method in vars(cls):
+                name = method[3:]
+                snake = godrays._snake(name)
+                if not method.startswith("Get") or not isinstance(getattr(cls, snake, None), property):
+                    continue
+                with self.subTest(f"{cls.__name__}.{snake}"):
+                    value = getattr(one, method)()
+                    got = getattr(one, snake)
+                    self.assertTrue(got == value or got != got, (got, value))
+                    tried += 1
+                    if hasattr(cls, "Set" + name) and isinstance(value, (bool, int, float, tuple)):
+                        if not isinstance(value, tuple) and not math.isfinite(value):
+                            continue
+                        setattr(one, snake, value)
+                        self.assertEqual(getattr(one, method)(), value)
+                        changed += 1
+        print(f"{tried} properties of {len(CLASSES)} classes, {changed} of them set")
+        self.assertGreater(tried, 200)
+        self.assertGreater(changed, 180)
+
+    def test_what_is_set_arrives(self):
+        rays = godrays.vtkGodRaysPass()
+        rays.intensity = 0.8
+        self.assertEqual(rays.GetIntensity(), 0.8)
+        rays.output = "scattering"
+        self.assertEqual(rays.GetOutput(), rays.SCATTERING)
+        rays.model.density = 0.5
+        self.assertEqual(rays.GetModel().GetDensity(), 0.5)
+        rays.model = fog = godrays.vtkGodRaysHomogeneousModel()
+        self.assertIs(rays.GetModel(), fog)
+        rays.model.scattering_coefficient = (1, 2, 3)
+        self.assertEqual(fog.GetScatteringCoefficient(), (1, 2, 3))
+        date = godrays.vtkGodRaysSunPosition()
+        date.date_time = "2024-06-21T19:30+02:00"
+        self.assertIn("2024-06-21", date.date_time)
+        with self.assertRaises(AttributeError):
+            rays.plan = "none"
+        with self.assertRaisesRegex(ValueError, "output='bogus' is none of the constants"):
+            rays.output = "bogus"
+
+    def test_documentation_is_that_of_c(self):
+        pass_ = godrays.vtkGodRaysPass
+        self.assertIn("Valid range: [0, 1e4]. Default is 1.", pass_.intensity.__doc__)
+        self.assertIn("Defaults are 2 and 10", pass_.background_glow_falloff.__doc__)  # a group's second
+        for function in (godrays.enable, godrays.sky, godrays.scatter, godrays.tone_map):
+            for keyword, parameter in inspect.signature(function).parameters.items():
+                if parameter.kind != parameter.VAR_KEYWORD:
+                    self.assertRegex(function.__doc__, rf"(?m)^ +([a-z_]+, )*{keyword}(, [a-z_]+)*: \w",
+                        function.__name__)
+
+    def test_explicit_parameters_are_those_of_the_classes(self):
+        keywords = set(godrays.enable.__kwdefaults__)
+        of_pass = {godrays._snake(name) for name in godrays._properties(godrays.vtkGodRaysPass())}
+        of_models = set()
+        for cls in MODELS:
+            one = make(cls)
+            of_models |= {godrays._snake(name) for name in godrays._properties(one)} if one else set()
+        self.assertEqual(keywords - of_pass - of_models, set())
+        self.assertGreater(len(keywords), 50)
+        sky = {godrays._snake(name) for name in godrays._properties(godrays.vtkGodRaysSkyPass())}
+        self.assertEqual(set(godrays.sky.__kwdefaults__) - sky, set())
+
+
+class Errors(unittest.TestCase):
+    def setUp(self):
+        self.messages = vtkStringOutputWindow()
+        vtkOutputWindow.SetInstance(self.messages)
+        self.addCleanup(vtkOutputWindow.SetInstance, None)
+
+    def test_a_property_raises_what_the_log_would_say(self):
+        rays = godrays.vtkGodRaysPass()
+        rays.SetIntensity(math.nan)
+        said = self.messages.GetOutput()
+        with self.assertRaises(godrays.Error) as caught:
+            rays.intensity = math.nan
+        self.assertIn(str(caught.exception), said)
+        self.assertRegex(str(caught.exception), r"^Intensity must be a finite number in \[0, 10000\], not nan")
+        self.assertEqual(self.messages.GetOutput(), said, "the log has it, too")
+        self.assertEqual(rays.intensity, 1)
+
+    def test_an_error_of_enable_and_sky_attaches_nothing(self):
+        renderer = vtkRenderer()
+        vtkRenderWindow().AddRenderer(renderer)
+        with self.assertRaisesRegex(godrays.Error, "Intensity must be a finite"):
+            godrays.enable(renderer, light=(0, 0, -1), intensity=math.inf)
+        self.assertIsNone(renderer.GetPass())
+        self.assertEqual(self.messages.GetOutput(), "")
+
+    def test_raising_holds_for_any_method(self):
+        rays = godrays.vtkGodRaysPass()
+        with self.assertRaisesRegex(godrays.Error, "(?s)Intensity must.*LayerMargin must"):
+            with godrays.raising():
+                rays.SetIntensity(math.nan)
+                rays.SetLayerMargin(math.nan)
+                rays.SetIntensity(0.5)
+        self.assertEqual(rays.intensity, 0.5)
+        self.assertEqual(self.messages.GetOutput(), "")
+        with self.assertRaises(KeyError), godrays.raising():  # is not hidden by another
+            rays.SetIntensity(math.nan)
+            {}["a"]
+        self.assertIn("Intensity must", self.messages.GetOutput())
+
+    def test_what_others_say_stays_in_their_log(self):
+        with godrays.raising():
+            vtkTrivialProducer().GetOutputPort(7)
+        self.assertRegex(self.messages.GetOutput(), r"ERROR: In [^\n]*\nvtkTrivialProducer")
+        self.assertIs(vtkOutputWindow.GetInstance(), self.messages)
+
+    def test_a_frame_without_rays_is_a_warning(self):
+        renderer = vtkRenderer()
+        window = vtkRenderWindow()
+        window.SetOffScreenRendering(True)
+        window.SetSize(40, 30)
+        window.AddRenderer(renderer)
+        godrays.enable(renderer, light=(0, 0, -1))
+        camera = vtkCamera()
+        camera.SetPosition(math.nan, 0, 5)
+        renderer.SetActiveCamera(camera)
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            window.Render()
+        told = [each for each in caught if each.category is godrays.GodRaysWarning]
+        self.assertEqual(len(told), 1, caught)
+        self.assertRegex(str(told[0].message), r"^The scene is drawn without god rays.*Position is not finite")
+        self.assertEqual(told[0].filename, __file__)
+        self.assertNotIn("vtkGodRays", self.messages.GetOutput())
+
+
+class Package(unittest.TestCase):
+    def test_version(self):
+        self.assertEqual(godrays.__version__, importlib.metadata.version("godrays"))
+        self.assertRegex(godrays.__version__, r"^\d+\.\d+\.\d+$")
+
+    def test_names(self):
+        self.assertTrue({"enable", "sun", "sky", "tag", "disable", "render", "vtkGodRaysPass"} <=
+            set(godrays.__all__))
+        for name in godrays.__all__:
+            self.assertTrue(getattr(godrays, name).__doc__, name)
+        names = {}
+        exec("from godrays import *", names)
+        self.assertEqual(set(names) - {"__builtins__"}, set(godrays.__all__))
+
+    def test_presets(self):
+        presets = godrays.presets()
+        self.assertEqual(list(presets)[0], "default")
+        self.assertEqual(", ".join(presets), godrays.vtkGodRaysPresets.ListNames())
+        self.assertGreater(min(map(len, presets.values())), 10)
+
+
+if __name__ == "__main__":
+    unittest.main()
