@@ -28,6 +28,8 @@ WRONG = {
     "godrays.enable(r, light='sun')": '"enable" has incompatible type "str"',
     "godrays.enable(r, preset=1)": '"enable" has incompatible type "int"',
     "godrays.enable(r).SetIntensity('much')": '"SetIntensity" of "vtkGodRaysPass"',
+    "godrays.enable(r, density='thick')": '"enable" has incompatible type "str"',
+    "godrays.enable(r).intensity = 'much'": 'Incompatible types in assignment',
     "godrays.tag(r, 'lamp')": '"tag" has incompatible type',
     "godrays.sun(2024, 43.77, 11.26)": '"sun" has incompatible type "int"',
     "godrays.sky(r, light='sun', sun='noon')": '"sky" has incompatible type "str"',

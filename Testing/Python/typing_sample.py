@@ -21,6 +21,20 @@ godrays.enable(plotter, light=(1, 2, 1), occluders=[actor], ignored=actor, densi
 godrays.enable(plotter.renderer, light=[lamp, actor, (0.0, 1.0, 0.0)], model="radial")
 godrays.enable(plotter, light=None, occluders=None, model=vtkGodRaysHomogeneousModel())
 rays.SetIntensity(0.7)
+rays.intensity = 0.7
+rays.output = vtkGodRaysPass.SCATTERING
+strength: float = rays.intensity
+with godrays.enable(renderer, light=(0, 0, 1), intensity=0.5, model="homogeneous", visibility=100.0) as fog:
+    fog.background_glow = 0.5
+picture = godrays.render(actor, (320, 240), preset="low-sun", camera=(-60, 15), sun_at=(0.3, 0.8))
+picture.save("picture.png")
+names: dict[str, str] = godrays.presets()
+shafts = godrays.scatter([[0.0, 1.0]], (0.5, 0.5), density=1.0)
+version: str = godrays.__version__
+try:
+    rays.intensity = float("nan")
+except godrays.Error as error:
+    print(error)
 plan: str = rays.GetPlan()
 
 direction: tuple[float, float, float] = godrays.sun("2024-06-21T20:30+02:00", 43.77, 11.26)
