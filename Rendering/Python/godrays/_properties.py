@@ -37,7 +37,7 @@ def constant(owner: Any, name: str, text: str) -> int:
 
 
 def describe(cls: type, name: str) -> str:
-    """What the documentation in C++ says of a property; of several in one group, what it says of the first."""
+    """What the documentation in C++ says of a property, or of the first of its group."""
     declares = next((each for each in cls.__mro__ if "Set" + name in vars(each)), None)
     declares = declares or next((each for each in cls.__mro__ if "Get" + name in vars(each)), None)
     found = ""
@@ -76,7 +76,7 @@ def install(classes: list[type]) -> None:
     for cls in classes:
         for method in list(vars(cls)):
             name = method[3:]
-            if not method.startswith("Get") or name.endswith(("MinValue", "MaxValue")) or name in ("", "MTime"):
+            if not method.startswith("Get") or re.search("^$|^MTime$|(Min|Max)Value$", name):
                 continue
             if not re.match(rf"{method}\(self\)\s+->", getattr(cls, method).__doc__ or ""):
                 continue

@@ -177,7 +177,8 @@ def _look(scene: Any, camera: Any, zoom: float, aspect: float) -> None:
         return
     azimuth, elevation = (math.radians(float(number)) for number in camera)
     if not math.isfinite(azimuth + elevation) or not abs(elevation) <= math.radians(89.9):
-        raise ValueError(f"camera={tuple(camera)} should be (azimuth, elevation) with an elevation within 89.9")
+        raise ValueError(
+            f"camera={tuple(camera)} should be (azimuth, elevation), with an elevation within 89.9")
     if not (math.isfinite(zoom) and zoom > 0):
         raise ValueError(f"zoom={zoom} should be a positive number")
     looks = scene.GetActiveCamera()
@@ -218,8 +219,8 @@ def _need_screen(window: Any) -> None:
     display = library.XOpenDisplay(None)
     if not display:
         name = os.environ.get("DISPLAY")
-        raise Error(f"VTK needs a screen to draw on, and there is none at DISPLAY={name or ''}: run this under "
-            'xvfb-run -a -s "-screen 0 1280x1024x24"')
+        raise Error(f"VTK needs a screen to draw on, and there is none at DISPLAY={name or ''}: run this "
+            'under xvfb-run -a -s "-screen 0 1280x1024x24"')
     library.XCloseDisplay(ctypes.c_void_p(display))
 
 
