@@ -6,6 +6,7 @@
 #include "vtkGodRaysCoveragePhase.h"
 #include "vtkGodRaysCoverageTable.h"
 #include "vtkGodRaysMath.h"
+#include "vtkGodRaysShadowAlong.h"
 #include "vtkGodRaysShadowKernels.h"
 #include "vtkSMPTools.h"
 
@@ -59,17 +60,25 @@ bool IsGrey(const double* color)
 }
 
 //------------------------------------------------------------------------------
+// Whether shadows let more of one colour through than of another.
+bool HasColoredShadows(const Parameters& parameters)
+{
+  return parameters.Shadows && parameters.Shadows->NumberOfLayers > 0 &&
+    parameters.Shadows->Colored;
+}
+
+//------------------------------------------------------------------------------
 // What a table depends on, in the order of the members.
 using TableKey = std::vector<double>;
 void MakeTableKey(const Parameters& parameters, int width, int height, TableKey& key)
 {
   const vtkGodRaysMedium& medium = parameters.Medium;
-  key.assign(
-    { width + 0.0, height + 0.0, parameters.PixelSize, parameters.Center[0], parameters.Center[1],
-      parameters.Parallel + 0.0, parameters.Light[0], parameters.Light[1], parameters.Light[2],
-      parameters.Light[3], medium.Up[0], medium.Up[1], medium.Up[2], medium.EyeHeight,
-      medium.PlanetRadius, medium.FarLimit, parameters.Spot.Axis[0], parameters.Spot.Axis[1],
-      parameters.Spot.Axis[2], parameters.Spot.CosCone, parameters.Spot.Exponent });
+  key.assign({ width + 0.0, height + 0.0, parameters.PixelSize, parameters.Center[0],
+    parameters.Center[1], parameters.Parallel + 0.0, parameters.Light[0], parameters.Light[1],
+    parameters.Light[2], parameters.Light[3], medium.Up[0], medium.Up[1], medium.Up[2],
+    medium.EyeHeight, medium.PlanetRadius, medium.FarLimit, parameters.Spot.Axis[0],
+    parameters.Spot.Axis[1], parameters.Spot.Axis[2], parameters.Spot.CosCone,
+    parameters.Spot.Exponent, HasColoredShadows(parameters) + 0.0 });
   for (int k = 0; k < medium.NumberOfComponents; ++k)
   {
     const Component& component = medium.Components[k];
@@ -208,8 +217,10 @@ private:
       }
       grey = grey && IsGrey(extinction);
     }
-    settings.Channels =
-      (layered ? grey : IsGrey(settings.Extinction)) && (alike || !settings.Point) ? 1 : 3;
+    settings.Channels = (layered ? grey : IsGrey(settings.Extinction)) &&
+        (alike || !settings.Point) && !HasColoredShadows(parameters)
+      ? 1
+      : 3;
     settings.Planes =
       settings.Channels * (layered && !settings.Point ? medium.NumberOfComponents : 1);
     settings.Table = &this->Table;
@@ -534,7 +545,7 @@ private:
     }
     if (this->HasNoLines())
     {
-      this->HideAlongRays(grids);
+      HideAlongRays(settings, this->Image, grids);
       return;
     }
     if (grids.Point)
@@ -590,76 +601,8 @@ private:
     const std::ptrdiff_t pixel = FindCoverageLight(this->Wedges[2], this->Image, isCentred);
     if (pixel >= 0 && isCentred)
     {
-      float before;
-      float from;
-      this->FindDarkEnds(grids, before, from);
-      HideCoverageInterval(settings, this->Image, pixel, before, from);
+      HideAlongRay(settings, this->Image, grids, pixel);
     }
-  }
-
-  // View rays along light rays: of a light in the eye, to which all that is seen is lit, or of a directional
-  // light along parallel rays.
-  void HideAlongRays(const vtkGodRaysShadowGrids& grids)
-  {
-    const CoverageSettings& settings = this->Settings;
-    if (settings.Point)
-    {
-      return;
-    }
-    const bool isAhead = settings.Light[2] > 0.0;
-    vtkSMPTools::For(0, this->Image.Height, 16,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType row = begin; row < end; ++row)
-        {
-          for (int column = 0; column < this->Image.Width; ++column)
-          {
-            const double x = (column - this->Image.Center[0]) * settings.PixelSize;
-            const double y = (row - this->Image.Center[1]) * settings.PixelSize;
-            const double height = grids.GetHeight(x * grids.Axes[0][0] + y * grids.Axes[0][1],
-              x * grids.Axes[1][0] + y * grids.Axes[1][1]);
-            const float depth = static_cast<float>(isAhead ? height : -height);
-            HideCoverageInterval(settings, this->Image, row * this->Image.Width + column,
-              isAhead ? std::max(depth, 0.0f) : 0.0f,
-              isAhead ? CoverageSky : std::min(std::max(depth, 0.0f), CoverageSky));
-          }
-        }
-      });
-  }
-
-  // What occluders on the line through the eye and the light leave dark of the view ray along it: all before
-  // a view depth, and all from another one on.
-  void FindDarkEnds(const vtkGodRaysShadowGrids& grids, float& before, float& from) const
-  {
-    const double* light = this->Settings.Light;
-    const bool isAhead = light[2] > 0.0;
-    if (!grids.Point)
-    {
-      // Ahead, all up to the occluder is dark; behind the eye, all beyond it.
-      const double height = grids.GetHeight(0.0, 0.0);
-      const float depth = static_cast<float>(std::max(height * light[2], 0.0));
-      before = isAhead ? depth : 0.0f;
-      from = isAhead ? CoverageSky : std::min(depth, CoverageSky);
-      return;
-    }
-    const bool parallel = this->Settings.Parallel;
-    const double distance =
-      parallel ? std::abs(light[2]) : std::hypot(std::hypot(light[0], light[1]), light[2]);
-    const double forward = isAhead ? 1.0 : -1.0;
-    const double away[3] = { parallel ? 0.0 : light[0] / distance,
-      parallel ? 0.0 : light[1] / distance, parallel ? forward : light[2] / distance };
-    const double towards[3] = { -away[0], -away[1], -away[2] };
-    const double toOccluder = grids.GetDistance(towards); // on the eye's side of the light
-    if (isAhead)
-    {
-      const double beyond = (distance + grids.GetDistance(away)) * away[2];
-      before = static_cast<float>(std::max((distance - toOccluder) * away[2], 0.0));
-      from = static_cast<float>(std::min<double>(beyond, CoverageSky));
-      return;
-    }
-    before = 0.0f;
-    from = static_cast<float>(
-      std::min<double>(std::max((toOccluder - distance) * towards[2], 0.0), CoverageSky));
   }
 
   CoverageSettings Settings = {};
@@ -750,7 +693,7 @@ bool vtkGodRaysCoverageSweep::Supports(const Parameters& parameters)
 //------------------------------------------------------------------------------
 int vtkGodRaysCoverageSweep::CountComponents(const Parameters& parameters)
 {
-  bool isGrey = IsGrey(parameters.LightColor);
+  bool isGrey = IsGrey(parameters.LightColor) && !HasColoredShadows(parameters);
   for (int k = 0; k < parameters.Medium.NumberOfComponents; ++k)
   {
     const Component& component = parameters.Medium.Components[k];

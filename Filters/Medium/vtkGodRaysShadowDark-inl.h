@@ -42,6 +42,13 @@ public:
     ++this->Memory.DarkBlocks[column / ShadowBlock];
   }
 
+  // A part of its light.
+  HWY_INLINE void Mark(int column, float part)
+  {
+    this->Memory.Dark[column] += part;
+    ++this->Memory.DarkBlocks[column / ShadowBlock];
+  }
+
   // At a step and the next one, of the columns before an end.
   void Build(int step, int end)
   {
@@ -78,6 +85,16 @@ public:
 
   HWY_INLINE void Add(int column)
   {
+    this->Add(column, [](float weight) { return weight; });
+  }
+  HWY_INLINE void Add(int column, float part)
+  {
+    this->Add(column, [part](float weight) { return weight * part; });
+  }
+
+  template <typename Weigh>
+  HWY_INLINE void Add(int column, const Weigh& weigh)
+  {
     const FloatTag d;
     const int lanes = GetLanes();
     const int block = column / ShadowBlock;
@@ -86,7 +103,7 @@ public:
     const float* outside = before - block;
     for (int node = 0; node < 2; ++node)
     {
-      const Float weight = hn::Set(d, this->Weights[node][column]);
+      const Float weight = hn::Set(d, weigh(this->Weights[node][column]));
       float* inner = this->Memory.Inner[node].data() + block * ShadowBlock;
       for (int k = 0; k < ShadowBlock; k += lanes)
       {
@@ -191,6 +208,86 @@ private:
 };
 
 //------------------------------------------------------------------------------
+// How dark columns are, in steps so small that pictures do not show them, and the runs of those that are
+// alike.
+class DarkShades
+{
+public:
+  static constexpr float Steps = 512.0f;
+
+  explicit DarkShades(ShadowLines& memory)
+    : Memory(memory)
+  {
+  }
+
+  void Clear(int channels)
+  {
+    this->Channels = channels;
+    for (int c = 0; c < channels; ++c)
+    {
+      std::fill(this->Memory.Sum[c].begin(), this->Memory.Sum[c].end(), 0.0f);
+      std::fill(this->Memory.Shade[c].begin(), this->Memory.Shade[c].end(), 0);
+    }
+    std::fill(this->Memory.ShadeEdges.begin(), this->Memory.ShadeEdges.end(), 0);
+  }
+
+  // What turns dark of a column at a place of Part.
+  HWY_INLINE void Mark(int column, int place)
+  {
+    ShadowLines& m = this->Memory;
+    for (int c = 0; c < this->Channels; ++c)
+    {
+      m.Sum[c][column] += m.Part[c][place];
+      m.Shade[c][column + 1] = static_cast<int>(std::lround(Steps * m.Sum[c][column]));
+    }
+    this->FindEdge(column);
+    this->FindEdge(column + 1);
+  }
+
+  // visit(first, one after the last) of all runs that are dark.
+  template <typename Visit>
+  void Find(const Visit& visit) const
+  {
+    const ShadowLines& m = this->Memory;
+    int begin = -1;
+    for (std::size_t word = 0; word < m.ShadeEdges.size(); ++word)
+    {
+      for (std::uint64_t bits = m.ShadeEdges[word]; bits != 0; bits &= bits - 1)
+      {
+        const int edge = static_cast<int>(64 * word + hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
+        if (begin >= 0)
+        {
+          visit(begin, edge);
+        }
+        bool isDark = false;
+        for (int c = 0; c < this->Channels; ++c)
+        {
+          isDark = isDark || m.Shade[c][edge + 1] > 0;
+        }
+        begin = isDark ? edge : -1;
+      }
+    }
+  }
+
+private:
+  HWY_INLINE void FindEdge(int column)
+  {
+    ShadowLines& m = this->Memory;
+    bool differs = false;
+    for (int c = 0; c < this->Channels; ++c)
+    {
+      differs = differs || m.Shade[c][column] != m.Shade[c][column + 1];
+    }
+    const std::uint64_t bit = std::uint64_t(1) << column % 64;
+    std::uint64_t& word = m.ShadeEdges[column / 64];
+    word = differs ? word | bit : word & ~bit;
+  }
+
+  ShadowLines& Memory;
+  int Channels = 1;
+};
+
+//------------------------------------------------------------------------------
 // Where columns begin along view rays: a ray is there at the depth (A x + B y)/(C x + D y), whose x and y are
 // the column's and A to D the ray's,
 //
@@ -223,6 +320,28 @@ public:
     this->Memory.SeenBegin.clear();
     this->Memory.SeenEnd.clear();
     this->Memory.Seer.clear();
+    for (std::vector<float>& parts : this->Memory.SeenDark)
+    {
+      parts.clear();
+    }
+  }
+
+  // The same of what is dark in part.
+  void Add(const DarkShades& shades, int channels, int pixel)
+  {
+    ShadowLines& m = this->Memory;
+    shades.Find(
+      [&](int begin, int end)
+      {
+        m.SeenBegin.push_back(begin);
+        m.SeenEnd.push_back(end);
+        for (int c = 0; c < channels; ++c)
+        {
+          m.SeenDark[c].push_back(m.Shade[c][begin + 1] / DarkShades::Steps);
+        }
+      });
+    m.Seer.resize(m.SeenBegin.size(), pixel);
+    this->Ends[pixel] = static_cast<int>(m.SeenBegin.size());
   }
 
   // All runs as they are now, for the next pixel.
@@ -287,6 +406,17 @@ public:
           MeasureRays(settings, here, low * here.Length, plane);
         hn::StoreU(hn::Max(hidden, hn::Zero(d)), d, m.Hidden[plane].data() + i);
       }
+    }
+  }
+
+  // What is dark in part.
+  void Weigh(int plane, int channel)
+  {
+    float* hidden = this->Memory.Hidden[plane].data();
+    const std::vector<float>& parts = this->Memory.SeenDark[channel];
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      hidden[i] *= parts[i];
     }
   }
 

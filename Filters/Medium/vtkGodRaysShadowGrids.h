@@ -8,6 +8,13 @@
  * later one is finer, and nothing is looked up in an earlier one where a later one reaches. Of a point
  * light, one grid or the six of a cube about it, across axes of their own at distance 1 from it. In view
  * coordinates, x to the right, y up, z forwards, with the eye at the origin.
+ *
+ * What lets part of the light through makes layers: with t1, t2 ... of what a ray of light meets at the
+ * depths d1 < d2 < ..., a place at s gets the product T of the t_k with d_k < s. That is
+ *
+ *     1 - T = sum of (T_(k-1) - T_k) [d_k < s],     T_k = t1 ... t_k,
+ *
+ * so that each layer is a map of depths d_k in itself, which dims by a part T_(k-1) - T_k, of each colour.
  */
 
 #ifndef vtkGodRaysShadowGrids_h
@@ -30,11 +37,22 @@ struct vtkGodRaysShadowGrids
     int Size[2] = { 0, 0 };         // [texels]
     double Low[2] = { 0.0, 0.0 };   // edges, along Axes [scene units; of a point light, 1]
     double Texel[2] = { 1.0, 1.0 }; // their widths, alike
+    std::ptrdiff_t First = 0;       // texel, in a layer
     // Of a point light: across it, and away from it; of length 1.
     double Axes[3][3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } };
   };
+  /// Texels as those of all grids together are, from Grid::First on with its Stride.
+  struct Layer
+  {
+    const float* Depths = nullptr; // 1 where there is nothing
+    const float* Dark[3] = {};     // part of the light that is dark beyond [0, 1], of each colour
+  };
+
   Grid Grids[MaximumGrids];
-  int Levels = 0; // of grids
+  int Levels = 0;                // of grids
+  const Layer* Layers = nullptr; // in place of the grids' own depths
+  int NumberOfLayers = 0;        // 0 if all that blocks light is opaque
+  bool Colored = false;          // whether the colours' parts differ
   bool Point = false;
   double Axes[2][3] = { { 1.0, 0.0, 0.0 },
     { 0.0, 1.0, 0.0 } };     // across a directional light; of length 1
@@ -57,8 +75,20 @@ struct vtkGodRaysShadowGrids
       (this->Range[1] * this->Range[0]);
   }
 
-  /// The distance from a point light of the occluder in a direction of length 1; 1e30 if there is none.
-  double GetDistance(const double direction[3]) const
+  /// As if the occluders were those of a layer alone.
+  vtkGodRaysShadowGrids GetLayer(int layer) const
+  {
+    vtkGodRaysShadowGrids one = *this;
+    for (Grid& grid : one.Grids)
+    {
+      grid.Depths = this->Layers[layer].Depths + grid.First;
+    }
+    return one;
+  }
+
+  /// The distance from a point light of the occluder in a direction of length 1; 1e30 if there is none. If
+  /// there is one, texel tells which of a layer's texels has it.
+  double GetDistance(const double direction[3], std::ptrdiff_t* texel = nullptr) const
   {
     const auto along = [&](const double axis[3])
     { return axis[0] * direction[0] + axis[1] * direction[1] + axis[2] * direction[2]; };
@@ -74,17 +104,22 @@ struct vtkGodRaysShadowGrids
       const double j = (along(grid.Axes[1]) / ahead - grid.Low[1]) / grid.Texel[1];
       if (i >= 0.0 && j >= 0.0 && i < grid.Size[0] && j < grid.Size[1])
       {
-        const float depth =
-          grid
-            .Depths[static_cast<std::ptrdiff_t>(j) * grid.Stride + static_cast<std::ptrdiff_t>(i)];
+        const std::ptrdiff_t at =
+          static_cast<std::ptrdiff_t>(j) * grid.Stride + static_cast<std::ptrdiff_t>(i);
+        const float depth = grid.Depths[at];
+        if (texel)
+        {
+          *texel = grid.First + at;
+        }
         return depth < 1.0f ? 1.0 / (ahead * this->GetNearness(depth)) : 1e30;
       }
     }
     return 1e30;
   }
 
-  /// The height of the occluder about a place (a, b) along the axes; Nothing if there is none.
-  float GetHeight(double a, double b) const
+  /// The height of the occluder about a place (a, b) along the axes; Nothing if there is none. If there is
+  /// one, texel tells which of a layer's texels has it.
+  float GetHeight(double a, double b, std::ptrdiff_t* texel = nullptr) const
   {
     for (int level = this->Levels - 1; level >= 0; --level)
     {
@@ -93,9 +128,13 @@ struct vtkGodRaysShadowGrids
       const double j = (b - grid.Low[1]) / grid.Texel[1];
       if (i >= 0.0 && j >= 0.0 && i < grid.Size[0] && j < grid.Size[1])
       {
-        const float depth =
-          grid
-            .Depths[static_cast<std::ptrdiff_t>(j) * grid.Stride + static_cast<std::ptrdiff_t>(i)];
+        const std::ptrdiff_t at =
+          static_cast<std::ptrdiff_t>(j) * grid.Stride + static_cast<std::ptrdiff_t>(i);
+        const float depth = grid.Depths[at];
+        if (texel)
+        {
+          *texel = grid.First + at;
+        }
         return depth < 1.0f ? static_cast<float>(this->HeightAtZero +
                                 depth * (this->HeightAtOne - this->HeightAtZero))
                             : Nothing;

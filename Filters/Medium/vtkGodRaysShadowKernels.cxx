@@ -37,6 +37,7 @@ public:
     : ShadowLine(settings, image, wedge, grids, tables, picture, memory)
     , Sums(memory, tables.Ladder)
     , Runs(memory)
+    , Shades(memory)
     , Seen(memory)
   {
   }
@@ -47,27 +48,45 @@ public:
     {
       return;
     }
+    const bool inParts = this->Grids.NumberOfLayers > 0;
     if (this->Settings.Table->Kind != CoverageTable::NONE || this->Settings.Parallel)
     {
-      this->HideRuns();
+      inParts ? this->HideRuns<true>() : this->HideRuns<false>();
       return;
     }
     for (int c = 0; c < this->Settings.Channels; ++c)
     {
       this->MeasureRows(this->Settings.Extinction[c]);
       this->MeasurePixels();
-      this->Hide(this->Picture.Hidden[c]);
+      inParts ? this->Hide<true>(c) : this->Hide<false>(c);
     }
   }
 
 private:
+  using Layer = vtkGodRaysShadowGrids::Layer;
+
   // The row in which each column turns dark; false if none does.
   bool FindFlips()
   {
     std::fill_n(this->Memory.Head.begin(), this->Rows, -1);
+    if (this->Grids.NumberOfLayers == 0)
+    {
+      return this->FindFlips(nullptr, 0) > 0;
+    }
+    int flips = 0;
+    for (int k = 0; k < this->Grids.NumberOfLayers; ++k)
+    {
+      flips += this->FindFlips(this->Grids.Layers + k, k * this->Memory.Room);
+    }
+    return flips > 0;
+  }
+
+  // Of a layer, or, if there is none, of the grids; from a place in Flip on. How many columns do.
+  int FindFlips(const Layer* layer, int place)
+  {
     if (this->Grids.Point)
     {
-      this->FindFlipsOfWedges();
+      this->FindFlipsOfWedges(layer, place);
     }
     int end = this->Grids.Point ? 0 : this->Columns;
     for (int level = 0; level < this->Grids.Levels && end > this->FirstColumn; ++level)
@@ -89,25 +108,27 @@ private:
                                    static_cast<float>((reach - this->Start) / this->Width)) -
           middles);
       }
-      this->FindFlips(this->Grids.Grids[level], begin, end);
+      this->FindFlips(this->Grids.Grids[level], layer, place, begin, end);
       end = begin;
     }
     int flips = 0;
     for (int j = this->FirstColumn; j < this->Columns; ++j)
     {
-      const int row = this->Memory.Flip[j];
+      const int row = this->Memory.Flip[place + j];
       if (row < this->Rows)
       {
-        this->Memory.Next[j] = this->Memory.Head[row];
-        this->Memory.Head[row] = j;
+        this->Memory.Next[place + j] = this->Memory.Head[row];
+        this->Memory.Head[row] = place + j;
         ++flips;
       }
     }
-    return flips > 0;
+    return flips;
   }
 
-  void FindFlips(const vtkGodRaysShadowGrids::Grid& grid, int begin, int end)
+  void FindFlips(
+    const vtkGodRaysShadowGrids::Grid& grid, const Layer* layer, int place, int begin, int end)
   {
+    const float* depths = layer ? layer->Depths + grid.First : grid.Depths;
     const FloatTag d;
     const IntTag di;
     Float gain[2];
@@ -125,7 +146,13 @@ private:
       const Float middle = hn::LoadU(d, this->Ladder.Middles.data() + j);
       const auto index = [&](int i) HWY_ATTR
       { return GetTexel(grid, i, hn::MulAdd(gain[i], middle, offset[i])); };
-      const Float depth = hn::GatherIndex(d, grid.Depths, index(0) + index(1) * stride);
+      const auto texel = index(0) + index(1) * stride;
+      const Float depth = hn::GatherIndex(d, depths, texel);
+      for (int c = 0; layer && c < this->Settings.Channels; ++c)
+      {
+        hn::StoreU(hn::GatherIndex(d, layer->Dark[c] + grid.First, texel), d,
+          this->Memory.Part[c].data() + place + j);
+      }
       const Float h =
         hn::MulAdd(depth, SetFloat(this->Grids.HeightAtOne - this->Grids.HeightAtZero),
           SetFloat(this->Grids.HeightAtZero));
@@ -138,15 +165,16 @@ private:
         const double q = this->Meeting[3][0];
         const Float excess = hn::MulAdd(t, SetFloat(p),
           hn::NegMulAdd(h, SetFloat(q), SetFloat(q * this->Along[0] - p * this->Across[0])));
-        this->StoreFlips(j, excess, SetFloat(q * this->Along[1] - p * this->Across[1]), empty);
+        this->StoreFlips(
+          place + j, excess, SetFloat(q * this->Along[1] - p * this->Across[1]), empty);
         continue;
       }
-      this->StoreFlips(j, this->GetExcess(0, h, t), this->GetExcess(1, h, t), empty);
+      this->StoreFlips(place + j, this->GetExcess(0, h, t), this->GetExcess(1, h, t), empty);
     }
   }
 
   // Of a point light the occluder in a column is at (d + r cos, r sin), at the distance r from the light.
-  void FindFlipsOfWedges()
+  void FindFlipsOfWedges(const Layer* layer, int place)
   {
     const FloatTag d;
     const IntTag di;
@@ -158,6 +186,7 @@ private:
       const Float cosine = hn::LoadU(d, this->Fan.MiddleCosines.data() + j);
       const Float sine = hn::LoadU(d, this->Fan.MiddleSines.data() + j);
       Float nearness = hn::Set(d, -1.0f); // 1/r
+      Float parts[3] = { zero, zero, zero };
       for (int face = 0; face < this->Grids.Levels; ++face)
       {
         const vtkGodRaysShadowGrids::Grid& grid = this->Grids.Grids[face];
@@ -167,13 +196,13 @@ private:
             cosine, SetFloat(this->Faces[face][i][0]), sine * SetFloat(this->Faces[face][i][1]));
         };
         const Float ahead = along(2);
-        const auto place = [&](int i) HWY_ATTR
+        const auto placeAlong = [&](int i) HWY_ATTR
         {
           return (along(i) / hn::Max(ahead, SetFloat(1e-6)) - SetFloat(grid.Low[i])) *
             SetFloat(1.0 / grid.Texel[i]);
         };
-        const Float x = place(0);
-        const Float y = place(1);
+        const Float x = placeAlong(0);
+        const Float y = placeAlong(1);
         const auto inside = hn::And(hn::And(hn::Gt(ahead, zero), hn::Lt(nearness, zero)),
           hn::And(hn::And(hn::Ge(x, SetFloat(-0.01)), hn::Le(x, SetFloat(grid.Size[0] + 0.01))),
             hn::And(hn::Ge(y, SetFloat(-0.01)), hn::Le(y, SetFloat(grid.Size[1] + 0.01)))));
@@ -183,22 +212,32 @@ private:
         }
         const auto texel =
           GetTexel(grid, 0, x) + GetTexel(grid, 1, y) * hn::Set(di, static_cast<int>(grid.Stride));
+        const auto insideTexel = hn::IfThenElseZero(hn::RebindMask(di, inside), texel);
         const Float depth =
-          hn::GatherIndex(d, grid.Depths, hn::IfThenElseZero(hn::RebindMask(di, inside), texel));
+          hn::GatherIndex(d, layer ? layer->Depths + grid.First : grid.Depths, insideTexel);
         const Float nearnessAlong = hn::MulAdd(
           depth, SetFloat(this->Grids.GetNearness(1.0) - nearnessAtZero), SetFloat(nearnessAtZero));
         const auto blocks = hn::And(inside, hn::Lt(depth, one));
         nearness = hn::IfThenElse(blocks, nearnessAlong * ahead, nearness);
+        for (int c = 0; layer && c < this->Settings.Channels; ++c)
+        {
+          parts[c] = hn::IfThenElse(
+            blocks, hn::GatherIndex(d, layer->Dark[c] + grid.First, insideTexel), parts[c]);
+        }
+      }
+      for (int c = 0; layer && c < this->Settings.Channels; ++c)
+      {
+        hn::StoreU(parts[c], d, this->Memory.Part[c].data() + place + j);
       }
       const auto empty = hn::Lt(nearness, zero);
       if (this->Settings.Parallel)
       {
-        this->StoreFlips(j, hn::NegMulAdd(nearness, SetFloat(this->Across[0]), sine),
+        this->StoreFlips(place + j, hn::NegMulAdd(nearness, SetFloat(this->Across[0]), sine),
           nearness * SetFloat(-this->Across[1]), empty);
         continue;
       }
       const Float h = hn::MulAdd(nearness, SetFloat(this->Distance), cosine); // times 1/r
-      this->StoreFlips(j, this->GetExcess(0, h, sine), this->GetExcess(1, h, sine), empty);
+      this->StoreFlips(place + j, this->GetExcess(0, h, sine), this->GetExcess(1, h, sine), empty);
     }
   }
 
@@ -217,7 +256,7 @@ private:
   }
 
   // The rows k from which columns are dark, where excess + change k <= 0; none of what is empty.
-  HWY_INLINE void StoreFlips(int column, Float excess, Float change, hn::Mask<FloatTag> empty)
+  HWY_INLINE void StoreFlips(int place, Float excess, Float change, hn::Mask<FloatTag> empty)
   {
     const FloatTag d;
     const IntTag di;
@@ -231,7 +270,7 @@ private:
     row = hn::IfThenElse(never, rows, row);
     // A quotient that is not a number is of a column at the very edge of both conditions.
     row = hn::IfThenElse(hn::Eq(row, row), row, rows);
-    hn::StoreU(hn::ConvertTo(di, row), di, this->Memory.Flip.data() + column);
+    hn::StoreU(hn::ConvertTo(di, row), di, this->Memory.Flip.data() + place);
   }
 
   void MeasureRows(double extinction)
@@ -363,8 +402,12 @@ private:
   }
 
   // Row by row in the direction of light, in stretches of pixels between the same steps of the ladder.
-  void Hide(float* hidden)
+  // In parts: where columns turn dark one layer after the other.
+  template <bool InParts>
+  void Hide(int channel)
   {
+    float* hidden = this->Picture.Hidden[channel];
+    const float* parts = this->Memory.Part[channel].data();
     const int* rows = this->Memory.Row.data();
     const float* steps = this->Memory.Step.data();
     const int* next = this->Memory.Next.data();
@@ -386,7 +429,7 @@ private:
       {
         for (int j = this->Memory.Head[row]; j >= 0; j = next[j])
         {
-          this->Sums.Mark(j);
+          InParts ? this->Sums.Mark(this->GetColumn(j), parts[j]) : this->Sums.Mark(j);
         }
       }
       this->Sums.Build(step, needed);
@@ -396,10 +439,11 @@ private:
         {
           for (int j = this->Memory.Head[row]; j >= 0; j = next[j])
           {
-            this->Sums.Mark(j);
-            if (j < needed)
+            const int column = InParts ? this->GetColumn(j) : j;
+            InParts ? this->Sums.Mark(column, parts[j]) : this->Sums.Mark(column);
+            if (column < needed)
             {
-              this->Sums.Add(j);
+              InParts ? this->Sums.Add(column, parts[j]) : this->Sums.Add(column);
             }
           }
         }
@@ -412,7 +456,11 @@ private:
     }
   }
 
+  // Of a place in Flip, of layers.
+  HWY_INLINE int GetColumn(int place) const { return place % this->Memory.Room; }
+
   // From a table: what is between the ends of the runs of dark columns.
+  template <bool InParts>
   void HideRuns()
   {
     const FloatTag d;
@@ -422,7 +470,7 @@ private:
     const ColumnEdges edges = this->GetEdges();
     const auto number = [&](double first, double change, Float row) HWY_ATTR
     { return hn::MulAdd(row, SetFloat(change), SetFloat(first)); };
-    this->Runs.Clear(this->Columns);
+    InParts ? this->Shades.Clear(this->Settings.Channels) : this->Runs.Clear(this->Columns);
     int row = 0;
     for (int i = 0; i < this->Pixels; i += lanes)
     {
@@ -434,10 +482,11 @@ private:
         {
           for (int j = this->Memory.Head[row]; j >= 0; j = this->Memory.Next[j])
           {
-            this->Runs.Mark(j);
+            InParts ? this->Shades.Mark(this->GetColumn(j), j) : this->Runs.Mark(j);
           }
         }
-        this->Seen.Add(pixel);
+        InParts ? this->Seen.Add(this->Shades, this->Settings.Channels, pixel)
+                : this->Seen.Add(pixel);
       }
       const auto inside = hn::RebindMask(di, hn::FirstN(d, count));
       const auto here = hn::IfThenElseZero(inside, hn::LoadU(di, rows + i));
@@ -465,6 +514,10 @@ private:
       HWY_ALIGN float sums[8];
       for (int plane = 0; plane < this->Settings.Planes; ++plane)
       {
+        if (InParts)
+        {
+          this->Seen.Weigh(plane, plane % this->Settings.Channels);
+        }
         this->Seen.Sum(plane, count, sums);
         for (int pixel = 0; pixel < count; ++pixel)
         {
@@ -492,6 +545,7 @@ private:
 
   DarkSums Sums;
   DarkRuns Runs;
+  DarkShades Shades;
   SeenRuns Seen;
 };
 

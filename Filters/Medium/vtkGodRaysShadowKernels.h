@@ -30,6 +30,9 @@
  * steps of the ladder about the row's, and read between them, linearly in the logarithm of x. Columns are
  * one of the map's texels wide, and finer next to the axis, where view rays are short in columns.
  *
+ * Of layers that let light through, each column turns dark in one row of each layer, by the part that the
+ * layer takes: sums are of these parts, and runs are of columns that are as dark as each other.
+ *
  * Hidden light is in parts of an infinite ray's, as vtkGodRaysCoverageKernels has it.
  */
 

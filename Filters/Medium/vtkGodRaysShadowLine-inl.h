@@ -45,7 +45,8 @@ protected:
           ? Vec3(0.0, 0.0, 1.0)
           : Vec3(settings.Light[0], settings.Light[1], settings.Light[2]) / this->Distance)
   {
-    memory.Reserve(wedge.Rows, grids.Point ? this->Fan.Columns : this->Ladder.Columns);
+    memory.Reserve(
+      wedge.Rows, grids.Point ? this->Fan.Columns : this->Ladder.Columns, grids.NumberOfLayers);
     for (int k = 0; k < wedge.Rows; ++k)
     {
       int first;

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace vtkGodRays
@@ -51,9 +52,16 @@ public:
   std::vector<int> RunAt;    // of the run that a column begins, its place
   // Of what some pixels see of them.
   std::vector<int> SeenBegin, SeenEnd, Seer;
+  std::vector<float> SeenDark[3]; // parts of the light, of each colour
+  // Of layers that let light through: a column's place in the k-th is k Room more.
+  int Room = 0;
+  std::vector<float> Part[3];            // that turns dark, of each colour
+  std::vector<float> Sum[3];             // of what is dark
+  std::vector<int> Shade[3];             // the same in whole steps, one column later
+  std::vector<std::uint64_t> ShadeEdges; // bits of columns whose shade is not that before
   std::vector<float> Hidden[CoverageMaximumPlanes];
 
-  void Reserve(int rows, int columns)
+  void Reserve(int rows, int columns, int layers)
   {
     const std::size_t paddedRows = rows + 16;
     for (std::vector<float>* values : { &this->RowFirst, &this->RowEnd, &this->Perpendicular,
@@ -72,8 +80,16 @@ public:
     {
       values->resize(4 * paddedRows);
     }
-    this->Flip.resize(columns + 64);
-    this->Next.resize(columns + 64);
+    this->Room = columns + 64;
+    this->Flip.resize(static_cast<std::size_t>(this->Room) * std::max(layers, 1));
+    this->Next.resize(this->Flip.size());
+    for (int c = 0; c < 3 && layers > 0; ++c)
+    {
+      this->Part[c].resize(this->Flip.size());
+      this->Sum[c].resize(this->Room);
+      this->Shade[c].resize(this->Room + 1);
+    }
+    this->ShadeEdges.resize(layers > 0 ? this->Room / 64 + 2 : 0);
     this->EdgePlaces.resize(columns + 64);
     this->Ones.resize(columns + 64, 1.0f);
     this->OtherEnd.resize(columns + 64);

@@ -7,6 +7,7 @@
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysGate.h"
 #include "vtkGodRaysLight.h"
+#include "vtkGodRaysLightLayers.h"
 #include "vtkGodRaysMedium.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysProjection.h"
@@ -153,9 +154,10 @@ vtkGodRaysShadowMap::~vtkGodRaysShadowMap() = default;
 
 //------------------------------------------------------------------------------
 bool vtkGodRaysShadowMap::Draw(
-  const vtkGodRaysMediumIntegrator::Request& request, int size, int levels)
+  const vtkGodRaysMediumIntegrator::Request& request, int size, int levels, bool translucent)
 {
   this->Kept = false;
+  this->Translucent = translucent;
   this->Levels = request.Light->IsInfinite() && !request.View->Parallel ? levels : 1;
   this->Fit(request);
   if (this->NumberOfFaces == 0)
@@ -191,6 +193,10 @@ bool vtkGodRaysShadowMap::Draw(
     return false;
   }
   this->Render(request, map);
+  if (!this->RenderTranslucent(request, map))
+  {
+    return false;
+  }
   this->Drawn = std::move(state);
   return true;
 }
@@ -206,7 +212,7 @@ vtkGodRaysShadowMap::State vtkGodRaysShadowMap::GetState(
   }
   state.Objects = { request.Window, request.Renderer,
     this->Maps[this->NumberOfFaces / 6].GetDepth() };
-  state.Numbers = { this->Size + 0.0, this->NumberOfFaces + 0.0 };
+  state.Numbers = { this->Size + 0.0, this->NumberOfFaces + 0.0, this->Translucent + 0.0 };
   for (int face = 0; face < this->NumberOfFaces; ++face)
   {
     for (const double* corner : this->Corners)
@@ -250,6 +256,28 @@ void vtkGodRaysShadowMap::Render(
   state->vtkglDepthMask(GL_TRUE);
   state->vtkglClearDepth(1.0);
   state->vtkglClear(GL_DEPTH_BUFFER_BIT);
+  this->ForFaces(request,
+    [&request]()
+    {
+      for (vtkProp* prop : *request.Occluders)
+      {
+        prop->RenderOpaqueGeometry(request.Renderer);
+      }
+    });
+  if (request.Compositor && request.Compositor->IsDistributed())
+  {
+    std::vector<float> depth = map.ReadDepth();
+    request.Compositor->Reduce(depth.data(), depth.size(), vtkGodRaysCompositor::LEAST);
+    map.WriteDepth(depth);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Look through each face in turn, and draw into it.
+void vtkGodRaysShadowMap::ForFaces(
+  const vtkGodRaysMediumIntegrator::Request& request, const std::function<void()>& draw)
+{
+  vtkOpenGLState* state = request.Window->GetState();
   for (int face = 0; face < this->NumberOfFaces; ++face)
   {
     const int columns = this->GetColumns();
@@ -258,17 +286,64 @@ void vtkGodRaysShadowMap::Render(
     state->vtkglScissor(corner[0], corner[1], this->Size, this->Size);
     const vtkGodRaysProjection projection(
       request.Renderer, *request.View, this->ViewToMap[face], this->Camera);
-    for (vtkProp* prop : *request.Occluders)
-    {
-      prop->RenderOpaqueGeometry(request.Renderer);
-    }
+    draw();
   }
-  if (request.Compositor && request.Compositor->IsDistributed())
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysShadowMap::RenderTranslucent(
+  const vtkGodRaysMediumIntegrator::Request& request, vtkGodRaysTarget& map)
+{
+  std::vector<vtkProp*> props;
+  std::copy_if(request.Occluders->begin(), request.Occluders->end(), std::back_inserter(props),
+    [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; });
+  const bool hasAny = vtkGodRaysCompositor::Any(request.Compositor, !props.empty());
+  this->LeftOut = this->Translucent ? 0 : static_cast<int>(props.size());
+  this->Layers.Clear();
+  if (!hasAny || !this->Translucent)
   {
-    std::vector<float> depth = map.ReadDepth();
-    request.Compositor->Reduce(depth.data(), depth.size(), vtkGodRaysCompositor::LEAST);
-    map.WriteDepth(depth);
+    if (this->Peeler)
+    {
+      this->Peeler->ReleaseGraphicsResources(request.Window);
+      this->Peeler = nullptr;
+    }
+    return true;
   }
+  if (!this->Peeler)
+  {
+    this->Peeler = vtkSmartPointer<vtkGodRaysLightLayers>::New();
+  }
+  const bool drawn = this->Peeler->Draw(request.Window, request.Renderer, props, map,
+    request.Compositor, [&](const std::function<void()>& draw) { this->ForFaces(request, draw); });
+  if (drawn && request.Result && !this->Peeler->GetSurfaces().empty())
+  {
+    this->Depths = map.ReadDepth();
+    this->Layers.Make(this->Depths, this->Peeler->GetSurfaces());
+  }
+  this->Peeler->Clear();
+  return drawn;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysShadowMap::DescribeLayers() const
+{
+  if (this->NumberOfFaces == 0)
+  {
+    return "";
+  }
+  if (this->LeftOut > 0)
+  {
+    return "; steps leave out what is translucent: " + std::to_string(this->LeftOut) +
+      " props cast no shadow";
+  }
+  return this->Layers.GetNumberOfLayers() == 0
+    ? ""
+    : "; " + std::to_string(this->Layers.GetNumberOfLayers()) +
+      " layers, as some props let light through" +
+      (this->Peeler->WereMore()
+          ? ": what is behind " + std::to_string(vtkGodRaysLightLayers::MaximumSurfaces) +
+            " translucent surfaces casts no shadow unless it is opaque"
+          : "");
 }
 
 //------------------------------------------------------------------------------
@@ -416,9 +491,10 @@ const vtkGodRaysShadowGrids& vtkGodRaysShadowMap::GetGrids()
   {
     vtkGodRaysShadowGrids::Grid& grid = this->Grids.Grids[level];
     grid.Stride = columns * this->Size;
-    grid.Depths =
-      this->Depths.data() + (level / columns * grid.Stride + level % columns) * this->Size;
+    grid.First = (level / columns * grid.Stride + level % columns) * this->Size;
+    grid.Depths = this->Depths.data() + grid.First;
   }
+  this->Layers.Set(this->Grids);
   return this->Grids;
 }
 
@@ -563,6 +639,12 @@ void vtkGodRaysShadowMap::Release(vtkWindow* window)
 {
   this->Drawn = State();
   this->Depths.clear();
+  this->Layers.Clear();
+  if (this->Peeler)
+  {
+    this->Peeler->ReleaseGraphicsResources(window);
+    this->Peeler = nullptr;
+  }
   this->Maps[0].Release(window);
   this->Maps[1].Release(window);
 }

@@ -10,6 +10,9 @@
  * before. What was drawn for the last light serves again while light, faces and occluders are the same in
  * the world; one face about all occluders, or about a fixed lamp, so serves while the camera moves. Of
  * plain actors VTK tells that; with any other prop, and on several processes, it is drawn anew.
+ *
+ * Translucent surfaces are layers of the grids, if Draw() is asked for them: without such props nothing is
+ * drawn or kept for them.
  */
 
 #ifndef vtkGodRaysShadowMap_h
@@ -17,11 +20,15 @@
 
 #include "vtkGodRaysMediumIntegrator.h" // For Request
 #include "vtkGodRaysShadowGrids.h"
+#include "vtkGodRaysShadowLayers.h"
 #include "vtkGodRaysTarget.h"
 
-#include <vector> // For std::vector
+#include <functional> // For std::function
+#include <string>     // For std::string
+#include <vector>     // For std::vector
 
 class vtkCamera;
+class vtkGodRaysLightLayers;
 class vtkShaderProgram;
 
 class vtkGodRaysShadowMap
@@ -34,9 +41,10 @@ public:
    * Render the props that block into faces of so many pixels on each side, or as many as the driver
    * takes. For a light that is infinitely far, seen in perspective, there are up to so many levels; more
    * than one are faces of half as many pixels, nested about the axis through the eye. All processes of a
-   * compositor call it. Returns false when the driver refuses.
+   * compositor call it. What is translucent is drawn if so asked. Returns false when the driver refuses.
    */
-  bool Draw(const vtkGodRaysMediumIntegrator::Request& request, int size, int levels = 1);
+  bool Draw(
+    const vtkGodRaysMediumIntegrator::Request& request, int size, int levels, bool translucent);
 
   /**
    * The faces as numbers, read back where they were drawn anew. They are valid until the next Draw().
@@ -53,6 +61,11 @@ public:
    * Whether the last Draw() took what was there.
    */
   bool WasKept() const { return this->Kept; }
+
+  /**
+   * What was drawn of translucent things, for the plan; empty if there are none.
+   */
+  std::string DescribeLayers() const;
 
   vtkTextureObject* GetDepth() const { return this->Maps[this->NumberOfFaces / 6].GetDepth(); }
 
@@ -76,6 +89,9 @@ private:
   State GetState(const vtkGodRaysMediumIntegrator::Request& request) const;
 
   void Render(const vtkGodRaysMediumIntegrator::Request& request, vtkGodRaysTarget& map);
+  void ForFaces(
+    const vtkGodRaysMediumIntegrator::Request& request, const std::function<void()>& draw);
+  bool RenderTranslucent(const vtkGodRaysMediumIntegrator::Request& request, vtkGodRaysTarget& map);
   void Fit(const vtkGodRaysMediumIntegrator::Request& request);
   void FitDirectional(const vtkGodRaysMediumIntegrator::Request& request);
   void FitPoint(const vtkGodRaysMediumIntegrator::Request& request);
@@ -92,6 +108,10 @@ private:
   std::vector<float> Depths; // that the grids have; empty: not read yet
   State Drawn;               // what is in the map
   bool Kept = false;
+  bool Translucent = false; // whether it is asked for
+  int LeftOut = 0;          // translucent props, if it is not
+  vtkSmartPointer<vtkGodRaysLightLayers> Peeler;
+  vtkGodRaysShadowLayers Layers;
   vtkSmartPointer<vtkCamera> Camera;
   int Size = 0; // of a face [pixels]
   int NumberOfFaces = 0;

@@ -166,7 +166,8 @@ bool vtkGodRaysShadowMapIntegrator::DrawMap(const Request& request)
   Internals& self = *this->Internal;
   self.IsSwept = this->SweepMap && CanSweep(request);
   self.CountLight(request);
-  return self.GetMap().Draw(request, this->MapSize, self.IsSwept ? this->NumberOfNestedMaps : 1);
+  return self.GetMap().Draw(
+    request, this->MapSize, self.IsSwept ? this->NumberOfNestedMaps : 1, self.IsSwept);
 }
 
 //------------------------------------------------------------------------------
@@ -175,8 +176,7 @@ bool vtkGodRaysShadowMapIntegrator::Sweep(const Request& request)
   Internals& self = *this->Internal;
   vtkGodRaysTarget& ends = *request.Depths->GetEnds();
   const int size[2] = { ends.GetWidth(), ends.GetHeight() };
-  auto parameters = vtkGodRaysSweptLight::GetParameters(request, size);
-  parameters.Shadows = &self.GetMap().GetGrids();
+  auto parameters = vtkGodRaysSweptLight::GetParameters(request, size, &self.GetMap().GetGrids());
   parameters.LineSpacing = this->LineSpacing;
   if (self.Frame != request.Depths->GetFrame())
   {
@@ -209,6 +209,7 @@ std::string vtkGodRaysShadowMapIntegrator::Describe(vtkGodRaysModel*)
   {
     text << this->NumberOfSteps << " steps a pixel";
   }
+  text << map.DescribeLayers();
   return text.str();
 }
 

@@ -5,14 +5,27 @@
 #include "vtkGodRaysLight.h"
 #include "vtkGodRaysMediumRays.h"
 #include "vtkGodRaysOpenGL.h"
+#include "vtkGodRaysShadowGrids.h"
 #include "vtkGodRaysSum.h"
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
 
+namespace
+{
+/// Whether one channel serves a light of any colour.
+bool IsGrey(const vtkGodRaysMediumIntegrator::Request& request,
+  const vtkGodRaysCoverageSweep::Parameters& parameters)
+{
+  const vtkGodRaysShadowGrids* shadows = parameters.Shadows;
+  return request.Medium->IsGrey() && !(shadows && shadows->NumberOfLayers > 0 && shadows->Colored);
+}
+}
+
 //------------------------------------------------------------------------------
 vtkGodRaysCoverageSweep::Parameters vtkGodRaysSweptLight::GetParameters(
-  const vtkGodRaysMediumIntegrator::Request& request, const int size[2])
+  const vtkGodRaysMediumIntegrator::Request& request, const int size[2],
+  const vtkGodRaysShadowGrids* shadows)
 {
   const vtkGodRaysLight& light = *request.Light;
   const vtkGodRaysMediumRays rays(request, size);
@@ -21,7 +34,8 @@ vtkGodRaysCoverageSweep::Parameters vtkGodRaysSweptLight::GetParameters(
   std::copy_n(rays.GetPinhole().Center, 2, parameters.Center);
   parameters.Parallel = request.View->Parallel;
   std::copy_n(light.Position, 4, parameters.Light);
-  const bool grey = request.Medium->IsGrey(); // then one channel serves a light of any colour
+  parameters.Shadows = shadows;
+  const bool grey = IsGrey(request, parameters);
   for (int i = 0; i < 3; ++i)
   {
     parameters.LightColor[i] = light.Power * (grey ? 1.0 : light.Color[i]);
@@ -47,7 +61,7 @@ bool vtkGodRaysSweptLight::Add(const vtkGodRaysMediumIntegrator::Request& reques
   {
     return false;
   }
-  const bool grey = request.Medium->IsGrey();
+  const bool grey = IsGrey(request, parameters);
   vtkGodRaysTarget& sum = this->Rays[grey ? 0 : 1];
   sum.Prepare(request.Window, size[0], size[1],
     { static_cast<unsigned int>(grey ? GL_R32F : GL_RGBA32F), 0 });

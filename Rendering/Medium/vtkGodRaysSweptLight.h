@@ -21,10 +21,12 @@ public:
   vtkGodRaysCoverageSweep Sweep;
 
   /**
-   * What the sweep is to compute for a layer of this size [pixels] that a pinhole can see.
+   * What the sweep is to compute for a layer of this size [pixels] that a pinhole can see; of a shadow map,
+   * if there is one.
    */
   static vtkGodRaysCoverageSweep::Parameters GetParameters(
-    const vtkGodRaysMediumIntegrator::Request& request, const int size[2]);
+    const vtkGodRaysMediumIntegrator::Request& request, const int size[2],
+    const vtkGodRaysShadowGrids* shadows = nullptr);
 
   /**
    * Whether the sweep supports the request's light in its medium.

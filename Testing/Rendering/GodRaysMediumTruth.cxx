@@ -15,40 +15,64 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPropCollection.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkTransform.h"
 #include "vtkTransformPolyDataFilter.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace GodRaysTesting
 {
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> GetTrueScattering(
-  vtkRenderer* renderer, const SetMedium& setMedium, std::array<double, 4> light, const int size[2])
+namespace
 {
-  vtkNew<vtkAppendPolyData> occluders;
-  vtkPropCollection* props = renderer->GetViewProps();
-  props->InitTraversal();
-  while (vtkProp* prop = props->GetNextProp())
+using Actors = std::vector<vtkActor*>;
+
+/// What actors show, in the world.
+vtkSmartPointer<vtkAppendPolyData> Append(const Actors& actors)
+{
+  auto all = vtkSmartPointer<vtkAppendPolyData>::New();
+  for (vtkActor* actor : actors)
   {
-    auto actor = vtkActor::SafeDownCast(prop);
-    if (actor && actor->GetVisibility())
-    {
-      actor->GetMapper()->Update();
-      vtkNew<vtkTransform> toWorld;
-      toWorld->SetMatrix(actor->GetMatrix());
-      vtkNew<vtkTransformPolyDataFilter> placed;
-      placed->SetInputData(actor->GetMapper()->GetInput());
-      placed->SetTransform(toWorld);
-      occluders->AddInputConnection(placed->GetOutputPort());
-    }
+    actor->GetMapper()->Update();
+    vtkNew<vtkTransform> toWorld;
+    toWorld->SetMatrix(actor->GetMatrix());
+    vtkNew<vtkTransformPolyDataFilter> placed;
+    placed->SetInputData(actor->GetMapper()->GetInput());
+    placed->SetTransform(toWorld);
+    all->AddInputConnection(placed->GetOutputPort());
   }
+  return all;
+}
+
+/// What it lets through of a colour: see vtkGodRaysLightLayers.
+double GetThrough(vtkActor* actor, int channel)
+{
+  const double* color = actor->GetProperty()->GetColor();
+  const double largest = std::max({ color[0], color[1], color[2] });
+  const double hue = largest > 0.0 ? color[channel] / largest : 1.0;
+  return std::pow(1.0 - actor->GetProperty()->GetOpacity(), 3.0 - 2.0 * hue);
+}
+
+/// The light where these actors alone cast shadows, and others alone are seen, if there are such.
+vtkSmartPointer<vtkImageData> GetTrueScattering(vtkRenderer* renderer, const SetMedium& setMedium,
+  std::array<double, 4> light, const int size[2], const Actors& blocking, const Actors* seen)
+{
+  auto occluders = Append(blocking);
   vtkNew<vtkGodRaysSingleScatteringReference> truth;
   if (occluders->GetNumberOfInputConnections(0) > 0)
   {
     truth->SetInputConnection(occluders->GetOutputPort());
+  }
+  if (seen)
+  {
+    auto ends = Append(*seen);
+    vtkNew<vtkPolyData> nothing;
+    seen->empty() ? truth->SetInputData(1, nothing)
+                  : truth->SetInputConnection(1, ends->GetOutputPort());
   }
   vtkCamera* camera = renderer->GetActiveCamera();
   truth->SetCameraPosition(camera->GetPosition());
@@ -75,6 +99,61 @@ vtkSmartPointer<vtkImageData> GetTrueScattering(
   truth->SetTolerance(1e-5);
   truth->Update();
   return truth->GetOutput();
+}
+}
+
+//------------------------------------------------------------------------------
+// Light through translucent sheets is, by linearity, the mean of that among opaque and missing ones.
+vtkSmartPointer<vtkImageData> GetTrueScattering(
+  vtkRenderer* renderer, const SetMedium& setMedium, std::array<double, 4> light, const int size[2])
+{
+  Actors opaque;
+  Actors translucent;
+  vtkPropCollection* props = renderer->GetViewProps();
+  props->InitTraversal();
+  while (vtkProp* prop = props->GetNextProp())
+  {
+    auto actor = vtkActor::SafeDownCast(prop);
+    if (actor && actor->GetVisibility())
+    {
+      (actor->GetProperty()->GetOpacity() < 1.0 ? translucent : opaque).push_back(actor);
+    }
+  }
+  if (translucent.empty())
+  {
+    return GetTrueScattering(renderer, setMedium, light, size, opaque, nullptr);
+  }
+  vtkSmartPointer<vtkImageData> sum;
+  for (unsigned int subset = 0; subset < 1u << translucent.size(); ++subset)
+  {
+    Actors blocking = opaque;
+    double weights[3] = { 1.0, 1.0, 1.0 };
+    for (std::size_t i = 0; i < translucent.size(); ++i)
+    {
+      const bool blocks = (subset >> i & 1u) != 0;
+      for (int c = 0; c < 3; ++c)
+      {
+        const double through = GetThrough(translucent[i], c);
+        weights[c] *= blocks ? 1.0 - through : through;
+      }
+      if (blocks)
+      {
+        blocking.push_back(translucent[i]);
+      }
+    }
+    auto part = GetTrueScattering(renderer, setMedium, light, size, blocking, &opaque);
+    vtkDataArray* values = part->GetPointData()->GetScalars();
+    for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        const double before = sum ? sum->GetPointData()->GetScalars()->GetComponent(i, c) : 0.0;
+        values->SetComponent(i, c, before + weights[c] * values->GetComponent(i, c));
+      }
+    }
+    sum = part;
+  }
+  return sum;
 }
 
 //------------------------------------------------------------------------------

@@ -23,7 +23,8 @@ using SetMedium = std::function<void(vtkGodRaysSingleScatteringReference*)>;
 
 /// The light that vtkGodRaysSingleScatteringReference finds in what a renderer shows; light is that of one
 /// vtkLight, white and of intensity 1, in world coordinates. The power of a light at a finite distance is
-/// that of vtkGodRaysMediumModel.
+/// that of vtkGodRaysMediumModel. Translucent actors are sheets that no ray of light meets twice: a sum over
+/// which of them block, each picture among opaque things alone.
 vtkSmartPointer<vtkImageData> GetTrueScattering(vtkRenderer* renderer, const SetMedium& setMedium,
   std::array<double, 4> light, const int size[2]);
 

@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Shadows of what lets part of the light through, against numbers and the ground truth.
+
+#include "GodRaysMediumTesting.h"
+
+#include "vtkGodRaysAtmosphereModel.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkTexture.h"
+
+#include <cmath>
+
+using namespace GodRaysTesting;
+
+namespace
+{
+class GodRaysTranslucentShadows : public MediumTest
+{
+protected:
+  GodRaysTranslucentShadows() { this->Scene.Window->SetSize(128, 96); }
+
+  /// A sheet from a corner along two edges.
+  vtkActor* AddPane(std::array<double, 3> corner, std::array<double, 3> one,
+    std::array<double, 3> other, double opacity, std::array<double, 3> color = { 1.0, 1.0, 1.0 })
+  {
+    vtkNew<vtkPlaneSource> plane;
+    plane->SetOrigin(corner.data());
+    plane->SetPoint1(corner[0] + one[0], corner[1] + one[1], corner[2] + one[2]);
+    plane->SetPoint2(corner[0] + other[0], corner[1] + other[1], corner[2] + other[2]);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(plane->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetOpacity(opacity);
+    actor->GetProperty()->SetColor(color[0], color[1], color[2]);
+    this->Renderer->AddActor(actor);
+    return actor;
+  }
+
+  /// One above all that is seen.
+  vtkActor* AddRoof(double height, double opacity, std::array<double, 3> color = { 1.0, 1.0, 1.0 })
+  {
+    return this->AddPane(
+      { -60.0, height, -60.0 }, { 120.0, 0.0, 0.0 }, { 0.0, 0.0, 120.0 }, opacity, color);
+  }
+
+  /// Panes before, among and behind pillars.
+  void AddPanes()
+  {
+    this->AddPillars();
+    this->Panes = {
+      this->AddPane({ -4.0, -1.5, 1.0 }, { 8.0, 0.0, 0.0 }, { 0.0, 3.0, 0.0 }, 0.5),
+      this->AddPane(
+        { -1.0, -2.0, -1.5 }, { 3.0, 0.0, -1.0 }, { 0.0, 4.0, 0.0 }, 0.3, { 1.0, 0.2, 0.0 }),
+    };
+  }
+
+  /// What is left of the light in the middle of the picture.
+  double GetLeft(int channel = 0)
+  {
+    auto image = this->GetScattering();
+    return GetValue(image, 64, 48, channel) / this->Lit;
+  }
+
+  void MeasureLit()
+  {
+    this->AddSun({ 0.1, 1.0, 0.05 });
+    this->Lit = GetValue(this->GetScattering(), 64, 48);
+    EXPECT_GT(this->Lit, 1e-7);
+  }
+
+  std::vector<vtkActor*> Panes;
+  double Lit = 0.0;
+};
+}
+
+TEST_F(GodRaysTranslucentShadows, LetPartOfTheLightThrough)
+{
+  this->MeasureLit();
+  auto one = this->AddRoof(12.0, 0.5);
+  EXPECT_NEAR(this->GetLeft(), 0.5, 1e-3);
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "1 layers")) << this->Rays->GetPlan();
+  auto two = this->AddRoof(14.0, 0.5);
+  EXPECT_NEAR(this->GetLeft(), 0.25, 1e-3);
+  one->GetProperty()->SetOpacity(0.2);
+  const double product = this->GetLeft();
+  EXPECT_NEAR(product, 0.8 * 0.5, 1e-3);
+  one->GetProperty()->SetOpacity(0.5);
+  two->GetProperty()->SetOpacity(0.2);
+  EXPECT_NEAR(this->GetLeft(), product, 1e-4) << "whichever comes first";
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "2 layers")) << this->Rays->GetPlan();
+  vtkGodRaysPass::SetRole(one, vtkGodRaysPass::IGNORED);
+  vtkGodRaysPass::SetRole(two, vtkGodRaysPass::IGNORED);
+  EXPECT_NEAR(this->GetLeft(), 1.0, 1e-4);
+}
+
+TEST_F(GodRaysTranslucentShadows, ColourTheLight)
+{
+  this->MeasureLit();
+  auto roof = this->AddRoof(12.0, 0.5, { 0.8, 0.4, 0.0 });
+  EXPECT_NEAR(this->GetLeft(0), 0.5, 1e-3);
+  EXPECT_NEAR(this->GetLeft(1), 0.25, 1e-3);
+  EXPECT_NEAR(this->GetLeft(2), 0.125, 1e-3);
+  // a grey one dims alike, however dark it is and however the scene's lights light it
+  roof->GetProperty()->SetColor(0.1, 0.1, 0.1);
+  EXPECT_NEAR(this->GetLeft(0), 0.5, 1e-3);
+  EXPECT_NEAR(this->GetLeft(2), 0.5, 1e-3);
+  roof->GetProperty()->LightingOff();
+  EXPECT_NEAR(this->GetLeft(1), 0.5, 1e-3);
+}
+
+TEST_F(GodRaysTranslucentShadows, AmongOpaqueThings)
+{
+  this->MeasureLit();
+  auto pane = this->AddRoof(12.0, 0.5);
+  auto wall = this->AddRoof(14.0, 1.0);
+  EXPECT_NEAR(this->GetLeft(), 0.0, 1e-4) << "behind what is opaque";
+  wall->SetPosition(0.0, -4.0, 0.0);
+  EXPECT_NEAR(this->GetLeft(), 0.0, 1e-4) << "before it";
+  wall->VisibilityOff();
+  EXPECT_NEAR(this->GetLeft(), 0.5, 1e-3);
+  pane->VisibilityOff();
+  EXPECT_NEAR(this->GetLeft(), 1.0, 1e-4);
+}
+
+// With panes that are ignored, which then cast no shadow, the same error is beyond its bound.
+TEST_F(GodRaysTranslucentShadows, AreTheGroundTruth)
+{
+  this->AddPanes();
+  struct
+  {
+    const char* Name;
+    std::array<double, 4> Light;
+    double Bound;
+  } cases[] = {
+    { "sun in front", { 0.15, 0.1, -1.0, 0.0 }, 0.0075 },
+    { "sun beside", { 1.0, 0.3, -0.4, 0.0 }, 0.001 },
+    { "sun behind", { 0.3, 0.4, 1.0, 0.0 }, 0.004 },
+    { "lamp in front", { 0.0, 0.5, -3.0, 1.0 }, 0.001 },
+    { "lamp behind", { 0.5, 1.0, 12.0, 1.0 }, 0.001 },
+  };
+  for (const auto& each : cases)
+  {
+    const double error = this->GetError(each.Light);
+    EXPECT_TRUE(Says(this->Rays->GetPlan(), "2 layers")) << this->Rays->GetPlan();
+    for (vtkActor* pane : this->Panes)
+    {
+      vtkGodRaysPass::SetRole(pane, vtkGodRaysPass::IGNORED);
+    }
+    const double without = this->GetError(each.Light);
+    for (vtkActor* pane : this->Panes)
+    {
+      vtkGodRaysPass::SetRole(pane, vtkGodRaysPass::AUTOMATIC);
+    }
+    std::cout << each.Name << ": " << error << ", without their shadows " << without << "\n";
+    RecordProperty(each.Name, std::to_string(error));
+    EXPECT_LT(error, each.Bound) << each.Name;
+    EXPECT_GT(without, 2.0 * each.Bound) << each.Name;
+  }
+}
+
+TEST_F(GodRaysTranslucentShadows, AreTheGroundTruthInAParallelProjection)
+{
+  this->AddPanes();
+  this->Renderer->GetActiveCamera()->ParallelProjectionOn();
+  this->Renderer->GetActiveCamera()->SetParallelScale(3.0);
+  for (const std::array<double, 4>& light : { std::array<double, 4>{ 0.5, 0.3, -1.0, 0.0 },
+         { 0.0, 0.0, 1.0, 0.0 }, { 0.5, 1.0, 12.0, 1.0 } })
+  {
+    const double error = this->GetError(light);
+    std::cout << light[0] << " " << light[3] << ": " << error << "\n";
+    EXPECT_LT(error, 0.006);
+  }
+}
+
+TEST_F(GodRaysTranslucentShadows, InAnAtmosphere)
+{
+  vtkNew<vtkGodRaysAtmosphereModel> air;
+  air->SetFarLimit(30.0);
+  this->Rays->SetModel(air);
+  this->MeasureLit();
+  auto roof = this->AddRoof(12.0, 0.5, { 1.0, 0.5, 0.5 });
+  const double red = this->GetLeft(0);
+  EXPECT_NEAR(red, 0.5, 2e-3);
+  roof->GetProperty()->SetColor(1.0, 1.0, 1.0);
+  const double green = this->GetLeft(1);
+  roof->GetProperty()->SetColor(1.0, 0.5, 0.5);
+  EXPECT_NEAR(this->GetLeft(1) / green, 0.25 / 0.5, 4e-3);
+}
+
+// The same pictures before panes, and after them.
+TEST_F(GodRaysTranslucentShadows, LeaveOtherScenesAlone)
+{
+  this->AddPillars();
+  this->AddSun({ 0.3, 0.4, 1.0 });
+  const auto before = GetPixels(this->Scene.Window);
+  EXPECT_FALSE(Says(this->Rays->GetPlan(), "layers")) << this->Rays->GetPlan();
+  auto pane = this->AddPane({ -4.0, -1.5, 1.0 }, { 8.0, 0.0, 0.0 }, { 0.0, 3.0, 0.0 }, 0.5);
+  const auto with = GetPixels(this->Scene.Window);
+  EXPECT_GT(GetLargestDifference(before, with), 2);
+  EXPECT_EQ(with, GetPixels(this->Scene.Window));
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), ", kept")) << this->Rays->GetPlan();
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "2 layers")) << this->Rays->GetPlan();
+  pane->GetProperty()->SetOpacity(0.1);
+  EXPECT_GT(GetLargestDifference(with, GetPixels(this->Scene.Window)), 2);
+  this->Renderer->RemoveActor(pane);
+  EXPECT_EQ(before, GetPixels(this->Scene.Window));
+  EXPECT_FALSE(Says(this->Rays->GetPlan(), "layers")) << this->Rays->GetPlan();
+}
+
+// Of a texture: a quarter of it is empty, a quarter opaque, and the rest lets half through.
+TEST_F(GodRaysTranslucentShadows, AreCutOut)
+{
+  this->MeasureLit();
+  vtkNew<vtkImageData> picture;
+  picture->SetDimensions(4, 1, 1);
+  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  const unsigned char alphas[4] = { 0, 255, 128, 128 };
+  for (int i = 0; i < 4; ++i)
+  {
+    auto texel = static_cast<unsigned char*>(picture->GetScalarPointer(i, 0, 0));
+    std::fill_n(texel, 3, static_cast<unsigned char>(255));
+    texel[3] = alphas[i];
+  }
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(picture);
+  texture->InterpolateOff();
+  texture->RepeatOff();
+  auto roof = this->AddRoof(12.0, 1.0);
+  roof->SetTexture(texture);
+  const double expected[4] = { 1.0, 0.0, 1.0 - 128.0 / 255.0, 1.0 - 128.0 / 255.0 };
+  for (int i = 0; i < 4; ++i)
+  {
+    roof->SetPosition(45.0 - 30.0 * i, 0.0, 0.0); // the quarter's middle is over what is seen
+    EXPECT_NEAR(this->GetLeft(), expected[i], 2e-3) << i;
+  }
+}
