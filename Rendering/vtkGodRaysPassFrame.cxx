@@ -12,6 +12,7 @@
 #include "vtkGodRaysLightFinder.h"
 #include "vtkGodRaysOcclusionPass.h"
 #include "vtkGodRaysOpenGL.h"
+#include "vtkGodRaysQuad.h"
 #include "vtkGodRaysSun.h"
 #include "vtkGodRaysView.h"
 #include "vtkOpenGLError.h"
@@ -106,6 +107,7 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   self.ContextTime = window->GetContextCreationTime();
 
   vtkGodRaysOverlays overlays(s);
+  const int failures = vtkGodRaysQuad::GetNumberOfFailures();
   self.Timers.Start(vtkGodRaysTimers::SCENE);
   this->RenderScene(s);
   self.Timers.Stop();
@@ -115,9 +117,12 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   }
   else if (!this->RenderRays(s, view, lights))
   {
-    this->Complain(": the framebuffer of this window cannot be copied or drawn into by the rays' "
-                   "stages. Render into a window or framebuffer with a depth buffer and 8-bit or "
-                   "floating-point RGBA colours");
+    if (vtkGodRaysQuad::GetNumberOfFailures() == failures)
+    {
+      this->Complain(": the framebuffer of this window cannot be copied or drawn into by the rays' "
+                     "stages. Render into a window or framebuffer with a depth buffer and 8-bit or "
+                     "floating-point RGBA colours");
+    }
     self.StagePlan = "rays: none, after an error\n";
   }
   overlays.Draw();

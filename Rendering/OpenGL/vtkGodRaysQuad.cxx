@@ -28,6 +28,8 @@
 
 namespace
 {
+int NumberOfFailures = 0;
+
 const std::string TopicMark = "//VTK::GodRays::";
 
 /// What shaders have of vtkGodRaysPhaseFunction.h: a constant for each, and which have an asymmetry.
@@ -105,6 +107,7 @@ vtkShaderProgram* vtkGodRaysQuad::Begin(
   }
   if (this->Failed)
   {
+    ++NumberOfFailures;
     return nullptr;
   }
   this->Window = window;
@@ -136,6 +139,7 @@ vtkShaderProgram* vtkGodRaysQuad::Begin(
   {
     this->Release();
     this->Failed = true;
+    ++NumberOfFailures;
     vtkGenericWarningMacro("The shader " << this->Name
                                          << " does not compile on this OpenGL driver, so the scene "
                                             "is drawn without what it makes. Use a driver with "
@@ -144,6 +148,12 @@ vtkShaderProgram* vtkGodRaysQuad::Begin(
     return nullptr;
   }
   return this->Helper->Program;
+}
+
+//------------------------------------------------------------------------------
+int vtkGodRaysQuad::GetNumberOfFailures()
+{
+  return NumberOfFailures;
 }
 
 //------------------------------------------------------------------------------

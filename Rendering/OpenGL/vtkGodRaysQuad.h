@@ -52,6 +52,11 @@ public:
   vtkShaderProgram* Begin(vtkOpenGLRenderWindow* window, std::initializer_list<Term> terms = {});
 
   /**
+   * How often Begin() has returned null, of all shaders: what fails in between was told of already.
+   */
+  static int GetNumberOfFailures();
+
+  /**
    * Set a uniform of three numbers.
    */
   static void SetVector(vtkShaderProgram* program, const char* name, const double value[3]);

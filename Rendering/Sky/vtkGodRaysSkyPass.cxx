@@ -438,6 +438,7 @@ void vtkGodRaysSkyPass::Render(const vtkRenderState* s)
   self.Plan = self.Observer.Describe();
 
   vtkGodRaysOverlays overlays(s);
+  const int failures = vtkGodRaysQuad::GetNumberOfFailures();
   bool drawn = true;
   if (this->DelegatePass || IsDrawnAfter(s))
   {
@@ -460,10 +461,17 @@ void vtkGodRaysSkyPass::Render(const vtkRenderState* s)
   }
   if (!drawn)
   {
-    this->Complain("sky",
-      "the framebuffer of this window cannot be copied or drawn into. Render into a "
-      "window or framebuffer with a depth buffer and 8-bit or floating-point RGBA "
-      "colours");
+    if (vtkGodRaysQuad::GetNumberOfFailures() == failures)
+    {
+      this->Complain("sky",
+        "the framebuffer of this window cannot be copied or drawn into. Render into a "
+        "window or framebuffer with a depth buffer and 8-bit or floating-point RGBA "
+        "colours");
+    }
+    if (!this->JoinsPictures()) // other processes would wait
+    {
+      this->RenderScene(s); // over what there is of a sky
+    }
   }
   overlays.Draw();
   vtkOpenGLCheckErrorMacro("failed after Render");
