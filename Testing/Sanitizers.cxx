@@ -5,8 +5,8 @@
 
 extern "C"
 {
-  // A leak is suppressed by the library that allocated it. Libraries stay, as of one that is closed the name is
-  // not known at the end.
+  // A leak is suppressed by the library that allocated it. Libraries stay, as of one that is closed the
+  // name is not known at the end.
   int dlclose(void*)
   {
     return 0;

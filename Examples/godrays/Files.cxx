@@ -35,6 +35,7 @@
 #include "vtkPLYReader.h"
 #include "vtkPNGReader.h"
 #include "vtkPNMReader.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
@@ -61,6 +62,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -105,10 +107,37 @@ void CheckCells(const std::string& path, vtkDataObject* data)
 }
 
 //------------------------------------------------------------------------------
+/**
+ * Readers believe sizes that cannot be, and go on where values are missing; filters then read beyond the end.
+ */
+void CheckSizes(const std::string& path, vtkDataSet* data)
+{
+  if (data->GetNumberOfPoints() < 0 || data->GetNumberOfCells() < 0)
+  {
+    throw Failure(path + ": says a size that cannot be; write it again");
+  }
+  const std::pair<vtkFieldData*, vtkIdType> all[] = {
+    { data->GetPointData(), data->GetNumberOfPoints() },
+    { data->GetCellData(), data->GetNumberOfCells() },
+  };
+  for (const auto& [arrays, number] : all)
+  {
+    for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+    {
+      if (arrays->GetAbstractArray(i)->GetNumberOfTuples() < number)
+      {
+        throw Failure(path + ": has too few values in an array; write it again");
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void AddDataObject(vtkDataObject* object, FileContents& contents)
 {
   if (auto* dataSet = vtkDataSet::SafeDownCast(object))
   {
+    CheckSizes(contents.Path, dataSet);
     CheckCells(contents.Path, dataSet);
     contents.DataSets.emplace_back(dataSet);
   }
@@ -135,6 +164,33 @@ void Update(Reader* reader, const std::string& path, FileContents& contents)
   const Progress progress(reader, "reading " + contents.Path);
   reader->Update();
   AddDataObject(reader->GetOutputDataObject(0), contents);
+}
+
+//------------------------------------------------------------------------------
+/**
+ * VTK's XML readers give a name to each number of a tuple, and take hours for as many as a damaged file
+ * may say.
+ */
+template <typename Reader>
+void ReadXml(const std::string& path, FileContents& contents)
+{
+  constexpr long most = 100000;
+  constexpr std::size_t enough = 1
+    << 20; // of the file: what it says of its arrays stands before their values
+  std::string start(enough, ' ');
+  std::ifstream file(path, std::ios::binary);
+  file.read(start.data(), enough);
+  start.resize(static_cast<std::size_t>(file.gcount()));
+  const std::string word = "NumberOfComponents=\"";
+  for (auto at = start.find(word); at != std::string::npos; at = start.find(word, at + 1))
+  {
+    if (std::strtol(start.c_str() + at + word.size(), nullptr, 10) > most)
+    {
+      throw Failure(path + ": says a size that cannot be; write it again");
+    }
+  }
+  vtkNew<Reader> reader;
+  Update(reader.Get(), path, contents);
 }
 
 //------------------------------------------------------------------------------
@@ -427,24 +483,24 @@ const std::map<std::string, ReadFunction>& Types()
     { ".ply", ReadPly },
     { ".png", ReadData<vtkPNGReader> },
     { ".ppm", ReadPnm },
-    { ".pvti", ReadData<vtkXMLPImageDataReader> },
-    { ".pvtp", ReadData<vtkXMLPPolyDataReader> },
-    { ".pvtr", ReadData<vtkXMLPRectilinearGridReader> },
-    { ".pvts", ReadData<vtkXMLPStructuredGridReader> },
-    { ".pvtu", ReadData<vtkXMLPUnstructuredGridReader> },
+    { ".pvti", ReadXml<vtkXMLPImageDataReader> },
+    { ".pvtp", ReadXml<vtkXMLPPolyDataReader> },
+    { ".pvtr", ReadXml<vtkXMLPRectilinearGridReader> },
+    { ".pvts", ReadXml<vtkXMLPStructuredGridReader> },
+    { ".pvtu", ReadXml<vtkXMLPUnstructuredGridReader> },
     { ".stl", ReadStl },
     { ".tif", ReadTiff },
     { ".tiff", ReadTiff },
-    { ".vti", ReadData<vtkXMLImageDataReader> },
+    { ".vti", ReadXml<vtkXMLImageDataReader> },
     { ".vtk", ReadData<vtkGenericDataObjectReader> },
-    { ".vtm", ReadData<vtkXMLMultiBlockDataReader> },
-    { ".vtmb", ReadData<vtkXMLMultiBlockDataReader> },
-    { ".vtp", ReadData<vtkXMLPolyDataReader> },
-    { ".vtpc", ReadData<vtkXMLPartitionedDataSetCollectionReader> },
-    { ".vtpd", ReadData<vtkXMLPartitionedDataSetReader> },
-    { ".vtr", ReadData<vtkXMLRectilinearGridReader> },
-    { ".vts", ReadData<vtkXMLStructuredGridReader> },
-    { ".vtu", ReadData<vtkXMLUnstructuredGridReader> },
+    { ".vtm", ReadXml<vtkXMLMultiBlockDataReader> },
+    { ".vtmb", ReadXml<vtkXMLMultiBlockDataReader> },
+    { ".vtp", ReadXml<vtkXMLPolyDataReader> },
+    { ".vtpc", ReadXml<vtkXMLPartitionedDataSetCollectionReader> },
+    { ".vtpd", ReadXml<vtkXMLPartitionedDataSetReader> },
+    { ".vtr", ReadXml<vtkXMLRectilinearGridReader> },
+    { ".vts", ReadXml<vtkXMLStructuredGridReader> },
+    { ".vtu", ReadXml<vtkXMLUnstructuredGridReader> },
   };
   return types;
 }

@@ -251,14 +251,7 @@ GltfFile::GltfFile(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-GltfFile::~GltfFile()
-{
-  std::error_code ignored;
-  if (!this->Folder.empty())
-  {
-    fs::remove_all(this->Folder, ignored);
-  }
-}
+GltfFile::~GltfFile() = default; // the copy goes before its folder
 
 //------------------------------------------------------------------------------
 /**
@@ -326,8 +319,9 @@ void GltfFile::WriteCopy()
       ": pictures are missing, and there is no folder for a copy without "
       "them; set TMPDIR to one that may be written");
   }
-  this->Folder = folder;
+  this->Folder.emplace(folder);
   this->PathToRead = (fs::path(folder) / fs::path(this->Path).filename()).string();
+  this->Copy.emplace(this->PathToRead);
   std::ofstream copy(this->PathToRead, std::ios::binary);
   if (this->Rest == 0)
   {

@@ -7,9 +7,12 @@
 #ifndef GltfFile_h
 #define GltfFile_h
 
+#include "Temporary.h"
+
 #include <cstddef> // For std::size_t
-#include <string>  // For std::string
-#include <vector>  // For std::vector
+#include <optional>
+#include <string> // For std::string
+#include <vector> // For std::vector
 
 class GltfFile
 {
@@ -42,8 +45,9 @@ private:
   std::string Path;
   std::string PathToRead;
   std::string Json;
-  std::size_t Rest = 0; ///< where in a .glb what follows the JSON begins
-  std::string Folder;   ///< of the copy; empty when there is none
+  std::size_t Rest = 0;            ///< where in a .glb what follows the JSON begins
+  std::optional<Temporary> Folder; ///< of the copy, if there is one
+  std::optional<Temporary> Copy;
   std::vector<std::string> MissingPictures;
 };
 

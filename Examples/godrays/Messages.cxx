@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Messages.h"
 
+#include "Temporary.h"
+
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 
@@ -22,6 +24,7 @@ constexpr std::array<int, 5> CrashSignals = { SIGSEGV, SIGABRT, SIGFPE, SIGBUS, 
 void EndAfterCrash(int)
 {
   // Only functions that a signal handler may call.
+  Temporary::RemoveAll();
   if (write(userError, crashLine.data(), crashLine.size()) < 0)
   {
     _exit(2);

@@ -3,6 +3,7 @@
 #include "Output.h"
 
 #include "Failure.h"
+#include "Temporary.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkGodRaysEXRWriter.h"
@@ -86,6 +87,7 @@ void WriteWhole(Writer* writer, const std::string& option, const std::string& pa
   const fs::path final = fs::weakly_canonical(path, error);
   const fs::path part =
     final.parent_path() / ("." + std::to_string(getpid()) + "-" + final.filename().string());
+  const Temporary temporary(part.string());
   writer->SetFileName(part.c_str());
   writer->Write();
   const auto size = fs::file_size(part, error);
@@ -97,7 +99,6 @@ void WriteWhole(Writer* writer, const std::string& option, const std::string& pa
   }
   if (!isWritten)
   {
-    fs::remove(part, error);
     throw Failure(option + ": " + path + " could not be written; is the disk full?");
   }
 }

@@ -359,6 +359,24 @@ std::vector<FileContents> ReadFiles(const Options& options)
 
 //------------------------------------------------------------------------------
 /**
+ * MakeScene(), in which a filter of VTK's may crash of what a damaged file holds.
+ */
+Scene MakeSceneOf(const std::vector<FileContents>& files, const Options& options)
+{
+  const std::string which = files.size() == 1 ? files.front().Path : "one of the files";
+  const std::string remedy = "; the file is damaged, or not what its name says: write it again";
+  const Messages messages(true, "godrays: " + which + ": cannot be drawn" + remedy);
+  Scene scene = MakeScene(files, options);
+  if (!messages.GetErrors().empty())
+  {
+    throw Failure(which + ": cannot be drawn (" + messages.GetErrors().front() + ")" + remedy);
+  }
+  ShowLines(messages.GetWarnings());
+  return scene;
+}
+
+//------------------------------------------------------------------------------
+/**
  * Tell of what VTK said while it drew. Returns whether there was an error.
  */
 bool TellMessages(const Messages& messages)
@@ -474,7 +492,7 @@ int Run(int argc, char* argv[])
   const double start = GetSeconds();
   const auto files = ReadFiles(*options);
   times.Reading = GetSeconds() - start;
-  const Scene scene = MakeScene(files, *options);
+  const Scene scene = MakeSceneOf(files, *options);
   const Viewpoint view = MakeViewpoint(scene, *options);
   if (options->Rays)
   {

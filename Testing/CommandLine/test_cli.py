@@ -8,10 +8,12 @@ import pathlib
 import re
 import resource
 import shutil
+import signal
 import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 import numpy
@@ -341,6 +343,19 @@ class DamagedFiles(ProgramTest):
         path.write_text("NRRD0004\ntype: float\nsizes: 2 2 2\nencoding: raw\ndata file: values.raw\n")
         self.fails(path, "--output", self.folder / "p.png", says=[path.name, "no dimension"])
 
+    def test_sizes_that_cannot_be(self):
+        image = (self.folder / "a.vti").read_bytes()
+        many = (self.folder / "a.pvtu").read_text()
+        for name, contents, words in (
+            ("size.vti", re.sub(rb'WholeExtent="0 (\d+) 0', rb'WholeExtent="0 \1 100000000', image, 1), []),
+            ("components.pvtu", re.sub('NumberOfComponents="3"', 'NumberOfComponents="100000000"', many, 1),
+             ["a size that cannot be"]),
+        ):
+            with self.subTest(name):
+                path = self.folder / name
+                path.write_bytes(contents if isinstance(contents, bytes) else contents.encode())
+                self.fails(path, "--output", self.folder / "p.png", says=[name, *words])
+
     def test_coordinates_that_are_too_far(self):
         path = self.folder / "far.obj"
         path.write_text("v 0 0 0\nv 1e20 0 0\nv 0 1e20 0\nf 1 2 3\n")
@@ -524,6 +539,32 @@ class Arguments(ProgramTest):
         self.assertTrue(link.is_symlink())
         self.read(target, (1200, 800))
         self.assertEqual(len(list(folder.iterdir())), 2)
+
+    def test_nothing_is_left_of_a_program_that_is_ended(self):
+        former = b"the former picture"
+        for number in (signal.SIGINT, signal.SIGTERM):
+            with self.subTest(signal=number), tempfile.TemporaryDirectory() as name:
+                folder = pathlib.Path(name)
+                (folder / "p.png").write_bytes(former)
+                program = subprocess.Popen(
+                    [os.environ["GODRAYS_PROGRAM"], self.mesh, "--size", "3000x2000", "--output", folder / "p.png"],
+                    stderr=subprocess.PIPE, text=True)
+                while program.poll() is None and len(list(folder.iterdir())) < 2:
+                    time.sleep(0.001)
+                program.send_signal(number)
+                told = program.communicate(timeout=60)[1]
+                self.assertEqual(program.returncode, -number, told)
+                self.assertEqual([each.name for each in folder.iterdir()], ["p.png"])
+                self.assertEqual((folder / "p.png").read_bytes(), former)
+
+    def test_nothing_is_left_of_a_copy_when_a_reader_crashes(self):
+        """Of a file whose picture is missing there is a copy; its nodes go round in circles."""
+        path = self.folder / "copied.gltf"
+        path.write_text('{"asset":{"version":"2.0"},"nodes":[{"children":[0]}],"scene":0,'
+                        '"scenes":[{"nodes":[0]}],"images":[{"uri":"none.png"}]}')
+        with tempfile.TemporaryDirectory() as folder:
+            self.fails(path, "--output", self.folder / "p.png", says=["cannot be read"], TMPDIR=folder)
+            self.assertEqual(os.listdir(folder), [])
 
     def test_no_display(self):
         picture = self.folder / "p.png"

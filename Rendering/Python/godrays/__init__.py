@@ -701,8 +701,7 @@ _arrays.document(enable, vtkGodRaysPass, *_MODELS.values())
 _arrays.document(sky, vtkGodRaysSkyPass)
 if not TYPE_CHECKING:
     __all__ = [
-        "Error", "GodRaysWarning", "apply", "disable", "enable", "measure", "presets",
-        "raising", "render", "scatter",
-        "sky", "sun", "tag", "to_array", "to_image", "tone_map",
+        "Error", "GodRaysWarning", "apply", "disable", "enable", "measure", "presets", "raising", "render",
+        "scatter", "sky", "sun", "tag", "to_array", "to_image", "tone_map",
         *(each.__name__ for each in _classes),
     ]

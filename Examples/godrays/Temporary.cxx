@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Temporary.h"
+
+#include <array>
+#include <csignal>
+#include <cstdio>
+
+namespace
+{
+constexpr int Most = 8;
+std::array<std::array<char, 4096>, Most> paths;
+std::array<volatile std::sig_atomic_t, Most> used;
+
+//------------------------------------------------------------------------------
+// std::remove() is unlink() or rmdir(), which a signal handler may call.
+void EndBySignal(int signal)
+{
+  Temporary::RemoveAll();
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+//------------------------------------------------------------------------------
+void CatchEnds()
+{
+  for (const int signal : { SIGINT, SIGTERM, SIGHUP })
+  {
+    struct sigaction former = {};
+    sigaction(signal, nullptr, &former);
+    if (former.sa_handler == SIG_DFL) // nohup ignores SIGHUP, and that is so to stay
+    {
+      std::signal(signal, EndBySignal);
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+Temporary::Temporary(const std::string& path)
+  : Path(path)
+  , Place(0)
+{
+  CatchEnds();
+  while (this->Place < Most && used[this->Place])
+  {
+    ++this->Place;
+  }
+  if (this->Place < Most && path.size() < paths[this->Place].size())
+  {
+    path.copy(paths[this->Place].data(), path.size());
+    paths[this->Place][path.size()] = '\0';
+    used[this->Place] = 1;
+  }
+  else
+  {
+    this->Place = Most;
+  }
+}
+
+//------------------------------------------------------------------------------
+Temporary::~Temporary()
+{
+  std::remove(this->Path.c_str());
+  if (this->Place < Most)
+  {
+    used[this->Place] = 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+void Temporary::RemoveAll()
+{
+  for (int i = Most; i-- > 0;)
+  {
+    if (used[i])
+    {
+      std::remove(paths[i].data());
+    }
+  }
+}
