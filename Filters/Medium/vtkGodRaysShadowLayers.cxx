@@ -37,15 +37,106 @@ bool IsColored(const std::vector<vtkGodRaysShadowLayers::Surface>& surfaces)
   }
   return colored;
 }
+
+using Haze = vtkGodRaysShadowLayers::Haze;
+
+// What a texel has of a haze: layers of equal parts.
+struct Veil
+{
+  int Count = 0;
+  float Depths[Haze::Layers];
+  float Lost = 0.0f; // part of the light, in the end
+
+  // What the light that is left behind k of them is times behind the next one.
+  float GetThrough(int k) const
+  {
+    return (Haze::Layers - (k + 1) * this->Lost) / (Haze::Layers - k * this->Lost);
+  }
+};
+
+// Which face a texel of a map is in, and where.
+void FindTexel(
+  const vtkGodRaysShadowGrids& grids, int size, std::ptrdiff_t texel, int& face, int at[2])
+{
+  const std::ptrdiff_t stride = grids.Grids[0].Stride;
+  const int x = static_cast<int>(texel % stride);
+  const int y = static_cast<int>(texel / stride);
+  face = static_cast<int>(y / size * (stride / size) + x / size);
+  at[0] = x % size;
+  at[1] = y % size;
+}
+
+// Linear between places.
+void FindVeil(
+  const Haze& haze, const vtkGodRaysShadowGrids& grids, std::ptrdiff_t texel, Veil& veil)
+{
+  veil.Count = 0;
+  int face;
+  int at[2];
+  FindTexel(grids, haze.FaceSize, texel, face, at);
+  if (face >= grids.Levels)
+  {
+    return;
+  }
+  constexpr int values = Haze::Slices + 1;
+  const float* places[4];
+  float weights[4] = { 1.0f, 1.0f, 1.0f, 1.0f };
+  int low[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    const float x = std::min(
+      std::max((static_cast<float>(at[i]) + 0.5f) / Haze::Scale - 0.5f, 0.0f), haze.Size - 1.0f);
+    low[i] = std::min(static_cast<int>(x), std::max(haze.Size - 2, 0));
+    const float part = x - static_cast<float>(low[i]);
+    for (int k = 0; k < 4; ++k)
+    {
+      weights[k] *= (k >> i & 1) != 0 ? part : 1.0f - part;
+    }
+  }
+  for (int k = 0; k < 4; ++k)
+  {
+    const int x = std::min(low[0] + (k & 1), haze.Size - 1);
+    const int y = std::min(low[1] + (k >> 1), haze.Size - 1);
+    places[k] = haze.Dark.data() +
+      ((static_cast<std::ptrdiff_t>(face) * haze.Size + y) * haze.Size + x) * values;
+  }
+  const auto get = [&](int slice)
+  {
+    return weights[0] * places[0][slice] + weights[1] * places[1][slice] +
+      weights[2] * places[2][slice] + weights[3] * places[3][slice];
+  };
+  veil.Lost = std::min(get(Haze::Slices), 1.0f - 1e-6f);
+  if (veil.Lost < 1e-4f)
+  {
+    return;
+  }
+  float before = 0.0f;
+  for (int slice = 1; slice <= Haze::Slices; ++slice)
+  {
+    const float dark = get(slice);
+    while (veil.Count < Haze::Layers)
+    {
+      const float wanted = (static_cast<float>(veil.Count) + 0.5f) / Haze::Layers * veil.Lost;
+      if (wanted > dark)
+      {
+        break;
+      }
+      const float part = (wanted - before) / std::max(dark - before, 1e-20f);
+      veil.Depths[veil.Count++] =
+        haze.Depths[slice - 1] + part * (haze.Depths[slice] - haze.Depths[slice - 1]);
+    }
+    before = dark;
+  }
+}
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysShadowLayers::Make(
-  const std::vector<float>& opaque, const std::vector<Surface>& surfaces)
+void vtkGodRaysShadowLayers::Make(const std::vector<float>& opaque,
+  const std::vector<Surface>& surfaces, const Haze* haze, const vtkGodRaysShadowGrids& grids)
 {
   this->Colored = IsColored(surfaces);
   const int channels = this->Colored ? 3 : 1;
-  this->Room.resize(surfaces.size() + 1);
+  this->Room.resize(surfaces.size() + 1 + (haze ? Haze::Layers : 0));
   for (Planes& planes : this->Room)
   {
     planes.Depths.resize(opaque.size());
@@ -59,11 +150,11 @@ void vtkGodRaysShadowLayers::Make(
     [&](vtkIdType begin, vtkIdType end)
     {
       int mostHere = 0;
+      Veil veil;
       for (vtkIdType i = begin; i < end; ++i)
       {
         int layer = 0;
         float through[3] = { 1.0f, 1.0f, 1.0f }; // what is before
-        float last = 0.0f;
         const auto add = [&](float depth, const float* let)
         {
           Planes& planes = this->Room[layer++];
@@ -74,17 +165,34 @@ void vtkGodRaysShadowLayers::Make(
             planes.Dark[c][i] = through[c] * (1.0f - t);
             through[c] *= t;
           }
-          last = depth;
         };
+        float lastSurface = -1.0f;
+        int k = 0; // of the veil
+        const auto addVeil = [&](float end)
+        {
+          for (; k < veil.Count && veil.Depths[k] < end; ++k)
+          {
+            const float t = veil.GetThrough(k);
+            const float let[3] = { t, t, t };
+            add(veil.Depths[k], let);
+          }
+        };
+        if (haze)
+        {
+          FindVeil(*haze, grids, i, veil);
+        }
         for (const Surface& surface : surfaces)
         {
           const float* let = surface.Through.data() + 4 * i;
           const float depth = surface.Depths[i];
-          if (let[3] > 0.0f && (layer == 0 || depth > last) && depth < opaque[i])
+          if (let[3] > 0.0f && depth > lastSurface && depth < opaque[i])
           {
+            addVeil(depth);
             add(depth, let);
+            lastSurface = depth;
           }
         }
+        addVeil(opaque[i]);
         if (opaque[i] < 1.0f)
         {
           add(opaque[i], nullptr);

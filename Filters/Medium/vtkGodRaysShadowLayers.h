@@ -26,11 +26,28 @@ public:
       Through; // red, green, blue [0, 1] and 1; the fourth is 0 where nothing is met
   };
 
+  /// What dims a light all along its rays, at places each Scale x Scale texels of a face. It becomes layers
+  /// of equal parts of what is dark in the end, in whose middles they lie.
+  struct Haze
+  {
+    static constexpr int Scale = 4;
+    static constexpr int Slices = 32;
+    static constexpr int Layers = 16;
+
+    int FaceSize = 0;              // [texels]
+    int Size = 0;                  // of a face [places]
+    float Depths[Slices + 1] = {}; // where slices end, from the first one's begin on
+    std::vector<float>
+      Dark; // of faces, of rows, of places: part of the light that is lost up to there
+  };
+
   /**
-   * Make them, of the depths of what is opaque, and of surfaces before it, the nearest first. A surface
-   * that is not beyond those before it does not count.
+   * Make them, of the depths of what is opaque, of surfaces before it, the nearest first, and of a haze if
+   * it is not null. A surface that is not beyond those before it does not count. For a haze, grids tell
+   * which texels are which face's.
    */
-  void Make(const std::vector<float>& opaque, const std::vector<Surface>& surfaces);
+  void Make(const std::vector<float>& opaque, const std::vector<Surface>& surfaces,
+    const Haze* haze, const vtkGodRaysShadowGrids& grids);
 
   void Clear();
 

@@ -12,6 +12,7 @@
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysProjection.h"
 #include "vtkGodRaysView.h"
+#include "vtkGodRaysVolumeHaze.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -225,7 +226,11 @@ vtkGodRaysShadowMap::State vtkGodRaysShadowMap::GetState(
   }
   for (vtkProp* prop : *request.Occluders)
   {
-    if (!AddState(prop, state.Objects, state.Numbers))
+    if (vtkVolume* volume = vtkGodRaysVolumeHaze::GetVolume(prop))
+    {
+      vtkGodRaysVolumeHaze::AddState(volume, state.Objects, state.Numbers);
+    }
+    else if (!AddState(prop, state.Objects, state.Numbers))
     {
       return State();
     }
@@ -297,31 +302,56 @@ bool vtkGodRaysShadowMap::RenderTranslucent(
   std::vector<vtkProp*> props;
   std::copy_if(request.Occluders->begin(), request.Occluders->end(), std::back_inserter(props),
     [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; });
-  const bool hasAny = vtkGodRaysCompositor::Any(request.Compositor, !props.empty());
+  std::vector<vtkVolume*> volumes;
   this->LeftOut = this->Translucent ? 0 : static_cast<int>(props.size());
-  this->Layers.Clear();
-  if (!hasAny || !this->Translucent)
+  for (vtkProp* prop : *request.Occluders)
   {
-    if (this->Peeler)
+    vtkVolume* volume = this->Translucent ? vtkGodRaysVolumeHaze::GetVolume(prop) : nullptr;
+    if (volume)
     {
-      this->Peeler->ReleaseGraphicsResources(request.Window);
-      this->Peeler = nullptr;
+      volumes.push_back(volume);
     }
-    return true;
+    else if (vtkGodRaysVolumeHaze::HasVolume(prop))
+    {
+      ++this->LeftOut;
+    }
   }
-  if (!this->Peeler)
+  const bool hasSurfaces =
+    vtkGodRaysCompositor::Any(request.Compositor, !props.empty()) && this->Translucent;
+  const bool hasVolumes = vtkGodRaysCompositor::Any(request.Compositor, !volumes.empty());
+  this->Layers.Clear();
+  if (!hasSurfaces && this->Peeler)
+  {
+    this->Peeler->ReleaseGraphicsResources(request.Window);
+    this->Peeler = nullptr;
+  }
+  if (hasSurfaces && !this->Peeler)
   {
     this->Peeler = vtkSmartPointer<vtkGodRaysLightLayers>::New();
   }
-  const bool drawn = this->Peeler->Draw(request.Window, request.Renderer, props, map,
-    request.Compositor, [&](const std::function<void()>& draw) { this->ForFaces(request, draw); });
-  if (drawn && request.Result && !this->Peeler->GetSurfaces().empty())
+  if (hasSurfaces &&
+    !this->Peeler->Draw(request.Window, request.Renderer, props, map, request.Compositor,
+      [&](const std::function<void()>& draw) { this->ForFaces(request, draw); }))
+  {
+    return false;
+  }
+  static const std::vector<vtkGodRaysShadowLayers::Surface> none;
+  const auto& surfaces = hasSurfaces ? this->Peeler->GetSurfaces() : none;
+  vtkGodRaysShadowLayers::Haze haze;
+  if (hasVolumes)
+  {
+    vtkGodRaysVolumeHaze::Make(request, volumes, this->Grids, this->Size, haze);
+  }
+  if (request.Result && (hasVolumes || !surfaces.empty())) // not where there is no picture
   {
     this->Depths = map.ReadDepth();
-    this->Layers.Make(this->Depths, this->Peeler->GetSurfaces());
+    this->Layers.Make(this->Depths, surfaces, hasVolumes ? &haze : nullptr, this->GetGrids());
   }
-  this->Peeler->Clear();
-  return drawn;
+  if (hasSurfaces)
+  {
+    this->Peeler->Clear();
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -331,19 +361,26 @@ std::string vtkGodRaysShadowMap::DescribeLayers() const
   {
     return "";
   }
+  std::string text;
+  if (this->Layers.GetNumberOfLayers() > 0)
+  {
+    text += "; " + std::to_string(this->Layers.GetNumberOfLayers()) +
+      " layers, as some props let light through";
+  }
+  if (this->Peeler && this->Peeler->WereMore())
+  {
+    text += "; what is behind " + std::to_string(vtkGodRaysLightLayers::MaximumSurfaces) +
+      " translucent surfaces casts no shadow unless it is opaque";
+  }
   if (this->LeftOut > 0)
   {
-    return "; steps leave out what is translucent: " + std::to_string(this->LeftOut) +
-      " props cast no shadow";
+    text += "; " + std::to_string(this->LeftOut) +
+      (this->Translucent
+          ? " volumes cast no shadow: they are no images, or have gradient opacity or "
+            "another blend mode than composite"
+          : " translucent props or volumes cast no shadow in steps");
   }
-  return this->Layers.GetNumberOfLayers() == 0
-    ? ""
-    : "; " + std::to_string(this->Layers.GetNumberOfLayers()) +
-      " layers, as some props let light through" +
-      (this->Peeler->WereMore()
-          ? ": what is behind " + std::to_string(vtkGodRaysLightLayers::MaximumSurfaces) +
-            " translucent surfaces casts no shadow unless it is opaque"
-          : "");
+  return text;
 }
 
 //------------------------------------------------------------------------------

@@ -9,10 +9,15 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkTexture.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
 
 #include <cmath>
 
@@ -48,6 +53,27 @@ protected:
   {
     return this->AddPane(
       { -60.0, height, -60.0 }, { 120.0, 0.0, 0.0 }, { 0.0, 0.0, 120.0 }, opacity, color);
+  }
+
+  /// Data that are 1 everywhere, in a box, of an opacity for each unit of length.
+  vtkVolume* AddSlab(std::array<double, 3> low, std::array<double, 3> size, double opacity)
+  {
+    vtkNew<vtkImageData> data;
+    data->SetDimensions(5, 5, 5);
+    data->SetOrigin(low.data());
+    data->SetSpacing(0.25 * size[0], 0.25 * size[1], 0.25 * size[2]);
+    data->AllocateScalars(VTK_FLOAT, 1);
+    std::fill_n(static_cast<float*>(data->GetScalarPointer()), 125, 1.0f);
+    vtkNew<vtkGPUVolumeRayCastMapper> mapper;
+    mapper->SetInputData(data);
+    vtkNew<vtkPiecewiseFunction> opacities;
+    opacities->AddPoint(0.0, opacity);
+    opacities->AddPoint(2.0, opacity);
+    vtkNew<vtkVolume> volume;
+    volume->SetMapper(mapper);
+    volume->GetProperty()->SetScalarOpacity(opacities);
+    this->Renderer->AddVolume(volume);
+    return volume;
   }
 
   /// Panes before, among and behind pillars.
@@ -240,4 +266,79 @@ TEST_F(GodRaysTranslucentShadows, AreCutOut)
     roof->SetPosition(45.0 - 30.0 * i, 0.0, 0.0); // the quarter's middle is over what is seen
     EXPECT_NEAR(this->GetLeft(), expected[i], 2e-3) << i;
   }
+}
+
+// A slab of a known optical depth, above all that is seen; cropped, clipped, and changed.
+TEST_F(GodRaysTranslucentShadows, OfVolumes)
+{
+  this->MeasureLit();
+  auto slab = this->AddSlab({ -60.0, 12.0, -60.0 }, { 120.0, 2.0, 120.0 }, 0.1);
+  const double slant = std::sqrt(0.1 * 0.1 + 1.0 + 0.05 * 0.05);
+  EXPECT_NEAR(this->GetLeft(), std::pow(0.9, 2.0 * slant), 1e-3);
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "16 layers")) << this->Rays->GetPlan();
+  this->Scene.Window->Render();
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), ", kept")) << this->Rays->GetPlan();
+  slab->GetProperty()->SetScalarOpacityUnitDistance(0.5);
+  EXPECT_NEAR(this->GetLeft(), std::pow(0.9, 4.0 * slant), 1e-3);
+  auto pane = this->AddRoof(13.0, 0.5);
+  EXPECT_NEAR(this->GetLeft(), 0.5 * std::pow(0.9, 4.0 * slant), 1e-3) << "a pane in it";
+  pane->VisibilityOff();
+  auto mapper = vtkVolumeMapper::SafeDownCast(slab->GetMapper());
+  mapper->CroppingOn();
+  mapper->SetCroppingRegionPlanes(-60.0, 60.0, 12.5, 14.0, -60.0, 60.0);
+  mapper->SetCroppingRegionFlagsToSubVolume();
+  EXPECT_NEAR(this->GetLeft(), std::pow(0.9, 3.0 * slant), 4e-3);
+  mapper->CroppingOff();
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.0, 13.0, 0.0);
+  plane->SetNormal(0.0, -1.0, 0.0);
+  mapper->AddClippingPlane(plane);
+  EXPECT_NEAR(this->GetLeft(), std::pow(0.9, 2.0 * slant), 4e-3);
+  plane->SetNormal(1.0, 0.0, 0.0);
+  plane->SetOrigin(40.0, 0.0, 0.0);
+  EXPECT_NEAR(this->GetLeft(), 1.0, 1e-3);
+  vtkGodRaysPass::SetRole(slab, vtkGodRaysPass::IGNORED);
+  EXPECT_NEAR(this->GetLeft(), 1.0, 1e-4);
+}
+
+// Along a view ray in a slab that fills the picture's depths, against a sum of the two exponentials.
+TEST_F(GodRaysTranslucentShadows, InsideAVolume)
+{
+  const double sigma = 0.05;
+  this->AddSun({ 0.0, 1.0, 0.0 });
+  auto image = this->GetScattering();
+  const double lit = GetValue(image, 64, 48);
+  // The middle of the picture is seen at y = 0, with 6 of 12 above it.
+  this->AddSlab({ -60.0, -6.0, -60.0 }, { 120.0, 12.0, 120.0 }, 1.0 - std::exp(-sigma));
+  const double left = GetValue(this->GetScattering(), 64, 48) / lit;
+  std::cout << "left in the middle of a slab: " << left << ", " << std::exp(-6.0 * sigma) << "\n";
+  EXPECT_NEAR(left, std::exp(-6.0 * sigma), 0.01);
+}
+
+TEST_F(GodRaysTranslucentShadows, OfVolumesInTheLightOfALamp)
+{
+  const std::array<double, 4> light{ 0.0, 9.0, 0.0, 1.0 };
+  this->SetLight(light);
+  // It is in the scene all the time: its bounds are what a lamp's power goes by.
+  auto slab = this->AddSlab({ -60.0, 6.0, -60.0 }, { 120.0, 1.0, 120.0 }, 0.2);
+  vtkGodRaysPass::SetRole(slab, vtkGodRaysPass::IGNORED);
+  const double lit = GetValue(this->GetScattering(), 64, 48);
+  vtkGodRaysPass::SetRole(slab, vtkGodRaysPass::AUTOMATIC);
+  const double left = GetValue(this->GetScattering(), 64, 48) / lit;
+  // A ray to z on the axis of view goes through the slab over sqrt(81 + z z)/9.
+  double sum = 0.0;
+  double all = 0.0;
+  for (int i = 0; i < 3000; ++i)
+  {
+    const double s = 0.01 * (i + 0.5);
+    const double z = this->Renderer->GetActiveCamera()->GetPosition()[2] - s;
+    const double way = std::sqrt(81.0 + z * z);
+    const double cosine = z / way; // of the angle by which light is turned
+    const double phase = std::pow(1.36 - 1.2 * cosine, -1.5);
+    const double value = std::exp(-0.05 * (s + way)) / (way * way) * phase;
+    all += value;
+    sum += value * std::pow(0.8, way / 9.0);
+  }
+  std::cout << "left of a lamp: " << left << ", " << sum / all << "\n";
+  EXPECT_NEAR(left, sum / all, 0.004);
 }

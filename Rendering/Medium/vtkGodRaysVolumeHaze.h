@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysVolumeHaze
+ * @brief   what volumes let through of a light, all along its rays; private to this module
+ *
+ * For each 4 x 4 texels of a shadow map, on the processor: steps through the data as linear interpolation
+ * and the opacity's transfer function have them, moved, cropped and clipped as their mappers do. Volumes are
+ * vtkVolume with an image and composite blending; gradient opacity, masks, and volumes of other data are
+ * left out.
+ */
+
+#ifndef vtkGodRaysVolumeHaze_h
+#define vtkGodRaysVolumeHaze_h
+
+#include "vtkGodRaysMediumIntegrator.h" // For Request
+#include "vtkGodRaysShadowLayers.h"
+
+#include <vector> // For std::vector
+
+class vtkProp;
+class vtkVolume;
+
+class vtkGodRaysVolumeHaze
+{
+public:
+  static bool HasVolume(vtkProp* prop);
+
+  /**
+   * A prop as a volume that it can be computed for; null for others.
+   */
+  static vtkVolume* GetVolume(vtkProp* prop);
+
+  /**
+   * Add what the volume's light depends on.
+   */
+  static void AddState(
+    vtkVolume* volume, std::vector<const void*>& objects, std::vector<double>& numbers);
+
+  /**
+   * Go through the volumes along the rays of a map whose grids are these, in faces of a size [texels], side
+   * by side as grids' First and Stride tell. All processes of a compositor call it, and get the volumes of
+   * all.
+   */
+  static void Make(const vtkGodRaysMediumIntegrator::Request& request,
+    const std::vector<vtkVolume*>& volumes, const vtkGodRaysShadowGrids& grids, int size,
+    vtkGodRaysShadowLayers::Haze& haze);
+};
+
+#endif
