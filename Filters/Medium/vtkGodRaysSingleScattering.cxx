@@ -622,8 +622,76 @@ public:
     }
   }
 
+  struct Veil
+  {
+    std::unique_ptr<TriangleTree> Triangles;
+    Vec3 Through;
+  };
+  std::vector<Veil> Veils;
+
+  /// A part of a ray that light reaches through something.
+  struct Veiled
+  {
+    Interval Part;
+    Vec3 Through;
+  };
+
+  std::vector<Veiled> FindVeiled(const Slice& slice, double farthest) const
+  {
+    std::vector<Veiled> all;
+    for (const Veil& veil : this->Veils)
+    {
+      std::vector<Interval> parts;
+      std::vector<Crossing> crossings;
+      slice.Cut(*veil.Triangles, farthest, parts, crossings);
+      for (const Crossing& crossing : crossings)
+      {
+        if (slice.AlongLight)
+        {
+          HideAlong(slice, this->Ray.Directional, farthest, { crossing }, parts);
+        }
+      }
+      for (const Interval& part : parts)
+      {
+        all.push_back({ part, veil.Through });
+      }
+    }
+    return all;
+  }
+
+  // Of a lit part of a ray, piece by piece.
+  template <typename Integrate>
+  static Vec3 SumVeiled(
+    const std::vector<Veiled>& veiled, double from, double to, const Integrate& integrate)
+  {
+    std::vector<double> ends = { from, to };
+    for (const Veiled& veil : veiled)
+    {
+      ends.push_back(std::min(std::max(veil.Part.Begin, from), to));
+      ends.push_back(std::min(std::max(veil.Part.End, from), to));
+    }
+    std::sort(ends.begin(), ends.end());
+    Vec3 sum(0.0);
+    for (std::size_t i = 1; i < ends.size(); ++i)
+    {
+      if (!(ends[i] > ends[i - 1]))
+      {
+        continue;
+      }
+      const double middle = 0.5 * (ends[i - 1] + ends[i]);
+      Vec3 through(1.0);
+      for (const Veiled& veil : veiled)
+      {
+        through *= veil.Part.Begin < middle && middle < veil.Part.End ? veil.Through : Vec3(1.0);
+      }
+      sum += through * integrate(ends[i - 1], ends[i]);
+    }
+    return sum;
+  }
+
   // The light of a ray's lit parts up to an end.
-  Vec3 Sum(const Scatter& f, double end, std::vector<Interval>& hidden) const
+  Vec3 Sum(const Scatter& f, double end, std::vector<Interval>& hidden,
+    const std::vector<Veiled>& veiled) const
   {
     std::sort(hidden.begin(), hidden.end(),
       [](const Interval& a, const Interval& b) { return a.Begin < b.Begin; });
@@ -632,6 +700,12 @@ public:
     Vec3 whole = integrate(0.0, end, Infinity);
     whole = f.Data ? whole : integrate(0.0, end, 1e-3 * GetLargest(whole));
     const double error = this->Tolerance * GetLargest(whole);
+    const auto integrateLit = [&](double from, double to)
+    {
+      return veiled.empty()
+        ? integrate(from, to, error)
+        : SumVeiled(veiled, from, to, [&](double a, double b) { return integrate(a, b, error); });
+    };
     Vec3 sum(0.0);
     double lit = 0.0; // from here on
     for (const Interval& interval : hidden)
@@ -642,11 +716,11 @@ public:
       }
       if (interval.Begin > lit)
       {
-        sum += integrate(lit, interval.Begin, error);
+        sum += integrateLit(lit, interval.Begin);
       }
       lit = std::max(lit, interval.End);
     }
-    return lit < end ? sum + integrate(lit, end, error) : sum;
+    return lit < end ? sum + integrateLit(lit, end) : sum;
   }
 };
 
@@ -676,6 +750,19 @@ void vtkGodRaysSingleScattering::SetSeen(vtkPolyData* seen)
 void vtkGodRaysSingleScattering::SetGrids(const std::vector<vtkGodRaysGrid>& grids)
 {
   this->Internals->Grids = grids;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSingleScattering::AddVeil(vtkPolyData* surface, const double through[3])
+{
+  this->Internals->Veils.push_back({ std::make_unique<TriangleTree>(GetTriangles(surface)),
+    Vec3(through[0], through[1], through[2]) });
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSingleScattering::RemoveAllVeils()
+{
+  this->Internals->Veils.clear();
 }
 
 //------------------------------------------------------------------------------
@@ -749,7 +836,7 @@ void vtkGodRaysSingleScattering::Evaluate(double x, double y, Result& result, do
     data.Cast(self.Grids, origin, along, end, self.Light, directional);
     f.Data = &data;
   }
-  const Vec3 sum = self.Sum(f, end, hidden);
+  const Vec3 sum = self.Sum(f, end, hidden, self.FindVeiled(slice, farthest));
   const Vec3 left = vtkGodRays::exp(-f.GetDepth(end));
   result.Transmittance[0] = left.x;
   result.Transmittance[1] = left.y;

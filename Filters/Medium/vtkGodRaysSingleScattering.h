@@ -78,6 +78,13 @@ public:
    */
   void SetGrids(const std::vector<vtkGodRaysGrid>& grids);
 
+  ///@{
+  /// Sheets, besides, that let parts of red, green and blue through, each time that light meets one; they
+  /// end no view ray.
+  void AddVeil(vtkPolyData* surface, const double through[3]);
+  void RemoveAllVeils();
+  ///@}
+
   void SetParameters(const Parameters& parameters);
 
   /**

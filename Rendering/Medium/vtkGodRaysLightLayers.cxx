@@ -14,6 +14,7 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -64,6 +65,17 @@ void Join(vtkGodRaysCompositor* compositor, Surface& surface)
 vtkGodRaysLightLayers::vtkGodRaysLightLayers()
 {
   this->SetActiveDrawBuffers(1);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysLightLayers::GetThrough(const double color[3], double opacity, double through[3])
+{
+  const double most = std::max({ color[0], color[1], color[2] });
+  for (int c = 0; c < 3; ++c)
+  {
+    const double hue = most > 0.0 ? color[c] / most : 1.0;
+    through[c] = std::pow(std::min(std::max(1.0 - opacity, 0.0), 1.0), 3.0 - 2.0 * hue);
+  }
 }
 
 //------------------------------------------------------------------------------

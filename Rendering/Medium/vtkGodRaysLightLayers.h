@@ -37,6 +37,9 @@ public:
   /// So many surfaces a ray of light goes through at most.
   static constexpr int MaximumSurfaces = 16;
 
+  /// What a surface of a colour and an opacity lets through of red, green and blue, as the shaders have it.
+  static void GetThrough(const double color[3], double opacity, double through[3]);
+
   /// Look through each part of the map in turn, and draw.
   using DrawFaces = std::function<void(const std::function<void()>& draw)>;
 

@@ -10,6 +10,7 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkGodRaysLight.h"
+#include "vtkGodRaysLightLayers.h"
 #include "vtkGodRaysMediumRays.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysSum.h"
@@ -27,6 +28,7 @@
 #include "vtkProperty.h"
 #include "vtkSmartPointer.h"
 #include "vtkTransformPolyDataFilter.h"
+#include "vtkVolume.h"
 
 #include <algorithm>
 #include <array>
@@ -132,6 +134,7 @@ void vtkGodRaysMediumVerification::TakeOccluders(const std::vector<vtkProp*>& pr
   this->Taken = std::move(now);
   this->HasTaken = true;
   this->LeftOut = 0;
+  this->Exact.RemoveAllVeils();
   vtkNew<vtkAppendPolyData> all;
   for (vtkProp* prop : props)
   {
@@ -141,8 +144,17 @@ void vtkGodRaysMediumVerification::TakeOccluders(const std::vector<vtkProp*>& pr
       vtkAssemblyNode* node = path->GetLastNode();
       vtkProp* part = node->GetViewProp();
       auto actor = vtkActor::SafeDownCast(part);
-      if (!part->GetVisibility() || !part->HasOpaqueGeometry())
+      if (!part->GetVisibility())
       {
+        continue;
+      }
+      if (part->HasTranslucentPolygonalGeometry())
+      {
+        this->LeftOut += this->AddVeil(actor, node->GetMatrix()) ? 0 : 1;
+      }
+      if (!part->HasOpaqueGeometry())
+      {
+        this->LeftOut += vtkVolume::SafeDownCast(part) ? 1 : 0;
         continue;
       }
       if (!actor || !AddActor(actor, node->GetMatrix(), all))
@@ -156,6 +168,25 @@ void vtkGodRaysMediumVerification::TakeOccluders(const std::vector<vtkProp*>& pr
     all->Update();
   }
   this->Exact.SetOccluders(all->GetNumberOfInputConnections(0) > 0 ? all->GetOutput() : nullptr);
+}
+
+//------------------------------------------------------------------------------
+// Of one opacity and colour all over; false if it is not.
+bool vtkGodRaysMediumVerification::AddVeil(vtkActor* actor, vtkMatrix4x4* matrix)
+{
+  vtkNew<vtkAppendPolyData> surface;
+  if (!actor || actor->GetTexture() || actor->GetMapper()->IsA("vtkCompositePolyDataMapper") ||
+    actor->GetMapper()->IsA("vtkCompositePolyDataMapper2") || !AddActor(actor, matrix, surface) ||
+    (actor->GetMapper()->GetScalarVisibility() && actor->GetMapper()->MapScalars(1.0)))
+  {
+    return false;
+  }
+  double through[3];
+  vtkGodRaysLightLayers::GetThrough(
+    actor->GetProperty()->GetColor(), actor->GetProperty()->GetOpacity(), through);
+  surface->Update();
+  this->Exact.AddVeil(surface->GetOutput(), through);
+  return true;
 }
 
 //------------------------------------------------------------------------------

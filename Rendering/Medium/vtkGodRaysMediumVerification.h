@@ -5,7 +5,7 @@
  * @brief   single scattering among the scene's polygons, evaluated exactly at some pixels; private to this
  * module
  *
- * The polygons of opaque actors block light, wherever they are, as their mappers have them: those of
+ * The polygons of actors block light, translucent ones by their opacity, wherever they are, as their mappers have them: those of
  * vtkPolyDataMapper and vtkCompositePolyDataMapper, moved and clipped, drawn as surfaces. They are taken
  * once, and again when an occluder changes. View rays end where the picture's depths are.
  */
@@ -21,7 +21,9 @@
 #include <utility> // For std::pair
 #include <vector>
 
+class vtkActor;
 class vtkGodRaysVerification;
+class vtkMatrix4x4;
 
 class vtkGodRaysMediumVerification
 {
@@ -39,6 +41,7 @@ public:
 
 private:
   void TakeOccluders(const std::vector<vtkProp*>& props);
+  bool AddVeil(vtkActor* actor, vtkMatrix4x4* matrix);
   void SetParameters(const vtkGodRaysMediumIntegrator::Request& request);
 
   vtkGodRaysSingleScattering Exact;
