@@ -20,6 +20,7 @@ ELSEWHERE = {
         "Atmosphere", "Sun", "SunElevation", "SunAzimuth", "Up", "North", "WorldUnitInMeters",
         "Compositor", "DelegatePass", "DisplayTransfer"},  # fmt: skip
     "vtkGodRaysSun": {"Ephemeris"},
+    "vtkGodRaysVisibilityFilter": {"CameraFocalPoint", "CameraViewUp"},  # which it does not read
     "vtkGodRaysSunPosition": {"DateTime", "Height", "Pressure", "Temperature"},
 }
 

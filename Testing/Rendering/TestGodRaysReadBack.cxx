@@ -142,3 +142,27 @@ TEST(GodRaysReadBack, GivesTheLastFrameOrNothing)
     }
   }
 }
+
+//------------------------------------------------------------------------------
+TEST(GodRaysReadBack, GivesTheNumbersOfTheLastFrameOrNothing)
+{
+  const Read read = &vtkGodRaysPass::GetMediumImage;
+  for (const Case& kind : { Kinds[3], Kinds[4] }) // media
+  {
+    for (const Case& change : Changes)
+    {
+      CheckReadBack(
+        kind, change.Name, [&](Stage& scene) { change.Apply(scene.Rays); }, read);
+    }
+    CheckReadBack(
+      kind, "resources released, of the pass",
+      [](Stage& scene) { scene.Rays->ReleaseGraphicsResources(scene.Window); }, read);
+    CheckReadBack(
+      kind, "resources released, of the integrator",
+      [](Stage& scene) { scene.Rays->GetIntegrator()->ReleaseGraphicsResources(scene.Window); },
+      read);
+    CheckReadBack(kind, "another size", [](Stage& scene) { scene.Window->SetSize(50, 40); }, read);
+    CheckReadBack(kind, "detached", [](Stage& scene) { scene.Rays->Detach(scene.Renderer); }, read);
+    CheckReadBack(kind, "without a window", [](Stage& scene) { scene.Window->Finalize(); }, read);
+  }
+}
