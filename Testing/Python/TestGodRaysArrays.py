@@ -195,6 +195,16 @@ class Render(unittest.TestCase):
             middle = (rows.min() + rows.max()) // 2
             self.assertGreater(seen[middle:].sum(), 1.5 * seen[:middle].sum())
         self.assertEqual(set(picture[0, 0]), {0})
+        pictures = []
+        for i, up in enumerate("xyz"):
+            cone.SetDirection(*(float(i == j) for j in range(3)))
+            seen = godrays.render(cone, SIZE, rays=False, transparent=True, up=up)[..., 3] > 127
+            pictures.append(seen)
+            self.assertGreater(seen[45:].sum(), 1.5 * seen[:45].sum(), up)
+        self.assertLess((pictures[0] != pictures[2]).mean(), 0.02)
+        cone.SetDirection(0, 0, 1)
+        with self.assertRaisesRegex(ValueError, "up='w' should be"):
+            godrays.render(cone, SIZE, up="w")
         red = godrays.render(cone, SIZE, rays=False, background="tomato")
         self.assertEqual(tuple(red[0, 0]), (255, 99, 71))
         with self.assertRaisesRegex(ValueError, "no color 'nocolor'"):

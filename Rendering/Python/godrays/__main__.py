@@ -13,11 +13,14 @@ import sys
 def find_program() -> str | None:
     """The program of the tree that this package is in, or that of the path."""
     package = pathlib.Path(__file__).resolve().parent
-    for folder in package.parents:
-        program = folder / "bin" / "godrays"
-        if os.access(program, os.X_OK) and program.is_file():
-            return str(program)
-    return shutil.which("godrays")
+    places = [package / "godrays", *(folder / "bin" / "godrays" for folder in package.parents)]
+    found = shutil.which("godrays")
+    for program in [*places, *([pathlib.Path(found)] if found else [])]:
+        if program.is_file() and os.access(program, os.X_OK):
+            with program.open("rb") as file:
+                if file.read(2) != b"#!":  # a wheel's script, which starts this
+                    return str(program)
+    return None
 
 
 def main() -> None:

@@ -9,6 +9,7 @@ import importlib
 import math
 import os
 import pathlib
+import warnings
 from typing import TYPE_CHECKING, Any
 
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject, vtkDataSet
@@ -23,7 +24,7 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 from ._arrays import to_image
-from ._errors import Error
+from ._errors import Error, GodRaysWarning, hushed
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -45,6 +46,7 @@ def render(
     preset: str | None = None,
     *,
     camera: vtkCamera | Sequence[float] = (-60.0, 15.0),
+    up: str = "z",
     zoom: float = 1.0,
     background: str | Sequence[float] | None = "#060a14",
     transparent: bool = False,
@@ -58,8 +60,10 @@ def render(
         is drawn with its own camera, lights and background, and is left as it was.
     size: width and height [pixels].
     preset: as of enable(); see presets().
-    camera: from where the data are seen with z upwards, (azimuth, elevation) [degrees]; the azimuth is
-        counted from the x axis to the y axis. All data are in the picture. Or a vtkCamera.
+    camera: from where the data are seen, (azimuth, elevation) [degrees]. All data are in the picture. Or a
+        vtkCamera.
+    up: the axis that points up, "x", "y" or "z". Azimuths are counted from the axis that comes next, in the
+        order x, y, z, x, to the one after that: with z up, from x to y.
     zoom: how much larger all is seen [no unit].
     background: a name of vtkNamedColors, "#rrggbb", or three numbers in [0, 1].
     transparent: give the picture an alpha, that of the data.
@@ -83,7 +87,7 @@ def render(
             scene.AddViewProp(prop)
         if background is not None:
             scene.SetBackground(*_color(background))
-        _look(scene, camera, zoom, width / height)
+        _look(scene, camera, up, zoom, width / height)
     window = vtkRenderWindow()
     _need_screen(window)
     former = scene.GetRenderWindow()
@@ -154,23 +158,19 @@ def _read_file(path: pathlib.Path) -> Any:
         raise Error(f"{path}: there is no such file")
     module, name = _READERS[suffix]
     reader = getattr(importlib.import_module(f"vtkmodules.{module}"), name)()
-    told: list[str] = []
-
-    def hear(_caller: Any, _event: str, text: str) -> None:
-        told.append(text)
-
-    hear.CallDataType = "string0"  # type: ignore[attr-defined]
-    reader.AddObserver("ErrorEvent", hear)
     reader.SetFileName(str(path))
-    reader.Update()
+    with hushed() as messages:
+        reader.Update()
     data = reader.GetOutputDataObject(0)
-    if told or data is None or (isinstance(data, vtkDataSet) and data.GetNumberOfPoints() == 0):
-        reason = told[0].strip().splitlines()[-1] if told else "it has no points"
-        raise Error(f"{path}: it cannot be read as {suffix}: {reason}")
+    reason = messages.get_reason()
+    if data is None or (isinstance(data, vtkDataSet) and data.GetNumberOfPoints() == 0):
+        raise Error(f"{path}: it cannot be read as {suffix}: {reason or 'it has no points'}")
+    if reason:
+        warnings.warn(f"{path}: {reason}", GodRaysWarning, stacklevel=4)
     return data
 
 
-def _look(scene: Any, camera: Any, zoom: float, aspect: float) -> None:
+def _look(scene: Any, camera: Any, up: str, zoom: float, aspect: float) -> None:
     if isinstance(camera, vtkCamera):
         scene.SetActiveCamera(camera)
         scene.ResetCameraClippingRange()
@@ -181,11 +181,18 @@ def _look(scene: Any, camera: Any, zoom: float, aspect: float) -> None:
             f"camera={tuple(camera)} should be (azimuth, elevation), with an elevation within 89.9")
     if not (math.isfinite(zoom) and zoom > 0):
         raise ValueError(f"zoom={zoom} should be a positive number")
+    if up not in ("x", "y", "z"):
+        raise ValueError(f'up={up!r} should be "x", "y" or "z"')
+    first = ("xyz".index(up) + 1) % 3
+    place, upwards = [0.0] * 3, [0.0] * 3
+    place[first] = math.cos(elevation) * math.cos(azimuth)
+    place[(first + 1) % 3] = math.cos(elevation) * math.sin(azimuth)
+    place["xyz".index(up)] = math.sin(elevation)
+    upwards["xyz".index(up)] = 1.0
     looks = scene.GetActiveCamera()
     looks.SetFocalPoint(0, 0, 0)
-    looks.SetPosition(math.cos(elevation) * math.cos(azimuth), math.cos(elevation) * math.sin(azimuth),
-        math.sin(elevation))
-    looks.SetViewUp(0, 0, 1)
+    looks.SetPosition(place)
+    looks.SetViewUp(upwards)
     scene.ResetCamera()
     if aspect < 1:  # the angle of view is that of the height
         looks.Dolly(aspect)
