@@ -76,9 +76,8 @@ void MakeTableKey(const Parameters& parameters, int width, int height, TableKey&
   key.assign({ width + 0.0, height + 0.0, parameters.PixelSize, parameters.Center[0],
     parameters.Center[1], parameters.Parallel + 0.0, parameters.Light[0], parameters.Light[1],
     parameters.Light[2], parameters.Light[3], medium.Up[0], medium.Up[1], medium.Up[2],
-    medium.EyeHeight, medium.PlanetRadius, medium.FarLimit, parameters.Spot.Axis[0],
-    parameters.Spot.Axis[1], parameters.Spot.Axis[2], parameters.Spot.CosCone,
-    parameters.Spot.Exponent, HasColoredShadows(parameters) + 0.0 });
+    medium.EyeHeight, medium.PlanetRadius, medium.FarLimit, HasColoredShadows(parameters) + 0.0 });
+  parameters.Spot.AddTo(key);
   for (int k = 0; k < medium.NumberOfComponents; ++k)
   {
     const Component& component = medium.Components[k];
@@ -352,7 +351,7 @@ private:
   void PrepareCone()
   {
     const vtkGodRaysSpot& spot = this->Settings.Spot;
-    if (spot.CosCone <= 0.0)
+    if (!spot.IsCone())
     {
       return;
     }
@@ -384,7 +383,7 @@ private:
             ray.Distance = length(cross(to, along)) / perDepth;
             ray.AxisStart = -dot(axis, to);
             ray.AxisSlope = dot(axis, along) / perDepth;
-            ray.CosCone = spot.CosCone;
+            spot.SetShape(ray);
             const std::ptrdiff_t pixel = y * image.Width + x;
             const double last = std::min<double>(image.Ends[pixel], settings.FarLimit);
             const Vec2 part = SpotPart(ray, last * perDepth) / perDepth;
@@ -687,7 +686,7 @@ bool vtkGodRaysCoverageSweep::Supports(const Parameters& parameters)
   const double level = std::hypot(spot.Axis[1] * medium.Up[2] - spot.Axis[2] * medium.Up[1],
     spot.Axis[2] * medium.Up[0] - spot.Axis[0] * medium.Up[2],
     spot.Axis[0] * medium.Up[1] - spot.Axis[1] * medium.Up[0]);
-  return spot.CosCone <= 0.0 || spot.Exponent <= 0.0 || level < 1e-3;
+  return !spot.Fades() || level < 1e-3;
 }
 
 //------------------------------------------------------------------------------

@@ -260,9 +260,14 @@ LitRay GetLitRay(
   const Vec3 up(settings.Up[0], settings.Up[1], settings.Up[2]);
   const Vec3 sliceAxis(settings.SliceAxis[0], settings.SliceAxis[1], settings.SliceAxis[2]);
   const Vec3 axis(settings.Spot.Axis[0], settings.Spot.Axis[1], settings.Spot.Axis[2]);
-  LitRay lit = { 0, ray.Foot, ray.Height, settings.EyeHeight, 0.0,
-    MediumHeight(radius, settings.EyeHeight, dot(up, light) / table.Distance, table.Distance),
-    radius, 0.0, 0.0, settings.Spot.CosCone, settings.Spot.Exponent };
+  LitRay lit = {};
+  lit.Foot = ray.Foot;
+  lit.Distance = ray.Height;
+  lit.Height = settings.EyeHeight;
+  lit.LightHeight =
+    MediumHeight(radius, settings.EyeHeight, dot(up, light) / table.Distance, table.Distance);
+  lit.PlanetRadius = radius;
+  settings.Spot.SetShape(lit);
   if (settings.Parallel)
   {
     // aside of the light, along the slices' axis and across it
@@ -297,7 +302,7 @@ void SetSlices(const CoverageSettings& settings, const CoverageImage& image, dou
   const double reach = std::min(longest, ReachOfSlices * table.Distance);
   table.Slices = 1;
   table.FirstSlice = table.SlicesPerUnit = table.InverseSide = 0.0f;
-  const bool fades = settings.Spot.CosCone > 0.0 && settings.Spot.Exponent > 0.0;
+  const bool fades = settings.Spot.Fades();
   if (scale <= 0.0 && !fades)
   {
     return;

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <vector>
 
 /// The cone of a point light, as vtkLight has it.
 struct vtkGodRaysSpot
@@ -21,6 +22,24 @@ struct vtkGodRaysSpot
   double Axis[3] = { 0.0, 0.0, 1.0 }; // in view coordinates; length 1
   double CosCone = 0.0;               // cosine of half its angle; 0: it shines everywhere alike
   double Exponent = 0.0;
+
+  bool IsCone() const { return this->CosCone > 0.0; }
+  bool Fades() const { return this->IsCone() && this->Exponent > 0.0; }
+
+  /// Give a LitRay of the formulas what does not depend on where the ray lies.
+  template <typename LitRay>
+  void SetShape(LitRay& ray) const
+  {
+    ray.CosCone = this->CosCone;
+    ray.SpotExponent = this->Exponent;
+  }
+
+  /// Add all numbers to those that something depends on.
+  void AddTo(std::vector<double>& key) const
+  {
+    key.insert(key.end(), this->Axis, this->Axis + 3);
+    key.insert(key.end(), { this->CosCone, this->Exponent });
+  }
 };
 
 struct vtkGodRaysMedium
