@@ -21,6 +21,55 @@ vtkGodRaysSetFiniteMacro(vtkGodRaysRadialFilter, MarchScale, -1e30, 1e30);
 namespace
 {
 constexpr double LargestClip = 1e30; // with the march scale's: its products stay finite
+
+//------------------------------------------------------------------------------
+// Why an input cannot be used, and what to do; empty if it can.
+std::string FindFault(vtkImageData* input, vtkDataArray* scalars)
+{
+  if (!input)
+  {
+    return "there is no input. Connect an image with SetInputConnection() or SetInputData().";
+  }
+  int dimensions[3];
+  input->GetDimensions(dimensions);
+  const std::string size = std::to_string(dimensions[0]) + " x " + std::to_string(dimensions[1]) +
+    " x " + std::to_string(dimensions[2]);
+  if (dimensions[0] < 1 || dimensions[1] < 1 || dimensions[2] < 1)
+  {
+    return "the input is empty: it has " + size + " points. Update what makes it, or allocate it.";
+  }
+  if (dimensions[2] != 1)
+  {
+    return "the input is not a picture in x and y: it has " + size +
+      " points. Cut out one slice with vtkExtractVOI, or turn it with vtkImagePermute.";
+  }
+  if (!scalars)
+  {
+    return "the input has no scalars. Make an array of its point data the active one, or name it "
+           "with SetInputArrayToProcess().";
+  }
+  const std::string array =
+    scalars->GetName() ? "the array \"" + std::string(scalars->GetName()) + "\"" : "the array";
+  if (scalars->GetNumberOfTuples() != input->GetNumberOfPoints())
+  {
+    return array + " has " + std::to_string(scalars->GetNumberOfTuples()) +
+      " values for an image of " + size + " points. Take an array of the point data.";
+  }
+  const int type = scalars->GetDataType();
+  if (type != VTK_UNSIGNED_CHAR && type != VTK_FLOAT && type != VTK_DOUBLE)
+  {
+    return array + " is of type " + scalars->GetDataTypeAsString() +
+      ", and only unsigned char, float and double can be summed. Convert it with vtkImageCast or "
+      "vtkImageShiftScale.";
+  }
+  if (scalars->GetNumberOfComponents() < 1 ||
+    scalars->GetNumberOfComponents() > vtkGodRaysRadialFilter::MaximumComponents)
+  {
+    return array + " has " + std::to_string(scalars->GetNumberOfComponents()) +
+      " components, and only 1 to 4 can be summed. Take some with vtkImageExtractComponents.";
+  }
+  return {};
+}
 }
 
 //------------------------------------------------------------------------------
@@ -102,6 +151,24 @@ int vtkGodRaysRadialFilter::FillOutputPortInformation(int, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
+int vtkGodRaysRadialFilter::RequestInformation(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+{
+  vtkInformation* outputInfo = output->GetInformationObject(0);
+  if (input[0]->GetNumberOfInformationObjects() == 0)
+  {
+    const int none[6] = { 0, -1, 0, -1, 0, -1 };
+    outputInfo->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), none, 6);
+    return 1;
+  }
+  vtkInformation* scalars = this->GetInputArrayFieldInformation(0, input);
+  const bool known = scalars && scalars->Has(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS());
+  vtkDataObject::SetPointDataActiveScalarInfo(outputInfo, this->GetResultType(),
+    known ? scalars->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()) : 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
 int vtkGodRaysRadialFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
@@ -116,50 +183,19 @@ int vtkGodRaysRadialFilter::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkGodRaysRadialFilter::FindFault(vtkImageData* input, vtkDataArray* scalars)
+vtkDataArray* vtkGodRaysRadialFilter::GetUsableScalars(
+  vtkInformationVector** input, vtkInformationVector* output)
 {
-  if (!input)
+  vtkImageData* image = vtkImageData::GetData(input[0]);
+  vtkDataArray* scalars = image ? this->GetInputArrayToProcess(0, input) : nullptr;
+  const std::string fault = FindFault(image, scalars);
+  if (!fault.empty())
   {
-    return "there is no input. Connect an image with SetInputConnection() or SetInputData().";
+    vtkErrorMacro("Cannot compute rays: " << fault);
+    vtkImageData::GetData(output)->Initialize();
+    return nullptr;
   }
-  int dimensions[3];
-  input->GetDimensions(dimensions);
-  const std::string size = std::to_string(dimensions[0]) + " x " + std::to_string(dimensions[1]) +
-    " x " + std::to_string(dimensions[2]);
-  if (dimensions[0] < 1 || dimensions[1] < 1 || dimensions[2] < 1)
-  {
-    return "the input is empty: it has " + size + " points. Update what makes it, or allocate it.";
-  }
-  if (dimensions[2] != 1)
-  {
-    return "the input is not a picture in x and y: it has " + size +
-      " points. Cut out one slice with vtkExtractVOI, or turn it with vtkImagePermute.";
-  }
-  if (!scalars)
-  {
-    return "the input has no scalars. Make an array of its point data the active one, or name it "
-           "with SetInputArrayToProcess().";
-  }
-  const std::string array =
-    scalars->GetName() ? "the array \"" + std::string(scalars->GetName()) + "\"" : "the array";
-  if (scalars->GetNumberOfTuples() != input->GetNumberOfPoints())
-  {
-    return array + " has " + std::to_string(scalars->GetNumberOfTuples()) +
-      " values for an image of " + size + " points. Take an array of the point data.";
-  }
-  const int type = scalars->GetDataType();
-  if (type != VTK_UNSIGNED_CHAR && type != VTK_FLOAT && type != VTK_DOUBLE)
-  {
-    return array + " is of type " + scalars->GetDataTypeAsString() +
-      ", and only unsigned char, float and double can be summed. Convert it with vtkImageCast or "
-      "vtkImageShiftScale.";
-  }
-  if (scalars->GetNumberOfComponents() < 1 || scalars->GetNumberOfComponents() > MaximumComponents)
-  {
-    return array + " has " + std::to_string(scalars->GetNumberOfComponents()) +
-      " components, and only 1 to 4 can be summed. Take some with vtkImageExtractComponents.";
-  }
-  return {};
+  return scalars;
 }
 
 //------------------------------------------------------------------------------

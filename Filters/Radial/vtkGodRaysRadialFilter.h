@@ -117,13 +117,18 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
   int RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
+  /// Of the result's numbers.
+  virtual int GetResultType() const { return VTK_FLOAT; }
+
   /**
-   * Why an input cannot be used, and what to do; empty if it can.
+   * The input's values. Null after an error that says why they cannot be used: then the output is empty.
    */
-  static std::string FindFault(vtkImageData* input, vtkDataArray* scalars);
+  vtkDataArray* GetUsableScalars(vtkInformationVector** input, vtkInformationVector* output);
 
   /**
    * Tell the progress [fraction]; false if someone has told the filter to stop. On the thread that

@@ -71,10 +71,9 @@ protected:
   vtkGodRaysReferenceFilter() = default;
   ~vtkGodRaysReferenceFilter() override = default;
 
-  int RequestInformation(
-    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+  int GetResultType() const override { return this->OutputScalarType; }
 
 private:
   vtkGodRaysReferenceFilter(const vtkGodRaysReferenceFilter&) = delete;

@@ -161,35 +161,14 @@ void vtkGodRaysScatteringFilter::ReleaseMemory()
 }
 
 //------------------------------------------------------------------------------
-int vtkGodRaysScatteringFilter::RequestInformation(
-  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
-{
-  vtkInformation* outputInfo = output->GetInformationObject(0);
-  if (input[0]->GetNumberOfInformationObjects() == 0)
-  {
-    const int none[6] = { 0, -1, 0, -1, 0, -1 };
-    outputInfo->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), none, 6);
-    return 1;
-  }
-  vtkInformation* scalars = this->GetInputArrayFieldInformation(0, input);
-  const bool known = scalars && scalars->Has(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS());
-  vtkDataObject::SetPointDataActiveScalarInfo(
-    outputInfo, VTK_FLOAT, known ? scalars->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()) : 1);
-  return 1;
-}
-
-//------------------------------------------------------------------------------
 int vtkGodRaysScatteringFilter::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
   vtkImageData* image = vtkImageData::GetData(input[0]);
   vtkImageData* result = vtkImageData::GetData(output);
-  vtkDataArray* scalars = image ? this->GetInputArrayToProcess(0, input) : nullptr;
-  const std::string fault = FindFault(image, scalars);
-  if (!fault.empty())
+  vtkDataArray* scalars = this->GetUsableScalars(input, output);
+  if (!scalars)
   {
-    vtkErrorMacro("Cannot compute rays: " << fault);
-    result->Initialize();
     return 1; // the executive would only add that something failed
   }
 

@@ -101,8 +101,6 @@ protected:
   vtkGodRaysScatteringFilter();
   ~vtkGodRaysScatteringFilter() override;
 
-  int RequestInformation(
-    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
