@@ -808,6 +808,10 @@ void Benchmark::WriteFiles()
   }
   const std::filesystem::path folder = this->Settings.Documentation;
   std::filesystem::create_directories(folder / "Charts");
+  for (const char* chart : { "speed-and-error.png", "samples.png", "pixels.png" })
+  {
+    std::filesystem::remove(folder / "Charts" / chart); // of another run: not all are written anew
+  }
   written.WritePage((folder / "Performance.md").string(), this->Settings.Command);
 
   const std::string size =
@@ -859,6 +863,7 @@ void Benchmark::WriteFiles()
   WriteChart(error, (folder / "Charts" / "speed-and-error.png").string());
   WriteChart(samples, (folder / "Charts" / "samples.png").string());
   WriteChart(pixels, (folder / "Charts" / "pixels.png").string());
+  SealPage((folder / "Performance.md").string());
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 
 #include "Charts.h"
 #include "MediumScenes.h"
+#include "Report.h"
 #include "Rounds.h"
 #include "Statistics.h"
 
@@ -731,6 +732,8 @@ void ModelErrors::WritePage() const
     page << "|---";
   }
   page << "|\n" << this->Cases.str();
+  page.close();
+  SealPage(folder + "/ModelError.md");
 }
 }
 

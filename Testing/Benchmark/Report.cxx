@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Report.h"
 
+#include "vtksys/MD5.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -85,6 +89,49 @@ std::vector<double> Select(const std::vector<Record>& records, bool onScreen,
   }
   return values;
 }
+}
+
+//------------------------------------------------------------------------------
+void SealPage(const std::string& file)
+{
+  const auto read = [](const std::filesystem::path& path)
+  {
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream)
+    {
+      throw std::runtime_error(path.string() + " cannot be read");
+    }
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+  };
+  const std::string page = read(file);
+  std::string all = page;
+  const std::string begin = "](";
+  const std::string end = ".png)";
+  for (auto at = page.find(begin); at != std::string::npos; at = page.find(begin, at + 1))
+  {
+    const auto close = page.find(')', at);
+    const std::string name = page.substr(at + begin.size(), close - at - begin.size());
+    const std::filesystem::path picture = std::filesystem::path(file).parent_path() / name;
+    if (page.compare(close + 1 - end.size(), end.size(), end) == 0 &&
+      std::filesystem::exists(picture))
+    {
+      all += read(picture);
+    }
+  }
+  vtksysMD5* digest = vtksysMD5_New();
+  vtksysMD5_Initialize(digest);
+  vtksysMD5_Append(
+    digest, reinterpret_cast<const unsigned char*>(all.data()), static_cast<int>(all.size()));
+  char text[33] = {};
+  vtksysMD5_FinalizeHex(digest, text);
+  vtksysMD5_Delete(digest);
+  std::ofstream stream(file, std::ios::binary | std::ios::app);
+  stream << "\n<!-- One run wrote this page and its pictures: " << text << " -->\n";
+  stream.close();
+  if (!stream)
+  {
+    throw std::runtime_error(file + " cannot be written");
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -79,6 +79,12 @@ public:
   void WritePage(const std::string& file, const std::string& command) const;
 };
 
+/**
+ * End a page with a digest of its text and of the pictures that it shows, as far as they are there.
+ * .ci/check-tree makes it again: what another run wrote, or a hand, is found.
+ */
+void SealPage(const std::string& file);
+
 /// Values of records, for Get().
 double GetRMS(const Record& record);
 double GetPermille(const Record& record);
