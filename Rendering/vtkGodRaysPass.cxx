@@ -126,7 +126,7 @@ vtkLight* vtkGodRaysPass::PlaceSun(vtkRenderer* renderer, double x, double y)
     self.PlacedSun->SetLightTypeToSceneLight();
     self.PlacedSun->SetConeAngle(90.0);
     self.PlacedSun->SetFocalPoint(0.0, 0.0, 0.0);
-    self.PlacedSun->SetDiffuseColor(1.0, 0.9, 0.7);
+    self.PlacedSun->SetDiffuseColor(1.0, 0.93, 0.8);
   }
   self.PlacedSun->SetPositional(isLamp);
   self.PlacedSun->SetPosition(place);
@@ -405,6 +405,17 @@ bool vtkGodRaysPass::GetMediumImage(vtkImageData* image, const double irradiance
     }
   }
   return this->Internal->ReadNumbers(irradiance, this->ErrorTolerance, image);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysPass::GetAdvice() const
+{
+  std::string lines;
+  for (const std::string& concern : this->Internal->Concerns)
+  {
+    lines += concern + "\n";
+  }
+  return lines;
 }
 
 //------------------------------------------------------------------------------

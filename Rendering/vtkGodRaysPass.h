@@ -189,11 +189,12 @@ public:
   /**
    * Set/Get whether the strength of the rays is chosen by the picture, before Intensity, so that data stay
    * readable: on average, data that are lit change by at most 10 in CIE 1976 L*a*b* and keep 90 % of their
-   * chroma; where most are lit, rays are up to 30 % weaker for the sake of dark ones. The rays' mean is at
-   * most 0.2, their 99th percentile at most 1 [linear light, 1 is white]. A look is weaker over lit data
-   * alone, if they ask for it, and never stronger than its parameters say; light in a medium, whose unit is
-   * that of the lights, is up to fourfold, and one factor holds for all of it. What a medium takes from the
-   * scene's light does not count. While the user drags the camera, the strength changes gradually. Published
+   * chroma, to which a look adds 10 % at most or, where data are nearly grey, 2; where most are lit, rays
+   * are up to 65 % weaker for the sake of dark ones. The rays' mean is at most 0.12, their 99th
+   * percentile at most 1 [linear light, 1 is white]. A look is weaker over lit data alone, if they ask for
+   * it, and never stronger than its parameters say; light in a medium, whose unit is that of the lights, is
+   * up to fourfold, and one factor holds for all of it. What a medium takes from the scene's light does not
+   * count. While the user drags the camera, the strength changes gradually. Published
    * sums of shown values are as published. Off, Intensity and the model's parameters are the strength.
    * Default is on.
    */
@@ -315,7 +316,7 @@ public:
    * Set/Get the angle about the light over which the glow is full, and the further angle over
    * which it falls smoothly to 0 [degrees, seen from the eye]. In a parallel projection, which
    * has no angles about a positional light, the picture's height counts as 30 degrees.
-   * Valid range: [0, 180] each. Defaults are 2 and 10.
+   * Valid range: [0, 180] each. Defaults are 2 and 6.
    */
   void SetBackgroundGlowRadius(double degrees);
   vtkGetMacro(BackgroundGlowRadius, double);
@@ -475,6 +476,14 @@ public:
   std::string GetPlan() const;
 
   /**
+   * What in the last frame is probably not meant, with its number and a remedy, a line each; empty if there
+   * is nothing: a medium that hides the scene, with an optical depth across it above 5, or hardly shows, with
+   * one below 0.01; rays that change nothing that can be seen. The plan has it, too; the first is also a
+   * warning, once.
+   */
+  std::string GetAdvice() const;
+
+  /**
    * How often the last frame rendered the scene's geometry: 1 when the scene's own depth gave the
    * occluders, 2 when tagged occluders were rendered into the layer.
    */
@@ -528,6 +537,7 @@ private:
   bool DrawOutput(
     const vtkRenderState* s, const vtkGodRaysFramebuffer& bound, const int viewport[4]);
   void ShowNoLight(const vtkRenderState* s, vtkOpenGLState* state);
+  void FindConcerns();
   void DescribeStages(bool screen);
   std::string DescribeErrors() const;
   void UpdateSun(vtkRenderer* renderer);
@@ -549,7 +559,7 @@ private:
   double SourceRadius = 0.0;
   double BackgroundGlow = 0.6;
   double BackgroundGlowRadius = 2.0;
-  double BackgroundGlowFalloff = 10.0;
+  double BackgroundGlowFalloff = 6.0;
   double LayerMargin = 0.0;
   int Blend = MODEL_BLEND;
   int DisplayTransfer = AUTOMATIC_TRANSFER;

@@ -56,6 +56,7 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
     return;
   }
   self.LightPlan.clear();
+  self.Concerns.clear();
   self.HasScattering = false;
   self.HasRays = false;
   self.Timers.BeginFrame(this->MeasureTimes);
@@ -463,8 +464,37 @@ bool vtkGodRaysPass::DrawOutput(
     this->ShowNoLight(s, state);
   }
   self.Timers.Stop();
+  this->FindConcerns();
   this->DescribeStages(request.Screen);
   return drawn;
+}
+
+//------------------------------------------------------------------------------
+// What of a whole, still picture is probably not what was meant.
+void vtkGodRaysPass::FindConcerns()
+{
+  Internals& self = *this->Internal;
+  const std::string concern = self.Effect->FindConcern();
+  if (this->Output != COMPOSITE || self.Window->GetDesiredUpdateRate() >= 1.0)
+  {
+    return;
+  }
+  if (!concern.empty())
+  {
+    self.Concerns.push_back(concern);
+    if (self.Complaints.insert(concern.substr(0, concern.find(':'))).second)
+    {
+      vtkWarningMacro(<< concern << ".");
+    }
+  }
+  if (self.IsMetered && self.Surround.Part == 0.0 && !this->DimsScene() &&
+    !self.Meter.ShowsRays(this->GetExposure()))
+  {
+    self.Concerns.push_back(
+      "the rays change nothing that can be seen. Put a light where it is seen "
+      "past something, before a background that is not white, or set a "
+      "larger Intensity");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -514,6 +544,10 @@ void vtkGodRaysPass::DescribeStages(bool screen)
     plan << ", shadows darken the background by up to " << 100.0 * self.Surround.Part << " %";
   }
   plan << "\n";
+  for (const std::string& concern : self.Concerns)
+  {
+    plan << "advice: " << concern << "\n";
+  }
   self.StagePlan = plan.str();
 }
 

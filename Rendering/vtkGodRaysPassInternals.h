@@ -79,7 +79,8 @@ struct vtkGodRaysPass::Internals
   bool IsOwnDelegate = false; // its delegate called it while it drew the scene
   std::string LightPlan;
   std::string StagePlan;
-  std::set<std::string> Complaints; // that have been made already
+  std::vector<std::string> Concerns; // of the last frame
+  std::set<std::string> Complaints;  // that have been made already
 
   bool FindExposure(
     vtkGodRaysPass& pass, vtkRenderer* renderer, vtkGodRaysBlendPass::Request& request);

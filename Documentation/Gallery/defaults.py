@@ -11,6 +11,7 @@ Writes Defaults.md and its pictures there. VTK's own renderers and cameras are a
 import math
 import os
 import sys
+import typing
 
 import numpy
 import vtkmodules.all as vtk
@@ -21,6 +22,25 @@ import godrays
 
 SIZE = (400, 280)
 COLUMNS = {"a look": {}, "a medium": {"preset": "haze"}}
+# as rays were before the picture said how strong they are: whose shafts' contrast is to be kept by half
+PLAIN = {
+    "background_glow": 0.4,
+    "background_glow_falloff": 18,
+    "automatic_exposure": False,
+    "highlight_shoulder": False,
+    "darken_light_background": False,
+}
+NEARLY_GREY = 10  # mean chroma, of which 10 % are not seen
+
+
+class Numbers(typing.NamedTuple):
+    """What rays change of data and of what is beside them."""
+
+    difference: float  # mean distance in L*a*b*
+    chroma: float | None  # part of the data's mean that is left; None where they are nearly grey
+    tint: float  # by how much the data's mean chroma grows
+    clipped: float  # percent of the data
+    contrast: float  # of the shafts [L*]
 
 
 def read(window, buffer):
@@ -92,9 +112,10 @@ def measure(before, after, data, place):
     difference = numpy.linalg.norm(changed - lab, axis=-1)
     chroma = [numpy.hypot(each[..., 1], each[..., 2])[data].mean() for each in (lab, changed)]
     clipped = (after.max(-1) == 255) & (before.max(-1) < 255)
-    return (
+    return Numbers(
         difference[data].mean(),
-        chroma[1] / chroma[0] if chroma[0] > 1 else None,
+        chroma[1] / chroma[0] if chroma[0] > NEARLY_GREY else None,
+        chroma[1] - chroma[0],
         100 * clipped[data].mean(),
         get_contrast(changed[..., 0] - lab[..., 0], place),
     )
@@ -113,9 +134,9 @@ def write(pictures, name):
     writer.Write()
 
 
-def draw(name, background=None, samples=0):
-    """Pictures of a scene without rays and with each of COLUMNS; what of them shows data; where the sun of
-    each stands."""
+def draw(name, background=None, samples=0, columns=None):
+    """Pictures of a scene without rays and with each of some columns, by default COLUMNS; what of them shows
+    data; where the sun of each stands."""
     window, renderer = default_scenes.make(name, SIZE)
     window.SetMultiSamples(samples)
     window.Render()
@@ -125,7 +146,7 @@ def draw(name, background=None, samples=0):
         default_scenes.BACKGROUNDS[background](renderer)
         window.Render()
     shown, places = [read(window, "colour")], []
-    for parameters in COLUMNS.values():
+    for parameters in (columns or COLUMNS).values():
         rays = godrays.enable(renderer, **parameters)
         window.Render()
         shown.append(read(window, "colour"))
@@ -136,9 +157,10 @@ def draw(name, background=None, samples=0):
 
 
 def measure_all(name, background=None):
-    """The numbers of each of COLUMNS, where a pixel shows either data or a background; and how much of the
-    picture data are."""
-    (before, *with_rays), data, places = draw(name, background)
+    """The numbers of each of COLUMNS, and of PLAIN, where a pixel shows either data or a background; and how
+    much of the picture data are."""
+    columns = COLUMNS | {"plain": PLAIN}
+    (before, *with_rays), data, places = draw(name, background, columns=columns)
     numbers = [measure(before, after, data, place) for after, place in zip(with_rays, places)]
     print(name, background or "", numbers, flush=True)
     return numbers, 100 * data.mean()
@@ -161,9 +183,9 @@ def main(folder):
         before_others.append((background, file, measure_all("cones", background)[0]))
 
     def format_numbers(numbers):
-        difference, chroma, clipped, contrast = numbers
-        kept = "grey" if chroma is None else f"{100 * chroma:.0f} %"
-        return f"{difference:.1f} | {kept} | {clipped:.2f} % | {contrast:.1f}"
+        is_grey = numbers.chroma is None
+        kept = f"grey {numbers.tint:+.1f}" if is_grey else f"{100 * numbers.chroma:.0f} %"
+        return f"{numbers.difference:.1f} | {kept} | {numbers.clipped:.2f} % | {numbers.contrast:.1f}"
 
     with open(os.path.join(folder, "Defaults.md"), "w", encoding="utf-8") as page:
         page.write(PAGE.format(count=len(rows)))
@@ -180,10 +202,11 @@ def main(folder):
             for column, each in zip(COLUMNS, numbers):
                 page.write(f"| {column} | {format_numbers(each)} |\n")
         page.write("\n## All of them\n\n")
-        page.write("| | dE of a look | chroma | clipped | contrast | dE of a medium | contrast |\n")
-        page.write("|---|---|---|---|---|---|---|\n")
-        for name, what, fill, (look, medium) in rows:
-            page.write(f"| {what} | {format_numbers(look)} | {medium[0]:.1f} | {medium[3]:.1f} |\n")
+        page.write("| | dE of a look | chroma | clipped | contrast | plain | dE of a medium | contrast |\n")
+        page.write("|---|---|---|---|---|---|---|---|\n")
+        for name, what, fill, (look, medium, plain) in rows:
+            page.write(f"| {what} | {format_numbers(look)} | {plain.contrast:.1f} ")
+            page.write(f"| {medium.difference:.1f} | {medium.contrast:.1f} |\n")
 
 
 PAGE = """# What happens by itself
@@ -198,12 +221,13 @@ this is what a first script shows. Made by
 The numbers are of pictures without anti-aliasing, in which a pixel shows either data or the background:
 
 - dE: how far data change on average, as a distance in CIE 1976 L\\*a\\*b\\*; 2 to 3 are just visible. A look
-  is to keep below 10, of data that are lit: the dark sides of the molecule's balls count here alone. A medium
-  also dims data, which its strength cannot help.
-- chroma: how much is left of the data's.
+  is to keep below 10. A medium also dims data, which its strength cannot help.
+- chroma: how much of the data's there is with rays; of data that are nearly grey, with a chroma below 10, how
+  much more or less.
 - clipped: data of which a channel became 255, in percent of the data.
 - contrast of the shafts: the root mean square of their lightness along circles about the sun, less its mean
-  over 30 degrees [L\\*].
+  over 30 degrees [L\\*]; plain, that of the sum as it is, with the wider glow of former versions and no
+  choice of a strength, of which at least half is to be kept.
 """
 
 if __name__ == "__main__":

@@ -377,11 +377,20 @@ Scene MakeSceneOf(const std::vector<FileContents>& files, const Options& options
 
 //------------------------------------------------------------------------------
 /**
- * Tell of what VTK said while it drew. Returns whether there was an error.
+ * Tell of what VTK said while it drew, and of what in the picture is probably not meant, unless that was told
+ * already. Returns whether there was an error.
  */
-bool TellMessages(const Messages& messages)
+bool TellMessages(const Messages& messages, const std::string& advice, bool wasTold)
 {
   ShowLines(messages.GetWarnings());
+  if (messages.GetWarnings().empty() && !wasTold)
+  {
+    std::istringstream lines(advice);
+    for (std::string line; std::getline(lines, line);)
+    {
+      ShowLines({ line });
+    }
+  }
   ShowLines(messages.GetErrors());
   return !messages.GetErrors().empty();
 }
@@ -390,7 +399,8 @@ bool TellMessages(const Messages& messages)
 /**
  * Draw a scene to where the options say. Returns whether all went well.
  */
-bool Draw(const Scene& scene, const Viewpoint& view, const Options& options, Measured& times)
+bool Draw(const Scene& scene, const Viewpoint& view, const Options& options, Measured& times,
+  bool hasAdvice)
 {
   const bool window = (options.Output.empty() && options.Numbers.empty()) || options.Interactive;
   const Messages messages(!window,
@@ -454,9 +464,10 @@ bool Draw(const Scene& scene, const Viewpoint& view, const Options& options, Mea
     PrintView(scene, view, renderer->GetActiveCamera());
     PrintRays(rays, renderWindow, options.Rays);
   }
+  const std::string advice = rays->GetAdvice();
   rays->Detach(renderer);
   vtkGodRaysSkyPass::Detach(renderer);
-  return !TellMessages(messages);
+  return !TellMessages(messages, advice, hasAdvice);
 }
 
 //------------------------------------------------------------------------------
@@ -494,13 +505,12 @@ int Run(int argc, char* argv[])
   times.Reading = GetSeconds() - start;
   const Scene scene = MakeSceneOf(files, *options);
   const Viewpoint view = MakeViewpoint(scene, *options);
-  if (options->Rays)
-  {
-    ShowLines(GetAdvice(scene, view, *options, GetPreset(*options).IsMedium));
-  }
+  const auto advice = options->Rays ? GetAdvice(scene, view, *options, GetPreset(*options).IsMedium)
+                                    : std::vector<std::string>();
+  ShowLines(advice);
   times.Preparing = GetSeconds() - start - times.Reading;
   CheckDisplay();
-  return Draw(scene, view, *options, times) ? EXIT_SUCCESS : EXIT_FAILURE;
+  return Draw(scene, view, *options, times, !advice.empty()) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 }
 

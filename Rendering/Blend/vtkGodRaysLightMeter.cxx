@@ -17,7 +17,7 @@ using vtkGodRays::Vec3;
 constexpr int Columns = 72;
 constexpr int Rows = 48;
 
-constexpr double LeastPart = 0.7;         // that dark data among lit ones leave of rays
+constexpr double LeastPart = 0.35;        // that dark data among lit ones leave of rays
 constexpr double LeastPartOfMedium = 0.3; // that data leave of its light
 constexpr double FewData = 0.005;         // fraction of the picture; fewer count as less
 
@@ -42,8 +42,9 @@ double GetChroma(const Vec3& lab)
 class Fidelity
 {
 public:
-  Fidelity(const std::vector<vtkGodRaysLightMeter::Sample>& samples, bool shoulder)
+  Fidelity(const std::vector<vtkGodRaysLightMeter::Sample>& samples, bool shoulder, bool limitsTint)
     : Shoulder(shoulder)
+    , LimitsTint(limitsTint)
   {
     for (const auto& sample : samples)
     {
@@ -57,6 +58,7 @@ public:
         this->Weight += lit;
         this->All += sample.DataPart;
         this->Chroma += lit * GetChroma(before);
+        this->ChromaOfAll += sample.DataPart * GetChroma(before);
       }
     }
     const double few = FewData * static_cast<double>(samples.size());
@@ -72,6 +74,7 @@ public:
     double difference = 0.0;
     double ofAll = 0.0;
     double chroma = 0.0;
+    double chromaOfAll = 0.0;
     for (const Colors& each : this->Data)
     {
       const Vec3 rays = exposure * glm::mix(1.0, dataExposure, each.Weight) * each.Rays;
@@ -81,13 +84,22 @@ public:
       difference += each.Weight * change;
       ofAll += each.Part * change;
       chroma += each.Weight * GetChroma(after);
+      chromaOfAll += each.Part * GetChroma(after);
     }
     // Where there is hardly a colour, as in grey data, its chroma says nothing.
-    const double lost = this->Chroma > this->Weight ? 1.0 - chroma / this->Chroma : 0.0;
-    const double loss = std::max(difference / this->Weight / vtkGodRaysLightMeter::MostDifference,
-      lost / (1.0 - vtkGodRaysLightMeter::LeastChroma));
-    const double lossOfAll =
-      this->MostlyLit * ofAll / this->All / vtkGodRaysLightMeter::MostDifference;
+    const auto getLost = [](double now, double before, double weight)
+    {
+      return before > weight ? (1.0 - now / before) / (1.0 - vtkGodRaysLightMeter::LeastChroma)
+                             : 0.0;
+    };
+    const double tint = std::max((1.0 - vtkGodRaysLightMeter::LeastChroma) * this->Chroma,
+      vtkGodRaysLightMeter::MostTint * this->Weight);
+    const double gained = this->LimitsTint ? chroma - this->Chroma : 0.0;
+    const double loss = std::max({ difference / this->Weight / vtkGodRaysLightMeter::MostDifference,
+      getLost(chroma, this->Chroma, this->Weight), gained / tint });
+    const double lossOfAll = this->MostlyLit *
+      std::max(ofAll / this->All / vtkGodRaysLightMeter::MostDifference,
+        getLost(chromaOfAll, this->ChromaOfAll, this->All));
     return { loss, lossOfAll };
   }
 
@@ -105,7 +117,9 @@ private:
   double All = 0.0;
   double MostlyLit = 0.0;
   double Chroma = 0.0;
+  double ChromaOfAll = 0.0;
   bool Shoulder;
+  bool LimitsTint;
 };
 
 /// The largest part, from 0 to 1, for which a loss that grows with it is about 1: false position with the
@@ -198,6 +212,18 @@ bool vtkGodRaysLightMeter::Read(
 }
 
 //------------------------------------------------------------------------------
+bool vtkGodRaysLightMeter::ShowsRays(double exposure) const
+{
+  return std::any_of(this->Samples.begin(), this->Samples.end(),
+    [=](const Sample& sample)
+    {
+      const Vec3 base = ToVector(sample.Base);
+      const Vec3 sum = vtkGodRays::BlendAdd(base, exposure * ToVector(sample.Rays));
+      return ToLab(sum).x >= ToLab(base).x + 1.0;
+    });
+}
+
+//------------------------------------------------------------------------------
 vtkGodRaysLightMeter::Exposure vtkGodRaysLightMeter::FindExposure(
   const std::vector<Sample>& samples, bool shoulder, double largest, bool sparesData)
 {
@@ -221,7 +247,7 @@ vtkGodRaysLightMeter::Exposure vtkGodRaysLightMeter::FindExposure(
   result.Everywhere =
     *rank > 0.0 ? std::min(result.Everywhere, MostBrightest / *rank) : result.Everywhere;
 
-  const Fidelity fidelity(samples, shoulder);
+  const Fidelity fidelity(samples, shoulder, sparesData);
   const double most = result.Everywhere;
   if (!sparesData)
   {

@@ -7,8 +7,9 @@
  * Reads a few thousand pixels of what is to be joined, scene and rays, and finds the factors on the rays with
  * which
  * - data, the pixels that show something rather than a background, keep their colours: those that are lit
- *   change by at most MostDifference on average, and keep at least LeastChroma of their chroma; where most
- *   are lit, the former is aimed at for all of them, too;
+ *   change by at most MostDifference on average, and keep at least LeastChroma of their chroma; in a look
+ *   they also gain no more than they may lose, or MostTint if that is more; where most are lit, the first
+ *   two are aimed at for all of them, too;
  * - rays are neither invisible nor a white sheet: see FindExposure().
  *
  * @sa vtkGodRaysBlendPass
@@ -41,10 +42,11 @@ public:
   /// What is promised, 10 and 0.9, with something to spare for the pixels that are not read.
   static constexpr double MostDifference = 8.0; ///< mean distance in CIE 1976 L*a*b*
   static constexpr double LeastChroma = 0.91;   ///< fraction of the mean chroma
+  static constexpr double MostTint = 2.0;       ///< chroma that grey data may gain, just visible
   ///@}
   static constexpr double MostBrightest =
     1.0; ///< 99th percentile of the rays [linear light, 1 is white]
-  static constexpr double MostMean = 0.2; ///< mean of the rays [linear light, 1 is white]
+  static constexpr double MostMean = 0.12; ///< mean of the rays [linear light, 1 is white]
 
   /**
    * Read the pixels that a request joins, at intensity 1, into the samples. Returns false, after an error,
@@ -56,6 +58,12 @@ public:
   bool AlphaShowsData() const { return this->HasAlpha; }
 
   const std::vector<Sample>& GetSamples() const { return this->Samples; }
+
+  /**
+   * Whether rays with this factor change one of the samples by a lightness of 1 or more, half of what is
+   * just visible.
+   */
+  bool ShowsRays(double exposure) const;
 
   /// Factors on the rays.
   struct Exposure

@@ -15,12 +15,14 @@
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysRole.h"
+#include "vtkGraph.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
+#include "vtkPointGaussianMapper.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -43,6 +45,8 @@ constexpr double LeastShafts = 0.3; // the sum of changes of light with directio
 constexpr double MostShafts = 4.0;  // more are not better
 constexpr double ShaftsWeight = 4.0;
 constexpr double GlareWeight = 7.0;
+constexpr double BallOfBond =
+  0.35; // radius of an atom's ball, as a part of the length of its bonds
 
 double GetSide(const double a[2], const double b[2], double x, double y)
 {
@@ -111,14 +115,17 @@ void vtkGodRaysSilhouette::DrawActor(vtkActor* actor, vtkMatrix4x4* toWorld)
     return;
   }
   mapper->GetInputAlgorithm()->Update();
-  const bool isSurface = vtkPolyDataMapper::SafeDownCast(mapper) ||
-    mapper->IsA("vtkDataSetMapper") || mapper->IsA("vtkCompositePolyDataMapper");
+  auto splats = vtkPointGaussianMapper::SafeDownCast(mapper);
+  const bool isSurface = !splats &&
+    (vtkPolyDataMapper::SafeDownCast(mapper) || mapper->IsA("vtkDataSetMapper") ||
+      mapper->IsA("vtkCompositePolyDataMapper"));
+  const double radius = splats ? splats->GetScaleFactor() : 0.0;
   const auto draw = [&](vtkDataObject* object)
   {
     auto data = vtkDataSet::SafeDownCast(object);
     if (auto surface = vtkPolyData::SafeDownCast(data))
     {
-      isSurface ? this->DrawSurface(surface, toWorld) : this->DrawPoints(surface, toWorld);
+      isSurface ? this->DrawSurface(surface, toWorld) : this->DrawPoints(surface, toWorld, radius);
     }
     else if (data && isSurface)
     {
@@ -129,7 +136,11 @@ void vtkGodRaysSilhouette::DrawActor(vtkActor* actor, vtkMatrix4x4* toWorld)
     }
     else if (data)
     {
-      this->DrawPoints(data, toWorld);
+      this->DrawPoints(data, toWorld, radius);
+    }
+    else if (auto graph = vtkGraph::SafeDownCast(object))
+    {
+      this->DrawGraph(graph, toWorld);
     }
   };
   vtkDataObject* input = mapper->GetInputDataObject(0, 0);
@@ -146,19 +157,66 @@ void vtkGodRaysSilhouette::DrawActor(vtkActor* actor, vtkMatrix4x4* toWorld)
 }
 
 //------------------------------------------------------------------------------
-// Of glyphs and splats, whose size is not known.
-void vtkGodRaysSilhouette::DrawPoints(vtkDataSet* data, vtkMatrix4x4* toWorld)
+// Of splats, and of glyphs, whose size is not known.
+void vtkGodRaysSilhouette::DrawPoints(vtkDataSet* data, vtkMatrix4x4* toWorld, double radius)
 {
   vtkNew<vtkMatrix4x4> matrix;
   vtkMatrix4x4::Multiply4x4(this->ToClip, toWorld, matrix);
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
-    double pixel[2];
-    if (this->Project(data->GetPoint(i), matrix, pixel))
+    this->DrawBall(data->GetPoint(i), radius, matrix);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Of a molecule, as balls and sticks: the mapper alone knows its atoms' radii.
+void vtkGodRaysSilhouette::DrawGraph(vtkGraph* graph, vtkMatrix4x4* toWorld)
+{
+  vtkNew<vtkMatrix4x4> matrix;
+  vtkMatrix4x4::Multiply4x4(this->ToClip, toWorld, matrix);
+  double length = 0.0;
+  const vtkIdType edges = graph->GetNumberOfEdges();
+  for (vtkIdType i = 0; i < edges; ++i)
+  {
+    double ends[2][3];
+    double pixels[2][2];
+    graph->GetPoint(graph->GetSourceVertex(i), ends[0]);
+    graph->GetPoint(graph->GetTargetVertex(i), ends[1]);
+    length += std::sqrt(vtkMath::Distance2BetweenPoints(ends[0], ends[1])) / edges;
+    if (this->Project(ends[0], matrix, pixels[0]) && this->Project(ends[1], matrix, pixels[1]))
     {
-      this->DrawPoint(pixel, 1);
+      this->DrawLine(pixels[0], pixels[1]);
     }
   }
+  for (vtkIdType i = 0; i < graph->GetNumberOfVertices(); ++i)
+  {
+    double point[3];
+    graph->GetPoint(i, point);
+    this->DrawBall(point, BallOfBond * length, matrix);
+  }
+}
+
+//------------------------------------------------------------------------------
+// As a square of the ball's width in the picture, which is a cell at least.
+void vtkGodRaysSilhouette::DrawBall(const double* center, double radius, vtkMatrix4x4* matrix)
+{
+  double pixel[2];
+  if (!this->Project(center, matrix, pixel))
+  {
+    return;
+  }
+  double widest = 1.0;
+  for (int i = 0; radius > 0.0 && i < 3; ++i)
+  {
+    double end[3] = { center[0], center[1], center[2] };
+    double there[2];
+    end[i] += radius;
+    if (this->Project(end, matrix, there))
+    {
+      widest = std::max(widest, std::hypot(there[0] - pixel[0], there[1] - pixel[1]));
+    }
+  }
+  this->DrawPoint(pixel, static_cast<int>(std::lround(std::min(widest, 1.0 * this->Rows))));
 }
 
 //------------------------------------------------------------------------------
@@ -217,6 +275,16 @@ void vtkGodRaysSilhouette::DrawSurface(vtkPolyData* surface, vtkMatrix4x4* toWor
       }
     }
   };
+  const auto drawLine = [&](vtkIdType size, const vtkIdType* ids)
+  {
+    for (vtkIdType i = 1; i < size; ++i)
+    {
+      if (inFront[ids[i - 1]] && inFront[ids[i]])
+      {
+        this->DrawLine(pixels[ids[i - 1]].data(), pixels[ids[i]].data());
+      }
+    }
+  };
   const auto drawTriangle = [&](vtkIdType a, vtkIdType b, vtkIdType c)
   {
     if (inFront[a] && inFront[b] && inFront[c])
@@ -225,7 +293,7 @@ void vtkGodRaysSilhouette::DrawSurface(vtkPolyData* surface, vtkMatrix4x4* toWor
     }
   };
   forEachCell(surface->GetVerts(), drawPoints);
-  forEachCell(surface->GetLines(), drawPoints);
+  forEachCell(surface->GetLines(), drawLine);
   forEachCell(surface->GetPolys(),
     [&](vtkIdType size, const vtkIdType* ids)
     {
@@ -303,6 +371,19 @@ void vtkGodRaysSilhouette::DrawPoint(const double pixel[2], int radius)
     {
       this->Covered[static_cast<std::size_t>(y) * this->Columns + x] = 1;
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysSilhouette::DrawLine(const double a[2], const double b[2])
+{
+  const int steps = std::max(
+    1, static_cast<int>(std::ceil(std::max(std::abs(b[0] - a[0]), std::abs(b[1] - a[1])))));
+  for (int i = 0; i <= steps; ++i)
+  {
+    const double part = static_cast<double>(i) / steps;
+    const double pixel[2] = { a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1]) };
+    this->DrawPoint(pixel, 0);
   }
 }
 

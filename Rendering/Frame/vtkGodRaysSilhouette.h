@@ -16,6 +16,7 @@ class vtkActor;
 class vtkCamera;
 class vtkDataSet;
 class vtkGodRaysCompositor;
+class vtkGraph;
 class vtkMatrix4x4;
 class vtkPolyData;
 class vtkPropCollection;
@@ -57,10 +58,13 @@ private:
   void Join(vtkGodRaysCompositor* compositor);
   void DrawActor(vtkActor* actor, vtkMatrix4x4* toWorld);
   void DrawSurface(vtkPolyData* surface, vtkMatrix4x4* toWorld);
-  void DrawPoints(vtkDataSet* data, vtkMatrix4x4* toWorld);
+  void DrawPoints(vtkDataSet* data, vtkMatrix4x4* toWorld, double radius);
+  void DrawGraph(vtkGraph* graph, vtkMatrix4x4* toWorld);
   void DrawVolume(vtkVolume* volume, vtkMatrix4x4* toWorld);
   bool Project(const double* point, vtkMatrix4x4* matrix, double pixel[2]) const;
+  void DrawBall(const double* center, double radius, vtkMatrix4x4* matrix);
   void DrawPoint(const double pixel[2], int radius);
+  void DrawLine(const double a[2], const double b[2]);
   void DrawTriangle(const double a[2], const double b[2], const double c[2]);
 
   /// What light that leaves a place in one direction meets.

@@ -10,9 +10,9 @@
  * if it is off the middle, a third of the picture from its sides. Places in the open, or behind something
  * wide, are not taken.
  *
- * Polygons, lines and points count as they are, other data sets by their surface, glyphs and splats by
- * their points, volumes where their opacity is above 0.1. Props tagged LIGHT or IGNORED do not count, nor
- * do invisible ones.
+ * Polygons, lines and points count as they are, other data sets by their surface, splats by their scale,
+ * glyphs by their points, molecules as balls and sticks, volumes where their opacity is above 0.1. Props
+ * tagged LIGHT or IGNORED do not count, nor do invisible ones.
  *
  * @sa vtkGodRaysPass
  */

@@ -49,13 +49,13 @@ const Preset Presets[] = {
   { "haze", "a visibility of 4 km", { 7.49e-4, 7.49e-4, 7.49e-4 }, { 0.0, 0.0, 0.0 },
     vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.76, 0.3 },
   { "fog", "a visibility of 200 m", { 1.5e-2, 1.5e-2, 1.5e-2 }, { 0.0, 0.0, 0.0 },
-    vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.85, 0.7 },
+    vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.85, 0.45 },
   { "dust", "10 mg of coarse dust a cubic metre", { 5.88e-3, 5.76e-3, 5.52e-3 },
-    { 1.2e-4, 2.4e-4, 4.8e-4 }, vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.67, 0.5 },
+    { 1.2e-4, 2.4e-4, 4.8e-4 }, vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.67, 0.4 },
   { "smoke", "of burning grass and wood, a visibility of 1 km", { 1.71e-3, 2.58e-3, 3.93e-3 },
-    { 3.3e-4, 4.2e-4, 5.4e-4 }, vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.6, 0.6 },
+    { 3.3e-4, 4.2e-4, 5.4e-4 }, vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.6, 0.4 },
   { "sea-water", "coastal water, which swallows red", { 0.219, 0.219, 0.219 },
-    { 0.61, 0.20, 0.151 }, vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.924, 0.5 },
+    { 0.61, 0.20, 0.151 }, vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.924, 0.4 },
 };
 }
 

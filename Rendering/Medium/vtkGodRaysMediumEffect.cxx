@@ -106,7 +106,6 @@ void vtkGodRaysMediumEffect::Begin(const Frame& frame)
 }
 
 //------------------------------------------------------------------------------
-// Between the limits pictures are believable.
 std::string vtkGodRaysMediumEffect::Describe() const
 {
   if (!(this->SceneDepth > 0.0))
@@ -115,14 +114,23 @@ std::string vtkGodRaysMediumEffect::Describe() const
   }
   std::ostringstream text;
   text << ", optical depth across the scene " << this->SceneDepth;
-  if (this->SceneDepth > 5.0)
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+// Between the limits pictures are believable.
+std::string vtkGodRaysMediumEffect::FindConcern() const
+{
+  const bool hides = this->SceneDepth > 5.0;
+  if (!hides && !(this->SceneDepth > 0.0 && this->SceneDepth < 0.01))
   {
-    text << ": it hides the scene; set WorldUnitInMeters, or less scattering";
+    return "";
   }
-  else if (this->SceneDepth < 0.01)
-  {
-    text << ": it hardly shows; set WorldUnitInMeters, or more scattering";
-  }
+  std::ostringstream text;
+  text << "the medium " << (hides ? "hides the scene" : "hardly shows")
+       << ": its optical depth across it is " << this->SceneDepth
+       << ", where 0.1 to 1 suits. Set OpticalDepth, WorldUnitInMeters, or "
+       << (hides ? "less" : "more") << " scattering";
   return text.str();
 }
 

@@ -40,6 +40,7 @@ public:
   bool FillNumbers(const Reading& reading, vtkImageData* image) const override;
   void Release(vtkWindow* window) override;
   std::string Describe() const override;
+  std::string FindConcern() const override;
   std::string DescribeErrors() const override { return this->Verification.Describe(); }
 
 private:

@@ -132,6 +132,11 @@ public:
   virtual std::string Describe() const { return ""; }
 
   /**
+   * What of the effect in this frame is probably not what was meant, and what to do about it, or nothing.
+   */
+  virtual std::string FindConcern() const { return ""; }
+
+  /**
    * What measured errors leave out, or nothing.
    */
   virtual std::string DescribeErrors() const { return ""; }

@@ -666,6 +666,10 @@ class Pictures(ProgramTest):
             (["--sun", "0,-10"], ["below the horizon", "above 0"]),
             (["--parallel", "--sky", "earth-clear"], ["out of the picture", "to the horizon"]),
             (["--sun", "180,75", "--preset", "fog"], []),
+            (["--preset", "fog", "--world-unit", "1e-6"], ["hardly shows", "optical depth"]),
+            (["--preset", "fog", "--world-unit", "1e6"], ["hides the scene", "optical depth"]),
+            (["--preset", "fog"], []),
+            (["--intensity", "0.0001"], ["change nothing that can be seen", "larger Intensity"]),
             (["--sun", "180,75", "--no-rays"], []),
             (["--sun", "180,30"], []),
         ):

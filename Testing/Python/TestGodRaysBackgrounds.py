@@ -22,7 +22,7 @@ class Backgrounds(unittest.TestCase):
             (before, look, medium), data, places = defaults.draw("cones", name)
             pictures[name] = before
             with self.subTest(name):
-                difference, chroma, clipped, contrast = defaults.measure(before, look, data, places[0])
+                difference, chroma, _, clipped, contrast = defaults.measure(before, look, data, places[0])
                 print(f"{name}: dE {difference:.1f}, chroma {chroma:.2f}, contrast {contrast:.1f}")
                 self.assertLess(difference, 10)
                 self.assertAlmostEqual(chroma, 1, delta=0.1)

@@ -10,6 +10,8 @@
 #include "vtkGodRaysPublishedModel.h"
 #include "vtkGodRaysRadialModel.h"
 
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
 #include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkProperty.h"
@@ -32,8 +34,8 @@ struct ColorStage : Stage
   ColorStage()
     : Stage(Width, Height)
   {
-    const std::array<double, 3> colors[] = { { 0.9, 0.3, 0.2 }, { 0.3, 0.7, 0.3 },
-      { 0.2, 0.4, 0.9 }, { 0.9, 0.8, 0.3 }, { 0.6, 0.6, 0.6 } };
+    const std::array<double, 3> colors[] = { { 0.54, 0.18, 0.12 }, { 0.18, 0.42, 0.18 },
+      { 0.12, 0.24, 0.54 }, { 0.54, 0.48, 0.18 }, { 0.36, 0.36, 0.36 } };
     for (int i = 0; i < 5; ++i)
     {
       this->Renderer->AddActor(MakeBox({ 1.4 * (i - 2), 0.0, 0.0 }, { 0.9, 4.0, 0.5 }, colors[i]));
@@ -136,6 +138,45 @@ TEST(Exposure, DataKeepTheirColours)
 }
 
 //------------------------------------------------------------------------------
+// Warm rays give grey data no colour that is more than just visible.
+TEST(Exposure, GreyDataStayGrey)
+{
+  Messages messages;
+  ColorStage stage;
+  stage.Rays->SetIntensity(0.0);
+  vtkCollectionSimpleIterator iterator;
+  vtkActorCollection* actors = stage.Renderer->GetActors();
+  actors->InitTraversal(iterator);
+  while (vtkActor* actor = actors->GetNextActor(iterator))
+  {
+    actor->GetProperty()->SetColor(0.3, 0.3, 0.3);
+  }
+  stage.Sun->SetDiffuseColor(1.0, 0.6, 0.3);
+  stage.Without = GetPixels(stage.Window);
+  stage.Rays->SetIntensity(1.0);
+  const auto getChroma = [&]()
+  {
+    const auto with = GetPixels(stage.Window);
+    double chroma = 0.0;
+    double lit = 0.0;
+    for (int i = 0; i < Width * Height; ++i)
+    {
+      const double weight =
+        stage.IsData(i) ? vtkGodRays::SeenPart(ColorStage::Get(stage.Without, i)) : 0.0;
+      const Vec3 lab = vtkGodRays::LabOfLight(ColorStage::Get(with, i));
+      chroma += weight * std::hypot(lab.y, lab.z);
+      lit += weight;
+    }
+    return chroma / lit;
+  };
+  const double chroma = getChroma();
+  EXPECT_LT(chroma, 2.5);
+  EXPECT_GT(chroma, 1.0); // rays are seen
+  stage.Rays->SetAutomaticExposure(false);
+  EXPECT_GT(getChroma(), 10.0); // not by themselves
+}
+
+//------------------------------------------------------------------------------
 TEST(Exposure, PictureIsTheFormula)
 {
   Messages messages;
@@ -187,6 +228,7 @@ TEST(Exposure, LooksAreNotStrengthenedMediaAre)
   stage.Rays->SetModel(medium);
   stage.Window->Render();
   EXPECT_EQ(stage.Rays->GetExposure(), 4.0);
+  EXPECT_EQ(messages.Take().size(), 1u); // it hardly shows
   medium->SetScatteringCoefficient(0.05, 0.05, 0.05);
   medium->SetAsymmetry(0.9);
   stage.Window->Render();
@@ -204,7 +246,7 @@ TEST(Exposure, ChangesGraduallyWhileTheCameraIsDragged)
 {
   Messages messages;
   ColorStage stage;
-  stage.SetStrength(1.0);
+  stage.SetStrength(0.2);
   stage.Window->Render();
   const double weak = stage.Rays->GetDataExposure();
   stage.SetStrength(8.0);
@@ -213,7 +255,7 @@ TEST(Exposure, ChangesGraduallyWhileTheCameraIsDragged)
   ASSERT_LT(strong, 0.85 * weak);
 
   stage.Window->SetDesiredUpdateRate(15.0);
-  stage.SetStrength(1.0);
+  stage.SetStrength(0.2);
   stage.Window->Render();
   EXPECT_NEAR(stage.Rays->GetDataExposure(), strong + 0.25 * (weak - strong), 0.02 * weak);
   for (int i = 0; i < 30; ++i)

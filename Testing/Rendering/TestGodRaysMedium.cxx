@@ -211,9 +211,18 @@ TEST_F(GodRaysMedium, TellsItsDepthAcrossTheScene)
     return this->Rays->GetPlan();
   };
   EXPECT_TRUE(Says(getPlan(0.05), "optical depth across the scene 0.")) << this->Rays->GetPlan();
-  EXPECT_FALSE(Says(getPlan(0.05), "WorldUnitInMeters"));
-  EXPECT_TRUE(Says(getPlan(2.0), "it hides the scene; set WorldUnitInMeters"));
-  EXPECT_TRUE(Says(getPlan(1e-4), "it hardly shows; set WorldUnitInMeters"));
+  EXPECT_FALSE(Says(getPlan(0.05), "advice"));
+  EXPECT_EQ(this->Rays->GetAdvice(), "");
+  this->VTKMessages.Take();
+  EXPECT_TRUE(Says(getPlan(2.0), "advice: the medium hides the scene: its optical depth"));
+  EXPECT_TRUE(Says(this->Rays->GetAdvice(), "less scattering"));
+  EXPECT_TRUE(Says(getPlan(1e-4), "advice: the medium hardly shows: its optical depth"));
+  EXPECT_TRUE(Says(this->Rays->GetAdvice(), "more scattering"));
+  getPlan(1e-5);
+  const auto warnings = this->VTKMessages.Take(); // one of each kind
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_TRUE(Says(warnings[0], "hides the scene")) << warnings[0];
+  EXPECT_TRUE(Says(warnings[1], "hardly shows")) << warnings[1];
 }
 
 // A medium by name is as dense as suits the scene, whatever its unit, until somebody says how long that is.
@@ -227,15 +236,15 @@ TEST_F(GodRaysMedium, SuitsASceneOfWhichNobodyKnowsTheUnit)
     return GetMean(this->GetScattering());
   };
   ASSERT_TRUE(this->Model->ApplyPreset("sea-water"));
-  EXPECT_EQ(this->Model->GetOpticalDepth(), 0.5);
+  EXPECT_EQ(this->Model->GetOpticalDepth(), 0.4);
   const double suits = getMean();
-  EXPECT_TRUE(Says(this->Rays->GetPlan(), "optical depth across the scene 0.5"))
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "optical depth across the scene 0.4"))
     << this->Rays->GetPlan();
   double bounds[6];
   this->Renderer->ComputeVisiblePropBounds(bounds);
   const double diagonal = vtkBoundingBox(bounds).GetDiagonalLength();
   // the same by hand: 0.419/m in green
-  this->Model->SetWorldUnitInMeters(0.5 / (0.419 * diagonal));
+  this->Model->SetWorldUnitInMeters(0.4 / (0.419 * diagonal));
   EXPECT_NEAR(getMean(), suits, 1e-5 * suits);
   this->Model->SetWorldUnitInMeters(1.0);
   EXPECT_GT(std::abs(getMean() - suits), 0.1 * suits);

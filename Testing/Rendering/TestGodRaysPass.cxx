@@ -130,7 +130,7 @@ TEST(GodRaysPassParameters, AreClampedAndRefuseNaN)
   CHECK(SourceRadius, 0.0, 1e30, 0.0);
   CHECK(BackgroundGlow, 0.0, 1.0, 0.6);
   CHECK(BackgroundGlowRadius, 0.0, 180.0, 2.0);
-  CHECK(BackgroundGlowFalloff, 0.0, 180.0, 10.0);
+  CHECK(BackgroundGlowFalloff, 0.0, 180.0, 6.0);
   CHECK(LayerMargin, 0.0, 1.0, 0.0);
 #undef CHECK
   check(

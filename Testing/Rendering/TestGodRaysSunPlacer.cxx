@@ -15,10 +15,16 @@
 #include "vtkDataSetMapper.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkLight.h"
+#include "vtkLineSource.h"
+#include "vtkMapper.h"
+#include "vtkMolecule.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
+#include "vtkPointGaussianMapper.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -38,6 +44,21 @@ using namespace GodRaysTesting;
 
 namespace
 {
+/// In the place of VTK's, which is of a module that may be missing.
+class MoleculeMapper : public vtkMapper
+{
+public:
+  static MoleculeMapper* New();
+  vtkTypeMacro(MoleculeMapper, vtkMapper);
+  void Render(vtkRenderer*, vtkActor*) override {}
+  int FillInputPortInformation(int, vtkInformation* info) override
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMolecule");
+    return 1;
+  }
+};
+vtkStandardNewMacro(MoleculeMapper);
+
 class GodRaysSunPlacer : public ::testing::Test
 {
 protected:
@@ -315,6 +336,54 @@ TEST_F(GodRaysSunPlacer, WaitsForAScene)
   const std::vector<double> full(
     this->Rays->GetLight(0)->GetPosition(), this->Rays->GetLight(0)->GetPosition() + 3);
   EXPECT_NE(empty, full);
+}
+
+TEST_F(GodRaysSunPlacer, SeesLinesSplatsAndMolecules)
+{
+  const auto cover = [this](vtkMapper* mapper)
+  {
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    this->Renderer->AddActor(actor);
+    this->Placer->Find(this->Renderer);
+    const double covered = this->Placer->GetCoverage();
+    this->Renderer->RemoveActor(actor);
+    return covered;
+  };
+
+  // A line of two points covers what lies between them, a third of the picture's 170 columns or more.
+  vtkNew<vtkLineSource> line;
+  line->SetPoint1(-2.0, 0.0, 0.0);
+  line->SetPoint2(2.0, 0.5, 0.0);
+  vtkNew<vtkPolyDataMapper> ofLine;
+  ofLine->SetInputConnection(line->GetOutputPort());
+  EXPECT_GT(cover(ofLine), 57.0 / (170 * 128));
+
+  // Splats, which need no cells, are as large as their scale.
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points);
+  vtkNew<vtkPointGaussianMapper> splats;
+  splats->SetInputData(cloud);
+  splats->SetScaleFactor(0.3);
+  const double small = cover(splats);
+  splats->SetScaleFactor(0.9);
+  const double large = cover(splats);
+  EXPECT_GT(small, 0.0);
+  EXPECT_NEAR(large / small, 9.0, 3.0);
+
+  // Atoms are balls, bonds are sticks.
+  vtkNew<vtkMolecule> molecule;
+  const auto first = molecule->AppendAtom(6, -1.0, 0.0, 0.0);
+  const auto second = molecule->AppendAtom(6, 1.0, 0.0, 0.0);
+  vtkNew<MoleculeMapper> balls;
+  balls->SetInputDataObject(molecule);
+  const double apart = cover(balls);
+  EXPECT_GT(apart, 0.0);
+  molecule->AppendBond(first, second, 1);
+  molecule->Modified();
+  EXPECT_GT(cover(balls), 5.0 * apart);
 }
 
 TEST_F(GodRaysSunPlacer, SeesPropsOfAllKinds)
