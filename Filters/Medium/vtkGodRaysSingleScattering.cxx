@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysSingleScattering.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkGodRaysGridRay.h"
 #include "vtkGodRaysMath.h"
+#include "vtkGodRaysTriangleTree.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -29,142 +26,8 @@ struct Interval
 };
 
 using Crossing = vtkGodRaysSingleScattering::Crossing;
-using Triangle = std::array<Vec3, 3>;
-
-//------------------------------------------------------------------------------
-// Triangles in a tree of boxes.
-class TriangleTree
-{
-public:
-  explicit TriangleTree(std::vector<Triangle> triangles)
-    : Triangles(std::move(triangles))
-  {
-    if (!this->Triangles.empty())
-    {
-      this->Build(0, this->Triangles.size());
-    }
-  }
-
-  // Calls visit for every triangle in a box that meets the plane normal . p = offset, unless
-  // skip(centre, half size) is true.
-  template <typename Skip, typename Visit>
-  void Find(const Vec3& normal, double offset, const Skip& skip, const Visit& visit) const
-  {
-    const Vec3 size = vtkGodRays::abs(normal);
-    std::size_t i = 0;
-    while (i < this->Nodes.size())
-    {
-      const Node& node = this->Nodes[i];
-      const double reach = vtkGodRays::dot(size, node.HalfSize);
-      if (std::abs(vtkGodRays::dot(normal, node.Centre) - offset) >
-          reach + 1e-12 * (std::abs(offset) + reach) ||
-        skip(node.Centre, node.HalfSize))
-      {
-        i = node.Next;
-        continue;
-      }
-      for (std::size_t j = node.Begin; j < node.End; ++j)
-      {
-        visit(this->Triangles[j]);
-      }
-      ++i;
-    }
-  }
-
-private:
-  struct Node
-  {
-    Vec3 Centre;
-    Vec3 HalfSize;
-    std::size_t Begin; // triangles of a leaf
-    std::size_t End;
-    std::size_t Next; // node after this one and its children
-  };
-
-  void Build(std::size_t begin, std::size_t end)
-  {
-    Vec3 low(Infinity);
-    Vec3 high(-Infinity);
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      for (const Vec3& corner : this->Triangles[i])
-      {
-        low = vtkGodRays::min(low, corner);
-        high = vtkGodRays::max(high, corner);
-      }
-    }
-    const std::size_t self = this->Nodes.size();
-    this->Nodes.push_back({ 0.5 * (low + high), 0.5 * (high - low), begin, begin, 0 });
-    constexpr std::size_t leaf = 4;
-    if (end - begin <= leaf)
-    {
-      this->Nodes[self].End = end;
-    }
-    else
-    {
-      const Vec3 size = high - low;
-      const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-      const std::size_t middle = begin + (end - begin) / 2;
-      std::nth_element(this->Triangles.begin() + begin, this->Triangles.begin() + middle,
-        this->Triangles.begin() + end,
-        [axis](const Triangle& a, const Triangle& b)
-        { return a[0][axis] + a[1][axis] + a[2][axis] < b[0][axis] + b[1][axis] + b[2][axis]; });
-      this->Build(begin, middle);
-      this->Build(middle, end);
-    }
-    this->Nodes[self].Next = this->Nodes.size();
-  }
-
-  std::vector<Triangle> Triangles;
-  std::vector<Node> Nodes;
-};
-
-//------------------------------------------------------------------------------
-std::vector<Triangle> GetTriangles(vtkPolyData* data)
-{
-  std::vector<Triangle> triangles;
-  if (!data || !data->GetPoints())
-  {
-    return triangles;
-  }
-  const auto add = [&](vtkIdType a, vtkIdType b, vtkIdType c)
-  {
-    Triangle triangle;
-    const vtkIdType ids[3] = { a, b, c };
-    for (int i = 0; i < 3; ++i)
-    {
-      double point[3];
-      data->GetPoint(ids[i], point);
-      if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
-      {
-        return;
-      }
-      triangle[i] = Vec3(point[0], point[1], point[2]);
-    }
-    triangles.push_back(triangle);
-  };
-  vtkIdType count;
-  const vtkIdType* ids;
-  auto polygons = vtk::TakeSmartPointer(data->GetPolys()->NewIterator());
-  for (polygons->GoToFirstCell(); !polygons->IsDoneWithTraversal(); polygons->GoToNextCell())
-  {
-    polygons->GetCurrentCell(count, ids);
-    for (vtkIdType i = 2; i < count; ++i)
-    {
-      add(ids[0], ids[i - 1], ids[i]);
-    }
-  }
-  auto strips = vtk::TakeSmartPointer(data->GetStrips()->NewIterator());
-  for (strips->GoToFirstCell(); !strips->IsDoneWithTraversal(); strips->GoToNextCell())
-  {
-    strips->GetCurrentCell(count, ids);
-    for (vtkIdType i = 2; i < count; ++i)
-    {
-      add(ids[i - 2], ids[i - 1 + i % 2], ids[i - i % 2]);
-    }
-  }
-  return triangles;
-}
+using vtkGodRays::Triangle;
+using vtkGodRays::TriangleTree;
 
 //------------------------------------------------------------------------------
 // A view ray in the plane that it spans with the light. Places in it are (distance along the ray,
@@ -555,7 +418,7 @@ Vec3 IntegrateWay(const Scatter& f, double from, double to, double end, double e
 class vtkGodRaysSingleScattering::vtkInternals
 {
 public:
-  std::unique_ptr<TriangleTree> Occluders = std::make_unique<TriangleTree>(GetTriangles(nullptr));
+  std::unique_ptr<TriangleTree> Occluders = std::make_unique<TriangleTree>(nullptr);
   std::unique_ptr<TriangleTree> Seen; // null: the occluders
   Vec3 Position = Vec3(0.0);
   Vec3 Axes[3]; // right, up, forward
@@ -737,13 +600,13 @@ vtkGodRaysSingleScattering::~vtkGodRaysSingleScattering() = default;
 //------------------------------------------------------------------------------
 void vtkGodRaysSingleScattering::SetOccluders(vtkPolyData* occluders)
 {
-  this->Internals->Occluders = std::make_unique<TriangleTree>(GetTriangles(occluders));
+  this->Internals->Occluders = std::make_unique<TriangleTree>(occluders);
 }
 
 //------------------------------------------------------------------------------
 void vtkGodRaysSingleScattering::SetSeen(vtkPolyData* seen)
 {
-  this->Internals->Seen = seen ? std::make_unique<TriangleTree>(GetTriangles(seen)) : nullptr;
+  this->Internals->Seen = seen ? std::make_unique<TriangleTree>(seen) : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -755,8 +618,8 @@ void vtkGodRaysSingleScattering::SetGrids(const std::vector<vtkGodRaysGrid>& gri
 //------------------------------------------------------------------------------
 void vtkGodRaysSingleScattering::AddVeil(vtkPolyData* surface, const double through[3])
 {
-  this->Internals->Veils.push_back({ std::make_unique<TriangleTree>(GetTriangles(surface)),
-    Vec3(through[0], through[1], through[2]) });
+  this->Internals->Veils.push_back(
+    { std::make_unique<TriangleTree>(surface), Vec3(through[0], through[1], through[2]) });
 }
 
 //------------------------------------------------------------------------------
