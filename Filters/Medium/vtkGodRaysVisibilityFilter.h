@@ -103,8 +103,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether there are the arrays Irradiance and Radiance. The second costs of the order of 10 us a
-   * point. Defaults are on and off.
+   * Set/Get whether there are the arrays Irradiance and Radiance. Among 100 000 triangles the second costs of
+   * the order of 100 us a point, all else 10 us. Defaults are on and off.
    */
   vtkSetMacro(ComputeIrradiance, bool);
   vtkGetMacro(ComputeIrradiance, bool);
