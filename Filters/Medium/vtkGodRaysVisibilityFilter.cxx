@@ -27,6 +27,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 vtkStandardNewMacro(vtkGodRaysVisibilityFilter);
 
@@ -71,6 +72,23 @@ void AddError(vtkPointSet* data, const char* name, double error, const char* of)
   array->InsertNextValue(error);
   array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), of);
   data->GetFieldData()->AddArray(array);
+}
+
+// Why points cannot be computed with, and what to do; empty if they can.
+std::string FindFaultOfPoints(vtkPointSet* data, const std::string& what)
+{
+  const vtkIdType count = data ? data->GetNumberOfPoints() : 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    double point[3];
+    data->GetPoint(i, point);
+    if (!(vtkMath::Norm(point) <= 1e15)) // false for NaN
+    {
+      return what + " " + std::to_string(i) +
+        " is not finite. Take it out of the input, or move it to within 1e15.";
+    }
+  }
+  return {};
 }
 
 // What is between two points, both sides.
@@ -431,24 +449,16 @@ int vtkGodRaysVisibilityFilter::RequestData(
   vtkPointSet* result = vtkPointSet::GetData(output);
   std::string fault = this->FindFaultOfAll();
   const vtkIdType count = targets->GetNumberOfPoints();
-  for (vtkIdType i = 0; fault.empty() && i < count; ++i)
-  {
-    double point[3];
-    targets->GetPoint(i, point);
-    if (!(vtkMath::Norm(point) <= 1e15)) // false for NaN
-    {
-      fault = "point " + std::to_string(i) +
-        " is not finite. Take it out of the input, or move it to within 1e15.";
-    }
-  }
+  vtkPolyData* occluders =
+    input[1]->GetNumberOfInformationObjects() > 0 ? vtkPolyData::GetData(input[1]) : nullptr;
+  fault = fault.empty() ? FindFaultOfPoints(targets, "point") : fault;
+  fault = fault.empty() ? FindFaultOfPoints(occluders, "point of the occluders") : fault;
   if (!fault.empty())
   {
     vtkErrorMacro("Cannot compute what is seen: " << fault);
     result->Initialize();
     return 1; // the executive would only add that something failed
   }
-  vtkPolyData* occluders =
-    input[1]->GetNumberOfInformationObjects() > 0 ? vtkPolyData::GetData(input[1]) : nullptr;
   result->ShallowCopy(targets);
 
   const bool isPlanet = this->PlanetRadius > 0.0;

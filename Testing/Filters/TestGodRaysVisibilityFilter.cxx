@@ -536,6 +536,7 @@ TEST(VisibilityFilter, SaysWhatCannotBeUsed)
   };
   check([&](Filter* f) { f->SetCameraPosition(nan, 0.0, 0.0); }, "CameraPosition");
   check([&](Filter* f) { f->SetInputData(MakePoints({ { nan, 0.0, 0.0 } })); }, "point 0");
+  check([&](Filter* f) { f->SetOccludersData(MakeWall(nan, 1.0)); }, "point of the occluders 0");
   check([](Filter* f) { f->SetLight(0.0, 0.0, 0.0, 0.0); }, "Light");
   check([](Filter* f) { f->SetScatteringCoefficient(-1.0, 0.0, 0.0); }, "ScatteringCoefficient");
   // what is no error here: a camera that looks nowhere

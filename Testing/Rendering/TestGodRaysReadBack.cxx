@@ -161,8 +161,11 @@ TEST(GodRaysReadBack, GivesTheNumbersOfTheLastFrameOrNothing)
       kind, "resources released, of the integrator",
       [](Stage& scene) { scene.Rays->GetIntegrator()->ReleaseGraphicsResources(scene.Window); },
       read);
-    CheckReadBack(kind, "another size", [](Stage& scene) { scene.Window->SetSize(50, 40); }, read);
-    CheckReadBack(kind, "detached", [](Stage& scene) { scene.Rays->Detach(scene.Renderer); }, read);
-    CheckReadBack(kind, "without a window", [](Stage& scene) { scene.Window->Finalize(); }, read);
+    CheckReadBack(
+      kind, "another size", [](Stage& scene) { scene.Window->SetSize(50, 40); }, read);
+    CheckReadBack(
+      kind, "detached", [](Stage& scene) { scene.Rays->Detach(scene.Renderer); }, read);
+    CheckReadBack(
+      kind, "without a window", [](Stage& scene) { scene.Window->Finalize(); }, read);
   }
 }
