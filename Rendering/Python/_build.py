@@ -14,6 +14,7 @@ import base64
 import hashlib
 import os
 import pathlib
+import re
 import shlex
 import shutil
 import subprocess
@@ -24,6 +25,19 @@ import zipfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 COMPONENTS = ("runtime", "python", "program")
+
+
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    """The metadata alone, which pip asks for first: without this it would build twice."""
+    text = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
+    project = re.search(r'project\(GodRays VERSION (\S+)\s+DESCRIPTION "([^"]*)"', text)
+    metadata = (ROOT / "Rendering/Python/METADATA.in").read_text(encoding="utf-8")
+    for name, value in (("VERSION", project[1]), ("DESCRIPTION", project[2])):
+        metadata = metadata.replace(f"@PROJECT_{name}@", value)
+    info = pathlib.Path(metadata_directory) / f"godrays-{project[1]}.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text(metadata, encoding="utf-8")
+    return info.name
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):

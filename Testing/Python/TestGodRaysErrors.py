@@ -9,7 +9,7 @@ import unittest
 import warnings
 
 import godrays
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow, vtkVersion
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer, vtkRenderWindow
 
@@ -71,6 +71,18 @@ class Properties(unittest.TestCase):
             rays.plan = "none"
         with self.assertRaisesRegex(ValueError, "output='bogus' is none of the constants"):
             rays.output = "bogus"
+
+    def test_constructors_take_them_where_vtks_do(self):
+        version = vtkVersion()
+        if (version.GetVTKMajorVersion(), version.GetVTKMinorVersion()) < (9, 4):
+            self.skipTest("VTK's constructors take properties since 9.4")
+        rays = godrays.vtkGodRaysPass(intensity=0.5, output="scattering")
+        self.assertEqual((rays.GetIntensity(), rays.GetOutput()), (0.5, rays.SCATTERING))
+        self.assertIsInstance(rays, godrays.vtkGodRaysPass)
+        with self.assertRaises(godrays.Error):
+            godrays.vtkGodRaysPass(intensity=math.nan)
+        with self.assertRaisesRegex(TypeError, "intensty"):
+            godrays.vtkGodRaysPass(intensty=1)
 
     def test_documentation_is_that_of_c(self):
         pass_ = godrays.vtkGodRaysPass

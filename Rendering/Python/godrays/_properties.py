@@ -81,6 +81,22 @@ def install(classes: list[type]) -> None:
             if not re.match(rf"{method}\(self\)\s+->", getattr(cls, method).__doc__ or ""):
                 continue
             add(cls, snake(name), _make(cls, name))
+        if "__init__" in vars(cls) and hasattr(cls, "override"):
+            cls.override(_with_keywords(cls))  # type: ignore[attr-defined]
+
+
+def _with_keywords(cls: Any) -> type:
+    """A class whose constructor takes properties, as VTK's do since 9.4, but only those that VTK has made."""
+
+    def init(self: Any, *arguments: Any, **properties: Any) -> None:
+        cls.__init__(self, *arguments)
+        for name, value in properties.items():
+            if not hasattr(type(self), name):
+                raise TypeError(f"{cls.__name__} has no property {name}")
+            setattr(self, name, value)
+
+    return type(cls.__name__, (cls,), {
+        "__init__": init, "__module__": cls.__module__, "__doc__": cls.__doc__})
 
 
 def _make(cls: type, name: str) -> property:
