@@ -3,7 +3,7 @@
 """The build backend of pyproject.toml (PEP 517): a wheel of what CMake builds and installs.
 
 Settings, as pip's --config-settings NAME=VALUE:
-  build-dir   a build tree to use and keep; without it, one is made in a temporary folder
+  build-dir   the absolute path of a build tree to use and keep; without it, one is made in a temporary folder
   cmake-args  arguments for the configuration, such as -DVTK_DIR=<folder>
 
 The wheel holds the module, the libraries beside it, and the program godrays if it is built. It is for the

@@ -34,7 +34,7 @@ class raising:
     otherwise leave errors to VTK's log. An object that has observers of its errors tells these alone.
     """
 
-    def __enter__(self) -> raising:
+    def __enter__(self) -> Any:
         self._former = vtkOutputWindow.GetInstance()
         self._messages = vtkStringOutputWindow()
         vtkOutputWindow.SetInstance(self._messages)
