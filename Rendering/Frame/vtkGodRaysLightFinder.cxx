@@ -3,6 +3,7 @@
 #include "vtkGodRaysLightFinder.h"
 
 #include "vtkActor.h"
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysGate.h"
@@ -151,11 +152,10 @@ std::vector<vtkGodRaysLight> vtkGodRaysLightFinder::Find(
       continue;
     }
     seen.Prop = prop;
-    const double place[4] = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
-      0.5 * (bounds[4] + bounds[5]), 1.0 };
-    const double diagonal[3] = { bounds[1] - bounds[0], bounds[3] - bounds[2],
-      bounds[5] - bounds[4] };
-    const double radius = 0.5 * vtkMath::Norm(diagonal);
+    const vtkBoundingBox box(bounds);
+    double place[4] = { 0.0, 0.0, 0.0, 1.0 };
+    box.GetCenter(place);
+    const double radius = 0.5 * box.GetDiagonalLength();
     seen.Place(view, place, radius);
     seen.Power = vtkMath::Pi() * radius * radius / 3.0; // of a sphere within its bounds
     double color[3] = { 1.0, 1.0, 1.0 };
@@ -254,9 +254,7 @@ double vtkGodRaysLightFinder::FindDiagonal()
   {
     return 50.0;
   }
-  const double diagonal[3] = { bounds[1] - bounds[0], bounds[3] - bounds[2],
-    bounds[5] - bounds[4] };
-  return vtkMath::Norm(diagonal);
+  return vtkBoundingBox(bounds).GetDiagonalLength();
 }
 
 //------------------------------------------------------------------------------
