@@ -11,9 +11,11 @@
 #include "vtkGodRaysSweptLight.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysViewDepths.h"
+#include "vtkGodRaysVolumeHaze.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkProp.h"
 
 vtkStandardNewMacro(vtkGodRaysEpipolarCoverageIntegrator);
 
@@ -112,6 +114,14 @@ bool vtkGodRaysEpipolarCoverageIntegrator::Integrate(const Request& request)
   }
   const bool done = self.Swept.Add(request, parameters, size);
   self.Plan = self.Swept.Sweep.Describe();
+  const auto translucent = std::count_if(request.Occluders->begin(), request.Occluders->end(),
+    [](vtkProp* prop)
+    { return prop->HasTranslucentPolygonalGeometry() || vtkGodRaysVolumeHaze::HasVolume(prop); });
+  if (translucent > 0)
+  {
+    self.Plan +=
+      "; " + std::to_string(translucent) + " translucent props or volumes cast no shadow";
+  }
   return done;
 }
 

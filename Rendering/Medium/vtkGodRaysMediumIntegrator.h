@@ -45,7 +45,7 @@ public:
     const vtkGodRaysView* View = nullptr;
     const vtkGodRaysLight* Light = nullptr;
     vtkGodRaysViewDepths* Depths = nullptr;
-    const std::vector<vtkProp*>* Occluders = nullptr; ///< their opaque parts block light
+    const std::vector<vtkProp*>* Occluders = nullptr; ///< these props block light
     vtkGodRaysCompositor* Compositor = nullptr;       ///< of a scene on several processes
     vtkGodRaysSum* Result = nullptr;     ///< the light scattered by all lights: add to it
     double ErrorTolerance = 1.0 / 255.0; ///< of this frame; see vtkGodRaysPass

@@ -25,8 +25,9 @@
  * intensity, in linear light. A positional light with a ConeAngle below 90 degrees is a spotlight, as VTK
  * shades with it: I cos(a)^Exponent within the cone, a being the angle from its axis, and nothing outside.
  *
- * Translucent props and volumes block nothing. A picture that is tilted against the axis of view, or has
- * oblong pixels, as only a projection matrix made by hand has, is an error.
+ * Translucent props and volumes take part of the light, see Documentation/Pipeline.md. A picture that is
+ * tilted against the axis of view, or has oblong pixels, as only a projection matrix made by hand has, is an
+ * error.
  *
  * @sa vtkGodRaysHomogeneousModel vtkGodRaysAutomaticIntegrator
  */

@@ -5,7 +5,8 @@
  * @brief   single scattering among the scene's polygons, evaluated exactly at some pixels; private to this
  * module
  *
- * The polygons of actors block light, translucent ones by their opacity, wherever they are, as their mappers have them: those of
+ * The polygons of actors block light, translucent ones by their opacity, wherever they are, as their mappers
+ * have them: those of
  * vtkPolyDataMapper and vtkCompositePolyDataMapper, moved and clipped, drawn as surfaces. They are taken
  * once, and again when an occluder changes. View rays end where the picture's depths are.
  */

@@ -11,8 +11,8 @@
  * the world; one face about all occluders, or about a fixed lamp, so serves while the camera moves. Of
  * plain actors VTK tells that; with any other prop, and on several processes, it is drawn anew.
  *
- * Translucent surfaces are layers of the grids, if Draw() is asked for them: without such props nothing is
- * drawn or kept for them.
+ * Translucent surfaces and volumes are layers of the grids, if Draw() is asked for them: without such props
+ * nothing is drawn or kept for them.
  */
 
 #ifndef vtkGodRaysShadowMap_h

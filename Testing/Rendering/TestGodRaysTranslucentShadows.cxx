@@ -192,12 +192,12 @@ TEST_F(GodRaysTranslucentShadows, AreTheGroundTruth)
   }
 }
 
-// What pictures say of their own error, by sheets that rays of light are cut into pieces by, is what a mean of
-// pictures without sheets says.
+// What pictures say of their own error, by the pieces that sheets cut view rays into, is what a mean of
+// pictures without sheets says. Errors of colours are counted otherwise there.
 TEST_F(GodRaysTranslucentShadows, AreVerified)
 {
   this->AddPanes();
-  this->Panes[1]->GetProperty()->SetColor(1.0, 1.0, 1.0); // the two count errors of colours otherwise
+  this->Panes[1]->GetProperty()->SetColor(1.0, 1.0, 1.0);
   for (const std::array<double, 4>& light :
     { std::array<double, 4>{ 0.15, 0.1, -1.0, 0.0 }, { 0.5, 1.0, 12.0, 1.0 } })
   {
