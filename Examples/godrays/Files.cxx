@@ -21,10 +21,12 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDEMReader.h"
 #include "vtkDataSet.h"
+#include "vtkExodusIIReader.h"
 #include "vtkGLTFImporter.h"
 #include "vtkGenericDataObjectReader.h"
 #include "vtkHDRReader.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkJPEGReader.h"
 #include "vtkMapper.h"
 #include "vtkMetaImageReader.h"
@@ -41,10 +43,12 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSTLReader.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTIFFReader.h"
 #include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkXMLDataElement.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLMultiBlockDataReader.h"
 #include "vtkXMLPImageDataReader.h"
@@ -58,8 +62,10 @@
 #include "vtkXMLRectilinearGridReader.h"
 #include "vtkXMLStructuredGridReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
+#include "vtkXMLUtilities.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -157,12 +163,37 @@ void AddDataObject(vtkDataObject* object, FileContents& contents)
 }
 
 //------------------------------------------------------------------------------
+/**
+ * Which of the times is the nearest to the one asked for.
+ */
+std::size_t FindStep(const FileContents& contents)
+{
+  const auto& times = contents.Times;
+  const double time = contents.Time.value_or(times.front());
+  const auto nearest = std::min_element(times.begin(), times.end(),
+    [time](double a, double b) { return std::abs(a - time) < std::abs(b - time); });
+  return static_cast<std::size_t>(nearest - times.begin());
+}
+
+//------------------------------------------------------------------------------
 template <typename Reader>
 void Update(Reader* reader, const std::string& path, FileContents& contents)
 {
   reader->SetFileName(path.c_str());
   const Progress progress(reader, "reading " + contents.Path);
-  reader->Update();
+  reader->UpdateInformation();
+  vtkInformation* information = reader->GetOutputInformation(0);
+  auto* key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
+  if (information && information->Has(key) && information->Length(key) > 0)
+  {
+    const double* times = information->Get(key);
+    contents.Times.assign(times, times + information->Length(key));
+    reader->UpdateTimeStep(contents.Times[FindStep(contents)]);
+  }
+  else
+  {
+    reader->Update();
+  }
   AddDataObject(reader->GetOutputDataObject(0), contents);
 }
 
@@ -459,6 +490,72 @@ void ReadHdr(const std::string& path, FileContents& contents)
 }
 
 //------------------------------------------------------------------------------
+/**
+ * Read a file that another one names.
+ */
+void ReadPart(FileContents& contents);
+
+//------------------------------------------------------------------------------
+void ReadExodus(const std::string& path, FileContents& contents)
+{
+  vtkNew<vtkExodusIIReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->UpdateInformation();
+  reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
+  reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
+  Update(reader.Get(), path, contents);
+}
+
+//------------------------------------------------------------------------------
+/**
+ * ParaView's collection: files by time and part. Those of the time nearest to the one asked for.
+ */
+void ReadPvd(const std::string& path, FileContents& contents)
+{
+  const auto root = vtk::TakeSmartPointer(vtkXMLUtilities::ReadElementFromFile(path.c_str()));
+  vtkXMLDataElement* collection = root ? root->FindNestedElementWithName("Collection") : nullptr;
+  if (!collection)
+  {
+    throw Failure(path + ": has no Collection; it is damaged, or not what its name says");
+  }
+  std::vector<std::pair<double, std::string>> parts;
+  for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i)
+  {
+    vtkXMLDataElement* part = collection->GetNestedElement(i);
+    double time = 0.0;
+    part->GetScalarAttribute("timestep", time);
+    if (const char* file = part->GetAttribute("file"))
+    {
+      parts.emplace_back(time, (fs::path(path).parent_path() / file).string());
+      contents.Times.push_back(time);
+    }
+  }
+  if (parts.empty())
+  {
+    throw Failure(path + ": names no files; it is damaged, or not what its name says");
+  }
+  std::sort(contents.Times.begin(), contents.Times.end());
+  auto& times = contents.Times;
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  const double nearest = times[FindStep(contents)];
+  for (const auto& [time, file] : parts)
+  {
+    if (time == nearest)
+    {
+      if (fs::path(file).extension() == ".pvd")
+      {
+        throw Failure(path + ": names another .pvd; name its files instead");
+      }
+      FileContents part;
+      part.Path = file;
+      ReadPart(part);
+      contents.DataSets.insert(contents.DataSets.end(), part.DataSets.begin(), part.DataSets.end());
+      contents.Actors.insert(contents.Actors.end(), part.Actors.begin(), part.Actors.end());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 using ReadFunction = std::function<void(const std::string&, FileContents&)>;
 
 const std::map<std::string, ReadFunction>& Types()
@@ -468,6 +565,9 @@ const std::map<std::string, ReadFunction>& Types()
     { ".bmp", ReadData<vtkBMPReader> },
     { ".byu", ReadData<vtkBYUReader> },
     { ".dem", ReadDem },
+    { ".e", ReadExodus },
+    { ".ex2", ReadExodus },
+    { ".exo", ReadExodus },
     { ".glb", ReadGltf },
     { ".gltf", ReadGltf },
     { ".hdr", ReadHdr },
@@ -483,6 +583,7 @@ const std::map<std::string, ReadFunction>& Types()
     { ".ply", ReadPly },
     { ".png", ReadData<vtkPNGReader> },
     { ".ppm", ReadPnm },
+    { ".pvd", ReadPvd },
     { ".pvti", ReadXml<vtkXMLPImageDataReader> },
     { ".pvtp", ReadXml<vtkXMLPPolyDataReader> },
     { ".pvtr", ReadXml<vtkXMLPRectilinearGridReader> },
@@ -548,6 +649,12 @@ const ReadFunction& CheckFile(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
+void ReadPart(FileContents& contents)
+{
+  CheckFile(contents.Path)(contents.Path, contents);
+}
+
+//------------------------------------------------------------------------------
 /**
  * Why a file could not be read. Some readers only warn when data are missing, and MetaIO just
  * prints it.
@@ -584,16 +691,17 @@ void RemoveEmpty(FileContents& contents)
 }
 
 //------------------------------------------------------------------------------
-FileContents ReadFile(const std::string& path)
+FileContents ReadFile(const std::string& path, std::optional<double> time)
 {
   const ReadFunction& read = CheckFile(path);
   FileContents contents;
   contents.Path = path;
+  contents.Time = time;
   const std::string remedy = "; the file is damaged, or not what its name says: write it again";
   std::string reason;
   try
   {
-    const Messages messages(true, "godrays: " + path + ": cannot be read" + remedy);
+    const Messages messages(true, "godrays: " + path + ": cannot be read" + remedy, Failure::File);
     read(path, contents);
     reason = FindError(messages);
   }

@@ -18,6 +18,7 @@ namespace
 {
 int userError = STDERR_FILENO;
 std::string crashLine;
+int crashCode = 1;
 constexpr std::array<int, 5> CrashSignals = { SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL };
 
 //------------------------------------------------------------------------------
@@ -27,9 +28,9 @@ void EndAfterCrash(int)
   Temporary::RemoveAll();
   if (write(userError, crashLine.data(), crashLine.size()) < 0)
   {
-    _exit(2);
+    _exit(crashCode);
   }
-  _exit(1);
+  _exit(crashCode);
 }
 
 //------------------------------------------------------------------------------
@@ -116,7 +117,7 @@ vtkStandardNewMacro(Collector);
 }
 
 //------------------------------------------------------------------------------
-Messages::Messages(bool catchStandardError, const std::string& onCrash)
+Messages::Messages(bool catchStandardError, const std::string& onCrash, int exitCode)
   : Collector(vtkSmartPointer<::Collector>::New())
   , Former(vtkOutputWindow::GetInstance())
 {
@@ -126,6 +127,7 @@ Messages::Messages(bool catchStandardError, const std::string& onCrash)
     return;
   }
   crashLine = onCrash + "\n";
+  crashCode = exitCode;
   this->Printed = std::tmpfile();
   userError = dup(STDERR_FILENO);
   if (!this->Printed || userError < 0 || dup2(fileno(this->Printed), STDERR_FILENO) < 0)

@@ -21,10 +21,10 @@ class Messages
 public:
   /**
    * Collect messages while this object lives. With catchStandardError, also what libraries print
-   * without asking VTK, and if one of them crashes, the program ends with exit code 1 and the line
-   * onCrash.
+   * without asking VTK, and if one of them crashes, the program ends with the exit code and
+   * the line onCrash.
    */
-  Messages(bool catchStandardError, const std::string& onCrash);
+  Messages(bool catchStandardError, const std::string& onCrash, int exitCode);
   ~Messages();
 
   Messages(const Messages&) = delete;

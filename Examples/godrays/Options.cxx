@@ -3,8 +3,14 @@
 #include "Options.h"
 
 #include "Colormaps.h"
+#include "Configuration.h"
+#include "Documents.h"
 #include "Failure.h"
 #include "Files.h"
+#include "Keys.h"
+#include "Presets.h"
+#include "Suggestions.h"
+#include "Volumes.h"
 
 #include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysSunPosition.h"
@@ -13,9 +19,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <iostream>
 
 namespace
 {
@@ -26,6 +34,29 @@ const std::string Airs = "earth-clear, earth-hazy, earth-polluted, mars, bruneto
 std::string Quoted(const std::string& text)
 {
   return "'" + text + "'";
+}
+
+//------------------------------------------------------------------------------
+std::string Join(const std::vector<std::string>& words)
+{
+  std::string text;
+  for (const std::string& word : words)
+  {
+    text += (text.empty() ? "" : ", ") + word;
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> Split(const std::string& text)
+{
+  std::vector<std::string> words;
+  std::stringstream stream(text);
+  for (std::string word; std::getline(stream >> std::ws, word, ',');)
+  {
+    words.push_back(word);
+  }
+  return words;
 }
 
 //------------------------------------------------------------------------------
@@ -140,6 +171,10 @@ void AddLightOptions(Parser& parser, Options& options)
     [&options](const std::string& text) { options.Date = text; });
   parser.Add("--place", options.Place, "LAT,LON",
     "Latitude and longitude of the scene in degrees, positive to the north and to the east");
+  parser.Add("--sun-at", options.SunAt, "X,Y",
+    "Instead of --sun: the place of the picture behind which the sun is, from 0,0 at the lower "
+    "left to "
+    "1,1 at the upper right");
   parser.Add("--light", options.Light, "X,Y,Z", "A lamp at this point instead of the sun");
   parser.AddCall("--light-color", "COLOR", "Colour of the sun or lamp: r,g,b, #rrggbb or a name",
     [&options](const std::string& text)
@@ -195,11 +230,18 @@ void AddRayOptions(Parser& parser, Options& options)
 void AddCameraOptions(Parser& parser, Options& options)
 {
   parser.Group = "Camera";
+  parser.Add("--camera", options.Camera, "AZIMUTH,ELEVATION",
+    "Where the camera is, seen from the middle of the data, in degrees as for --sun; as far away "
+    "as "
+    "shows all of it");
+  parser.Add("--zoom", options.Zoom, 1e-3, 1e3, "How many times as near the camera is (1)");
   parser.Add("--camera-position", options.CameraPosition, "X,Y,Z", "Where the camera is");
   parser.Add("--focal-point", options.FocalPoint, "X,Y,Z", "What the camera looks at");
   parser.Add("--view-up", options.ViewUp, "X,Y,Z", "What is up in the picture");
   parser.Add("--view-angle", options.ViewAngle, 1.0, 170.0, "Height of the view in degrees");
   parser.AddFlag("--parallel", options.Parallel, "Parallel projection");
+  parser.Add("--parallel-height", options.ParallelHeight, 1e-15, 1e15,
+    "Height of the view with --parallel, in world units");
   parser.AddCall("--up", "AXIS",
     "Axis of the data that points up: X, Y or Z. Y for .gltf and .glb, guessed from the extents of "
     ".obj and .ply, else Z",
@@ -247,7 +289,8 @@ void AddLookOptions(Parser& parser, Options& options)
       vtkObject::GlobalWarningDisplayOn();
       if (!known)
       {
-        throw Failure("--sky: " + Quoted(text) + " should be one of " + Airs);
+        throw Failure(
+          "--sky: " + Quoted(text) + " should be one of " + Airs + Suggest(text, Split(Airs)));
       }
       options.Sky = text;
     });
@@ -258,8 +301,8 @@ void AddLookOptions(Parser& parser, Options& options)
     {
       if (!HasColormap(text))
       {
-        throw Failure(
-          "--colormap: " + Quoted(text) + " should be one of " + GetColormapNames(", "));
+        throw Failure("--colormap: " + Quoted(text) + " should be one of " +
+          GetColormapNames(", ") + Suggest(text, Split(GetColormapNames(","))));
       }
       options.Colormap = text;
     });
@@ -288,6 +331,22 @@ void AddLookOptions(Parser& parser, Options& options)
         options.ElevationScale = value;
       }
     });
+  parser.Add("--window", options.Window, "LEVEL,WIDTH",
+    "Of volumes: the values in the middle of those shown, and how far they range, as radiologists "
+    "have "
+    "it; opacity goes from 0 to its most there");
+  parser.AddCall("--volume-preset", "NAME",
+    "Opacities and colours of a CT volume, in Hounsfield units: " + Join(GetVolumePresets()),
+    [&options](const std::string& text)
+    {
+      const auto names = GetVolumePresets();
+      if (std::find(names.begin(), names.end(), text) == names.end())
+      {
+        throw Failure("--volume-preset: " + Quoted(text) + " should be one of " + Join(names) +
+          Suggest(text, names));
+      }
+      options.VolumePreset = text;
+    });
   parser.Add("--isosurface", options.Isosurface, -1e300, 1e300,
     "Draw 3-D images as the surface of this value instead of as a volume");
 }
@@ -309,7 +368,11 @@ void AddOutputOptions(Parser& parser, Options& options)
           " should be WIDTHxHEIGHT in pixels, each from 8 to 16384, for example 1200x800");
       }
     });
-  parser.AddCall("-o,--output", "FILE", "Write the picture to this .png or .jpg, without a window",
+  parser.AddCall("-o,--output", "FILE",
+    "Write the picture to this .png or .jpg, without a window; - is a PNG to the standard output. "
+    "{name} is the name of the first file, {n} the number of the file, {frame} that of the "
+    "picture, "
+    "{time} the time step's",
     [&options](const std::string& text) { options.Output = text; });
   parser.AddCall("--numbers", "FILE",
     "Write what a medium is in numbers, for each pixel, to this .vti or .exr, without a window: "
@@ -320,10 +383,57 @@ void AddOutputOptions(Parser& parser, Options& options)
     "Irradiance of a white light [W/m2], for the radiance of --numbers; relative to it without");
   parser.AddFlag("--interactive", options.Interactive,
     "Open a window, also with --output, which is then written when it closes");
+  parser.AddFlag("--transparent", options.Transparent,
+    "Leave the background out of a .png: its opacity there is 0");
+  parser.AddCall("--reference", "FILE",
+    "Compare the picture with this one, as VTK's tests do, and end with 5 if it differs",
+    [&options](const std::string& text) { options.Reference = text; });
+  parser.Add("--threshold", options.Threshold, 0.0, 1e9,
+    "Error up to which a picture is as its reference, in the unit of vtkImageDifference (10)");
+  parser.AddFlag("--quiet", options.Quiet, "No notes, and no progress: failures alone are told");
+  parser.AddFlag("--verbose", options.Verbose, "Tell of each step, and how long it took");
   parser.AddFlag("--stats", options.Stats,
     "Print what was drawn, how, how long it took, and how exact the rays are");
   parser.AddFlag("--list-presets", options.ListPresets, "List the named looks and media");
   parser.AddFlag("--list-colormaps", options.ListColormaps, "List the colour maps");
+}
+
+//------------------------------------------------------------------------------
+void AddSeriesOptions(Parser& parser, Options& options)
+{
+  parser.Group = "Several files, times and views";
+  parser.AddFlag("--each", options.Each,
+    "Show the files one after another instead of together; with --output, write a picture of each");
+  parser.AddFlag("--watch", options.Watch, "In the window, read files again when they are written");
+  parser.AddCall("--time", "NUMBER", "Show the time step nearest to this time (the first one)",
+    [&options](const std::string& text)
+    {
+      double value = 0.0;
+      if (!ReadNumber(text, value))
+      {
+        throw Failure("--time: " + Quoted(text) + " should be a number");
+      }
+      options.Time = value;
+    });
+  parser.AddFlag("--animate", options.Animate, "Write a picture of each time step");
+  parser.AddCall("--turntable", "COUNT",
+    "Write this many pictures, between which the camera goes about the data once",
+    [&options](const std::string& text)
+    {
+      double value = 0.0;
+      if (!ReadNumber(text, value) || value < 1.0 || value > 100000.0 || value != std::floor(value))
+      {
+        throw Failure(
+          "--turntable: " + Quoted(text) + " should be a whole number from 1 to 100000");
+      }
+      options.Turntable = static_cast<int>(value);
+    });
+  parser.AddCall("--film", "FILE",
+    "Join the pictures of --animate, --turntable or --each to a film: .ogv, or with ffmpeg, which "
+    "is to "
+    "be installed, .mp4, .webm, .mkv or .gif",
+    [&options](const std::string& text) { options.Film = text; });
+  parser.Add("--frame-rate", options.FrameRate, 0.1, 240.0, "Pictures a second of a film (25)");
 }
 
 //------------------------------------------------------------------------------
@@ -368,6 +478,34 @@ std::array<double, 2> FindSun(
 }
 
 //------------------------------------------------------------------------------
+void CheckSeries(const Options& options)
+{
+  const bool isMany = options.Animate || options.Turntable > 0 || options.Each;
+  if (!options.Film.empty() && !isMany)
+  {
+    throw Failure("--film needs more than a picture; give --animate, --turntable or --each");
+  }
+  if ((options.Animate || options.Turntable > 0) && options.Output.empty() && options.Film.empty())
+  {
+    throw Failure("--animate and --turntable write pictures; give --output, or --film");
+  }
+  if (isMany && !options.Interactive && !options.Output.empty() &&
+    options.Output.find('{') == std::string::npos)
+  {
+    throw Failure("--output: " + Quoted(options.Output) +
+      " is one name for several pictures; put {frame}, {name}, {n} or {time} in it");
+  }
+  if (options.Interactive && (options.Animate || options.Turntable > 0 || !options.Film.empty()))
+  {
+    throw Failure("--interactive opens a window; leave out --animate, --turntable and --film");
+  }
+  if (options.Quiet && options.Verbose)
+  {
+    throw Failure("--quiet and --verbose are the reverse of each other; give one of them");
+  }
+}
+
+//------------------------------------------------------------------------------
 void CheckTogether(const Options& options)
 {
   if (options.ListPresets || options.ListColormaps)
@@ -387,6 +525,28 @@ void CheckTogether(const Options& options)
   {
     throw Failure("--date and --place belong together; give both, or --sun");
   }
+  if (options.SunAt && (options.Sun || options.Light || options.Place))
+  {
+    throw Failure("--sun-at says where the sun is; leave out --sun, --light, --date and --place");
+  }
+  if (options.Camera && (options.CameraPosition || options.FocalPoint))
+  {
+    throw Failure(
+      "--camera says where the camera is; leave out --camera-position and --focal-point");
+  }
+  if (options.Camera && std::abs((*options.Camera)[1]) > 90.0)
+  {
+    throw Failure("--camera: the elevation should be from -90 to 90 degrees");
+  }
+  if (options.ParallelHeight && !options.Parallel)
+  {
+    throw Failure("--parallel-height needs --parallel");
+  }
+  if (options.Transparent && !options.Sky.empty())
+  {
+    throw Failure("--transparent has no background, and --sky is one; leave out one of them");
+  }
+  CheckSeries(options);
   if (options.Place && (options.Sun || options.Light))
   {
     throw Failure("--date and --place say where the sun is; leave out --sun and --light");
@@ -425,15 +585,115 @@ void CheckTogether(const Options& options)
   {
     throw Failure("--numbers are of rays, and --no-rays leaves them out; drop one of them");
   }
+  if (!options.Numbers.empty() &&
+    (options.Each || options.Animate || options.Turntable > 0 || !options.Film.empty()))
+  {
+    throw Failure(
+      "--numbers are of one picture; leave out --each, --animate, --turntable and --film");
+  }
   if (!options.Numbers.empty() && options.Show == "occlusion")
   {
     throw Failure(
       "--numbers need the rays, and --show occlusion leaves them out; drop one of them");
   }
+  if (options.Window &&
+    (options.Range || !options.VolumePreset.empty() || (*options.Window)[1] <= 0.0))
+  {
+    throw Failure(
+      "--window has a width above 0, and is in the place of --range and --volume-preset");
+  }
   if (options.Range && (*options.Range)[0] >= (*options.Range)[1])
   {
     throw Failure("--range: the first value should be below the second");
   }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> GetNames(const CLI::App& app)
+{
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+  {
+    for (const std::string& name : option->get_lnames())
+    {
+      names.push_back("--" + name);
+    }
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Parse the options of a file, and then those of the command line, which hold where both name one.
+ */
+void ParseAgain(CLI::App& app, Options& options, const std::string& path, int argc, char* argv[])
+{
+  auto words = ReadConfiguration(path, options.Files.front());
+  const auto names = GetNames(app);
+  for (const std::string& word : words)
+  {
+    const std::string name = word.substr(0, word.find('='));
+    if (std::find(names.begin(), names.end(), name) == names.end())
+    {
+      throw Failure(path + ": " + name.substr(2) + " is no option" + Suggest(name, names));
+    }
+  }
+  words.insert(words.end(), argv + 1, argv + argc);
+  std::reverse(words.begin(), words.end()); // as CLI11 has it
+  options = {};
+  app.clear();
+  app.parse(words);
+}
+
+//------------------------------------------------------------------------------
+std::vector<OptionRow> GetRows(const CLI::App& app)
+{
+  std::vector<OptionRow> rows;
+  for (const CLI::Option* option : app.get_options())
+  {
+    if (option->get_lnames().empty() || option->get_group().empty())
+    {
+      continue;
+    }
+    OptionRow row;
+    for (const std::string& name : option->get_snames())
+    {
+      row.Names.push_back("-" + name);
+    }
+    for (const std::string& name : option->get_lnames())
+    {
+      row.Names.push_back("--" + name);
+    }
+    row.Form = option->get_items_expected_max() == 0 ? "" : option->get_type_name();
+    row.Help = option->get_description();
+    row.Group = option->get_group();
+    const std::string& name = option->get_lnames().front();
+    if (name == "preset")
+    {
+      for (const Preset& preset : GetPresets())
+      {
+        row.Choices.push_back(preset.Name);
+      }
+    }
+    else if (name == "volume-preset")
+    {
+      row.Choices = GetVolumePresets();
+    }
+    else if (name == "colormap" || name == "sky")
+    {
+      row.Choices = Split(name == "sky" ? Airs : GetColormapNames(","));
+    }
+    else if (name == "show")
+    {
+      row.Choices = { "composite", "occlusion", "rays" };
+    }
+    else if (name == "up")
+    {
+      row.Choices = { "X", "Y", "Z" };
+    }
+    rows.push_back(row);
+  }
+  return rows;
 }
 }
 
@@ -444,8 +704,9 @@ std::optional<Options> ParseCommandLine(int argc, char* argv[])
                "sunlight past things that block it.",
     "godrays");
   app.footer("Reads " + GetExtensions() +
-    "\n\nWithout --output a window opens: drag to look around, G switches the rays, N takes the "
-    "next preset, O shows the rays alone, Q ends.");
+    "\n\nWithout --output a window opens. Drag to look around; its keys are:\n" + GetKeyLines() +
+    "\n\nEnds with 0, or when something is wrong, which a line tells, with 2 (options), 3 (files),"
+    " 4 (the display), 5 (not as the --reference) or 1.");
   app.set_version_flag("--version", std::string("godrays ") + GODRAYS_VERSION);
   Options options;
   app.add_option("files", options.Files, "Files to show together");
@@ -455,14 +716,38 @@ std::optional<Options> ParseCommandLine(int argc, char* argv[])
   AddCameraOptions(parser, options);
   AddLookOptions(parser, options);
   AddOutputOptions(parser, options);
+  AddSeriesOptions(parser, options);
+  parser.AddCall("--config", "FILE",
+    "Read options from this file instead of godrays/config in XDG_CONFIG_HOME or ~/.config",
+    [](const std::string&) {});
+  bool isAlone = false;
+  parser.AddFlag("--no-config", isAlone, "Read no file of options");
+  std::string document;
+  parser.Group = ""; // for the build: not in --help
+  parser.AddCall(
+    "--document", "KIND", "Print a document", [&](const std::string& text) { document = text; });
   try
   {
     app.parse(argc, argv);
+    const auto* config = app.get_option("--config");
+    const std::string path = isAlone ? ""
+      : config->count() > 0          ? config->results().back()
+                                     : FindConfiguration();
+    if (!path.empty() && !options.Files.empty() && document.empty())
+    {
+      ParseAgain(app, options, path, argc, argv);
+    }
   }
   catch (const CLI::Success& success)
   {
     app.exit(success);
     return {};
+  }
+  catch (const CLI::ExtrasError&)
+  {
+    const std::string extra = app.remaining().front();
+    const std::string name = extra.substr(0, extra.find('='));
+    throw Failure(name + " is no option" + Suggest(name, GetNames(app)) + "; see godrays --help");
   }
   catch (const CLI::ParseError& error)
   {
@@ -470,7 +755,17 @@ std::optional<Options> ParseCommandLine(int argc, char* argv[])
     line = line.substr(0, line.find('\n'));
     throw Failure(line + "; see godrays --help");
   }
+  if (!document.empty())
+  {
+    std::cout << MakeDocument(document, GetRows(app));
+    return {};
+  }
   CheckTogether(options);
+  if (options.Window)
+  {
+    const auto& [level, width] = *options.Window;
+    options.Range = { level - 0.5 * width, level + 0.5 * width };
+  }
   if (options.Place)
   {
     options.Sun = FindSun(options.Date, *options.Place, !options.Sky.empty());

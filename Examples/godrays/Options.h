@@ -22,6 +22,7 @@ struct Options
   std::optional<std::array<double, 2>> Sun; ///< as given, or of Date and Place
   std::string Date;
   std::optional<std::array<double, 2>> Place;
+  std::optional<std::array<double, 2>> SunAt; ///< place in the picture
   std::optional<Vector3> Light;
   Vector3 LightColor = { 1.0, 0.85, 0.62 };
   std::optional<double> LightSize;
@@ -37,6 +38,9 @@ struct Options
   // Camera.
   std::optional<Vector3> CameraPosition, FocalPoint, ViewUp;
   std::optional<double> ViewAngle;
+  std::optional<std::array<double, 2>> Camera; ///< azimuth and elevation of it from the data
+  double Zoom = 1.0;
+  std::optional<double> ParallelHeight;
   bool Parallel = false;
 
   // Look.
@@ -51,6 +55,8 @@ struct Options
   bool Flat = false;
   std::optional<double> ElevationScale;
   std::optional<double> Isosurface;
+  std::optional<std::array<double, 2>> Window; ///< level and width, of which Range is made
+  std::string VolumePreset;
   char Up = 0; ///< 'X', 'Y', 'Z', or 0: as is usual for the type of file
 
   // Output.
@@ -59,6 +65,21 @@ struct Options
   std::string Numbers;               ///< a file of the numbers of a medium; empty for none
   std::optional<Vector3> Irradiance; ///< [W m-2] of a light of colour 1
   bool Interactive = false;
+  bool Transparent = false;
+  std::string Reference;
+  double Threshold = 10.0;
+  bool Quiet = false;
+  bool Verbose = false;
+
+  // Several files and times.
+  bool Each = false;
+  bool Watch = false;
+  std::optional<double> Time;
+  bool Animate = false;
+  int Turntable = 0; ///< how many pictures
+  std::string Film;
+  double FrameRate = 25.0;
+
   bool Stats = false;
   bool ListPresets = false;
   bool ListColormaps = false;

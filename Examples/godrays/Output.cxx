@@ -5,22 +5,24 @@
 #include "Failure.h"
 #include "Temporary.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkGodRaysEXRWriter.h"
 #include "vtkGodRaysPass.h"
 #include "vtkImageData.h"
-#include "vtkInteractorStyleTrackballCamera.h"
+#include "vtkImageDifference.h"
+#include "vtkImageExtractComponents.h"
+#include "vtkJPEGReader.h"
 #include "vtkJPEGWriter.h"
 #include "vtkNew.h"
+#include "vtkPNGReader.h"
 #include "vtkPNGWriter.h"
 #include "vtkRenderWindow.h"
-#include "vtkRenderWindowInteractor.h"
-#include "vtkRenderer.h"
 #include "vtkRenderingOpenGLConfigure.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkWindowToImageFilter.h"
 #include "vtkXMLImageDataWriter.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <unistd.h>
 
@@ -39,41 +41,6 @@ std::string GetExtension(const std::string& path)
   std::transform(extension.begin(), extension.end(), extension.begin(),
     [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
   return extension;
-}
-
-//------------------------------------------------------------------------------
-/**
- * Whether a file can be written, for an option of this name.
- */
-void CheckFile(
-  const std::string& option, const std::string& path, const std::vector<std::string>& inputs)
-{
-  std::error_code error;
-  const fs::path parent = fs::path(path).parent_path();
-  const fs::path folder = parent.empty() ? fs::path(".") : parent;
-  if (!fs::is_directory(folder, error))
-  {
-    throw Failure(
-      option + ": there is no folder " + folder.string() + "; make it first, with mkdir -p");
-  }
-  if (fs::is_directory(path, error))
-  {
-    throw Failure(option + ": " + path + " is a directory; give the name of a file");
-  }
-  for (const fs::path& written : { folder, fs::path(path) })
-  {
-    if (fs::exists(written, error) && access(written.c_str(), W_OK) != 0)
-    {
-      throw Failure(option + ": " + written.string() +
-        " may not be written; change its permissions, or write elsewhere");
-    }
-  }
-  const bool isInput = std::any_of(inputs.begin(), inputs.end(),
-    [&](const std::string& input) { return fs::equivalent(path, input, error); });
-  if (isInput)
-  {
-    throw Failure(option + ": " + path + " is a file to be read; give it another name");
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -99,88 +66,106 @@ void WriteWhole(Writer* writer, const std::string& option, const std::string& pa
   }
   if (!isWritten)
   {
-    throw Failure(option + ": " + path + " could not be written; is the disk full?");
+    throw Failure(option + ": " + path + " could not be written; is the disk full?", Failure::File);
   }
 }
 
 //------------------------------------------------------------------------------
 /**
- * What the keys of the window change.
+ * Give rays before no background the opacity with which they look over black as they do here: of a
+ * pixel, the brightest colour. Colours are as PNG has them, not multiplied by opacity.
  */
-struct Session
+void SetOpacityOfRays(vtkImageData* picture)
 {
-  vtkRenderWindow* Window;
-  vtkRenderer* Renderer;
-  vtkGodRaysPass* Rays;
-  std::string Preset; // its name
-  std::function<void(const ::Preset&)> SetPreset;
-  bool Attached = true;
-
-  void SwitchRays()
+  auto* pixel = static_cast<unsigned char*>(picture->GetScalarPointer());
+  for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i, pixel += 4)
   {
-    if (this->Attached)
+    const int opacity = *std::max_element(pixel, pixel + 4);
+    for (int j = 0; j < 3 && opacity > 0; ++j)
     {
-      this->Rays->Detach(this->Renderer);
+      pixel[j] = static_cast<unsigned char>((255 * pixel[j] + opacity / 2) / opacity);
     }
-    else
-    {
-      this->Rays->Attach(this->Renderer);
-    }
-    this->Attached = !this->Attached;
+    pixel[3] = static_cast<unsigned char>(opacity);
   }
-
-  void TakeNextPreset()
-  {
-    const auto& presets = GetPresets();
-    const auto now = std::find_if(presets.begin(), presets.end(),
-      [this](const ::Preset& preset) { return preset.Name == this->Preset; });
-    const auto next = std::find_if(now == presets.end() ? now : now + 1, presets.end(),
-      [](const ::Preset& preset) { return !preset.IsPublished; });
-    const ::Preset& preset = next == presets.end() ? presets.front() : *next;
-    this->Preset = preset.Name;
-    this->SetPreset(preset);
-    this->Window->SetWindowName(("godrays: " + preset.Name).c_str());
-  }
-
-  void ShowRaysAlone()
-  {
-    const bool alone = this->Rays->GetOutput() == vtkGodRaysPass::SCATTERING;
-    this->Rays->SetOutput(alone ? vtkGodRaysPass::COMPOSITE : vtkGodRaysPass::SCATTERING);
-  }
-
-  void OnKey(char key)
-  {
-    switch (key)
-    {
-      case 'g':
-      case 'G':
-        this->SwitchRays();
-        break;
-      case 'n':
-      case 'N':
-        this->TakeNextPreset();
-        break;
-      case 'o':
-      case 'O':
-        this->ShowRaysAlone();
-        break;
-      default:
-        return;
-    }
-    this->Window->Render();
-  }
-};
+}
 }
 
 //------------------------------------------------------------------------------
-void CheckOutput(const std::string& path, const std::vector<std::string>& inputs)
+vtkSmartPointer<vtkImageData> TakePicture(vtkRenderWindow* window, bool transparent)
+{
+  vtkNew<vtkWindowToImageFilter> picture;
+  picture->SetInput(window);
+  picture->ReadFrontBufferOff();
+  picture->ShouldRerenderOff();
+  if (transparent)
+  {
+    picture->SetInputBufferTypeToRGBA();
+  }
+  picture->Update();
+  vtkSmartPointer<vtkImageData> result = picture->GetOutput();
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void PrintPicture(vtkImageData* picture, std::FILE* file, const std::string& option)
+{
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(picture);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  const auto size = static_cast<std::size_t>(bytes->GetNumberOfValues());
+  if (std::fwrite(bytes->GetPointer(0), 1, size, file) != size || std::fflush(file) != 0)
+  {
+    throw Failure(option + ": the picture could not be written", Failure::File);
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckPictureName(const std::string& path)
 {
   const std::string extension = GetExtension(path);
-  if (extension != ".png" && extension != ".jpg" && extension != ".jpeg")
+  if (path != "-" && extension != ".png" && extension != ".jpg" && extension != ".jpeg")
   {
-    throw Failure("--output: " + path + " should end in .png or .jpg");
+    throw Failure("--output: " + path +
+      " should end in .png or .jpg, or be - for a PNG to the standard output");
   }
-  CheckFile("--output", path, inputs);
+}
+
+//------------------------------------------------------------------------------
+void CheckOutput(
+  const std::string& option, const std::string& path, const std::vector<std::string>& inputs)
+{
+  std::error_code error;
+  const fs::path parent = fs::path(path).parent_path();
+  const fs::path folder = parent.empty() ? fs::path(".") : parent;
+  if (!fs::is_directory(folder, error))
+  {
+    throw Failure(
+      option + ": there is no folder " + folder.string() + "; make it first, with mkdir -p",
+      Failure::File);
+  }
+  if (fs::is_directory(path, error))
+  {
+    throw Failure(option + ": " + path + " is a directory; give the name of a file", Failure::File);
+  }
+  for (const fs::path& written : { folder, fs::path(path) })
+  {
+    if (fs::exists(written, error) && access(written.c_str(), W_OK) != 0)
+    {
+      throw Failure(option + ": " + written.string() +
+          " may not be written; change its permissions, or write elsewhere",
+        Failure::File);
+    }
+  }
+  for (const std::string& input : inputs)
+  {
+    if (fs::equivalent(path, input, error))
+    {
+      throw Failure(option + ": " + path + " is a file to be read; give the picture another name",
+        Failure::File);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -196,7 +181,7 @@ void CheckNumbers(const std::string& path, const std::vector<std::string>& input
     throw Failure(
       "--numbers: the library was built without OpenEXR; give a name that ends in .vti");
   }
-  CheckFile("--numbers", path, inputs);
+  CheckOutput("--numbers", path, inputs);
 }
 
 //------------------------------------------------------------------------------
@@ -209,32 +194,42 @@ void CheckDisplay()
     "-noreset\"";
   if (!name || !*name)
   {
-    throw Failure("there is no X display to draw on (DISPLAY is not set)" + remedy);
+    throw Failure(
+      "there is no X display to draw on (DISPLAY is not set)" + remedy, Failure::Display);
   }
   Display* display = XOpenDisplay(name);
   if (!display)
   {
-    throw Failure("the X display " + std::string(name) + " cannot be opened" + remedy);
+    throw Failure(
+      "the X display " + std::string(name) + " cannot be opened" + remedy, Failure::Display);
   }
   int numbers[3];
   const bool hasOpenGL = XQueryExtension(display, "GLX", numbers, numbers + 1, numbers + 2) != 0;
   XCloseDisplay(display);
   if (!hasOpenGL)
   {
-    throw Failure("the X display " + std::string(name) + " has no OpenGL (GLX)" + remedy);
+    throw Failure(
+      "the X display " + std::string(name) + " has no OpenGL (GLX)" + remedy, Failure::Display);
   }
 #endif
 }
 
 //------------------------------------------------------------------------------
-void WritePicture(vtkRenderWindow* window, const std::string& path)
+void WritePicture(vtkRenderWindow* window, const std::string& path, bool transparent)
 {
-  vtkNew<vtkWindowToImageFilter> picture;
-  picture->SetInput(window);
-  picture->ReadFrontBufferOff();
-  picture->ShouldRerenderOff();
+  const bool isPng = path == "-" || GetExtension(path) == ".png";
+  const auto picture = TakePicture(window, transparent && isPng);
+  if (transparent && isPng)
+  {
+    SetOpacityOfRays(picture);
+  }
+  if (path == "-")
+  {
+    PrintPicture(picture, stdout, "--output");
+    return;
+  }
   vtkSmartPointer<vtkImageWriter> writer;
-  if (GetExtension(path) == ".png")
+  if (isPng)
   {
     writer = vtkSmartPointer<vtkPNGWriter>::New();
   }
@@ -242,7 +237,7 @@ void WritePicture(vtkRenderWindow* window, const std::string& path)
   {
     writer = vtkSmartPointer<vtkJPEGWriter>::New();
   }
-  writer->SetInputConnection(picture->GetOutputPort());
+  writer->SetInputData(picture);
   WriteWhole(writer.Get(), "--output", path);
 }
 
@@ -269,29 +264,45 @@ void WriteNumbers(
 }
 
 //------------------------------------------------------------------------------
-void Interact(vtkRenderWindow* window, vtkRenderer* renderer, vtkGodRaysPass* rays,
-  const Preset& preset, const std::function<void(const Preset&)>& setPreset)
+double CompareWithReference(vtkRenderWindow* window, const std::string& path)
 {
-  vtkNew<vtkRenderWindowInteractor> interactor;
-  vtkNew<vtkInteractorStyleTrackballCamera> style;
-  interactor->SetInteractorStyle(style);
-  interactor->SetRenderWindow(window);
-  Session session{ window, renderer, rays, preset.Name, setPreset, renderer->GetPass() == rays };
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(&session);
-  command->SetCallback(
-    [](vtkObject* caller, unsigned long, void* session, void*)
-    {
-      static_cast<Session*>(session)->OnKey(
-        static_cast<vtkRenderWindowInteractor*>(caller)->GetKeyCode());
-    });
-  interactor->AddObserver(vtkCommand::CharEvent, command);
-  // Without this observer, VTK 9.1 closes the display at the end, while its loop still reads events.
-  vtkNew<vtkCallbackCommand> end;
-  end->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
-    { static_cast<vtkRenderWindowInteractor*>(caller)->SetDone(true); });
-  interactor->AddObserver(vtkCommand::ExitEvent, end);
-  interactor->Initialize();
-  interactor->Start();
-  interactor->RemoveAllObservers();
+  vtkSmartPointer<vtkImageReader2> reader;
+  if (GetExtension(path) == ".png")
+  {
+    reader = vtkSmartPointer<vtkPNGReader>::New();
+  }
+  else
+  {
+    reader = vtkSmartPointer<vtkJPEGReader>::New();
+  }
+  if (!reader->CanReadFile(path.c_str()))
+  {
+    throw Failure(
+      "--reference: " + path + " is no PNG or JPEG picture that can be read", Failure::File);
+  }
+  vtkNew<vtkImageExtractComponents> colors; // without opacity
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  const auto picture = TakePicture(window, false);
+  int sizes[2][3];
+  reader->GetOutput()->GetDimensions(sizes[0]);
+  picture->GetDimensions(sizes[1]);
+  if (!std::equal(sizes[0], sizes[0] + 3, sizes[1]) ||
+    reader->GetOutput()->GetScalarType() != VTK_UNSIGNED_CHAR ||
+    reader->GetOutput()->GetNumberOfScalarComponents() < 3)
+  {
+    throw Failure("--reference: " + path + " has " + std::to_string(sizes[0][0]) + " x " +
+        std::to_string(sizes[0][1]) + " pixels, the picture " + std::to_string(sizes[1][0]) +
+        " x " + std::to_string(sizes[1][1]) +
+        " of three colours in bytes; give --size, or another file",
+      Failure::Difference);
+  }
+  colors->SetInputConnection(reader->GetOutputPort());
+  colors->SetComponents(0, 1, 2);
+  colors->Update();
+  vtkNew<vtkImageDifference> difference;
+  difference->SetInputData(picture);
+  difference->SetImageConnection(colors->GetOutputPort());
+  difference->Update();
+  return difference->GetThresholdedError();
 }

@@ -8,25 +8,32 @@
 #define Output_h
 
 #include "Options.h"
-#include "Presets.h"
 
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
+#include "vtkSmartPointer.h" // For vtkSmartPointer
+
+#include <cstdio>   // For std::FILE
+#include <optional> // For std::optional
+#include <string>   // For std::string
+#include <vector>   // For std::vector
 
 class vtkGodRaysPass;
+class vtkImageData;
 class vtkRenderWindow;
-class vtkRenderer;
 
 /**
- * Throws Failure when the file's folder is missing or may not be written, when its extension is none that
- * can be written, or when it is one of the files to be read.
+ * Throws Failure when the extension is none that can be written.
  */
-void CheckOutput(const std::string& path, const std::vector<std::string>& inputs);
+void CheckPictureName(const std::string& path);
 
 /**
- * The same of the file of --numbers.
+ * Throws Failure, beginning with the option, when the file's folder is missing or may not be written, or
+ * when it is one of the files to be read.
+ */
+void CheckOutput(
+  const std::string& option, const std::string& path, const std::vector<std::string>& inputs);
+
+/**
+ * The same of the file of --numbers, and when its extension is none that can be written.
  */
 void CheckNumbers(const std::string& path, const std::vector<std::string>& inputs);
 
@@ -36,9 +43,20 @@ void CheckNumbers(const std::string& path, const std::vector<std::string>& input
 void CheckDisplay();
 
 /**
- * Write what the window shows. Throws Failure when that fails; a file that was there is then as it was.
+ * What the window shows, in three bytes for a pixel; with transparent, in four.
  */
-void WritePicture(vtkRenderWindow* window, const std::string& path);
+vtkSmartPointer<vtkImageData> TakePicture(vtkRenderWindow* window, bool transparent);
+
+/**
+ * Write a picture as PNG to an open file. Throws Failure, beginning with the option.
+ */
+void PrintPicture(vtkImageData* picture, std::FILE* file, const std::string& option);
+
+/**
+ * Write what the window shows; - is the standard output. With transparent, a PNG has the window's
+ * opacity. Throws Failure when that fails; a file that was there is then as it was.
+ */
+void WritePicture(vtkRenderWindow* window, const std::string& path, bool transparent);
 
 /**
  * Write the numbers of the medium of the last picture, with the irradiance of a white light [W m-2], or
@@ -48,9 +66,9 @@ void WriteNumbers(
   vtkGodRaysPass* rays, const std::optional<Vector3>& irradiance, const std::string& path);
 
 /**
- * Let the user look around until the window is closed, and set another look or medium than this one.
+ * The thresholded error of vtkImageDifference between what the window shows and a PNG or JPEG file.
+ * Throws Failure when it cannot be read, or has another size.
  */
-void Interact(vtkRenderWindow* window, vtkRenderer* renderer, vtkGodRaysPass* rays,
-  const Preset& preset, const std::function<void(const Preset&)>& setPreset);
+double CompareWithReference(vtkRenderWindow* window, const std::string& path);
 
 #endif

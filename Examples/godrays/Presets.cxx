@@ -3,6 +3,7 @@
 #include "Presets.h"
 
 #include "Failure.h"
+#include "Suggestions.h"
 
 #include "vtkGodRaysMediumModel.h"
 #include "vtkGodRaysPresets.h"
@@ -32,13 +33,15 @@ const std::vector<Preset>& GetPresets()
 const Preset& FindPreset(const std::string& name)
 {
   std::string names;
+  std::vector<std::string> all;
   for (const Preset& preset : GetPresets())
   {
     if (preset.Name == name)
     {
       return preset;
     }
+    all.push_back(preset.Name);
     names += (names.empty() ? "" : ", ") + preset.Name;
   }
-  throw Failure("--preset: '" + name + "' should be one of " + names);
+  throw Failure("--preset: '" + name + "' should be one of " + names + Suggest(name, all));
 }

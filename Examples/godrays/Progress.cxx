@@ -14,6 +14,7 @@ namespace
 constexpr std::chrono::milliseconds BeforeFirst(1000);
 constexpr std::chrono::milliseconds OnTerminal(200);
 constexpr std::chrono::milliseconds Elsewhere(10000);
+bool isQuiet = false;
 }
 
 //------------------------------------------------------------------------------
@@ -41,11 +42,17 @@ Progress::~Progress()
 }
 
 //------------------------------------------------------------------------------
+void Progress::SetQuiet(bool quiet)
+{
+  isQuiet = quiet;
+}
+
+//------------------------------------------------------------------------------
 void Progress::Update(double fraction)
 {
   this->Fraction = std::max(this->Fraction, fraction); // some readers step back
   const auto now = Clock::now();
-  if (now < this->Next)
+  if (isQuiet || now < this->Next)
   {
     return;
   }

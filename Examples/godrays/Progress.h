@@ -22,6 +22,11 @@ public:
   Progress(const Progress&) = delete;
   void operator=(const Progress&) = delete;
 
+  /**
+   * Whether nothing is told of any step. Default is false.
+   */
+  static void SetQuiet(bool quiet);
+
 private:
   void Update(double fraction);
 

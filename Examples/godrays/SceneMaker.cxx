@@ -4,6 +4,7 @@
 
 #include "Coloring.h"
 #include "Failure.h"
+#include "Volumes.h"
 
 #include "vtkActor.h"
 #include "vtkCellData.h"
@@ -334,12 +335,16 @@ private:
     vtkNew<vtkPiecewiseFunction> opacity;
     const auto at = [&range](double part) { return range[0] + part * (range[1] - range[0]); };
     opacity->AddPoint(at(0.0), 0.0);
-    opacity->AddPoint(at(0.3), 0.0);
-    opacity->AddPoint(at(0.5), 0.25 * this->Settings.Opacity);
+    if (!this->Settings.Window) // which says itself where values become of interest
+    {
+      opacity->AddPoint(at(0.3), 0.0);
+      opacity->AddPoint(at(0.5), 0.25 * this->Settings.Opacity);
+    }
     opacity->AddPoint(at(1.0), 0.9 * this->Settings.Opacity);
     vtkVolumeProperty* property = part.Volume->GetProperty();
     property->SetScalarOpacity(opacity);
     property->SetColor(this->Colors.MakeColors(part.Choice.GetName()));
+    ApplyVolumePreset(this->Settings.VolumePreset, this->Settings.Opacity, property);
     property->SetInterpolationTypeToLinear();
     property->ShadeOn();
     property->SetScalarOpacityUnitDistance(part.Volume->GetLength() / 60.0);

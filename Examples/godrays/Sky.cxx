@@ -170,6 +170,13 @@ Sky::~Sky()
 }
 
 //------------------------------------------------------------------------------
+void Sky::SetView(const Viewpoint& view)
+{
+  this->View = view;
+  this->CameraTime = 0;
+}
+
+//------------------------------------------------------------------------------
 Vector3 Sky::GetColor(double angleFromLight, double elevation) const
 {
   Vector3 color = elevation >= 0.0 ? Mix(Zenith, Horizon, std::exp(-elevation / HorizonHeight))

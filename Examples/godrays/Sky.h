@@ -35,6 +35,11 @@ public:
   Sky(const Sky&) = delete;
   void operator=(const Sky&) = delete;
 
+  /**
+   * Have the light elsewhere; the camera of the view is not looked at.
+   */
+  void SetView(const Viewpoint& view);
+
 private:
   void Update();
   Vector3 GetColor(double angleFromLight, double elevation) const;

@@ -4,34 +4,32 @@
  * godrays: shows files with god rays.
  */
 
-#include "Advice.h"
 #include "Colormaps.h"
 #include "Failure.h"
-#include "Files.h"
+#include "Frames.h"
 #include "Messages.h"
 #include "Options.h"
 #include "Output.h"
+#include "Playlist.h"
 #include "Presets.h"
+#include "Progress.h"
 #include "Scene.h"
-#include "Sky.h"
-#include "Viewpoint.h"
+#include "Stage.h"
+#include "Viewer.h"
 
 #include "vtkCamera.h"
-#include "vtkGodRaysAtmosphere.h"
-#include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysIntegrator.h"
 #include "vtkGodRaysPass.h"
-#include "vtkGodRaysRadialSumModel.h"
-#include "vtkGodRaysSkyPass.h"
-#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkTransform.h"
 
-#include <chrono>
+#include <algorithm>
 #include <cstdlib>
 #include <iomanip>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -40,30 +38,6 @@
 
 namespace
 {
-// [degrees] a look: larger than the real sun, which vtkGodRaysSun and the sky of --sky have, to be seen
-constexpr double SunRadius = 0.6;
-// brighter and narrower than the pass has it: shafts with more contrast
-constexpr double Glow = 0.6;
-constexpr double GlowRadius = 1.0;
-constexpr double SunGlowAngle = 5.0;
-constexpr double LampGlowAngle = 14.0;
-constexpr double SkyExposure = 2.5; // a white wall in the sun is about as bright as can be shown
-
-/// What --stats tells apart from the pass's own plan and times.
-struct Measured
-{
-  double Reading = 0.0;
-  double Preparing = 0.0;
-  double Drawing = 0.0;
-};
-
-//------------------------------------------------------------------------------
-double GetSeconds()
-{
-  using Clock = std::chrono::steady_clock;
-  return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
-}
-
 //------------------------------------------------------------------------------
 void ListPresets()
 {
@@ -87,7 +61,7 @@ void CheckPreset(const Options& options)
     { "--glow-angle", options.GlowAngle.has_value() } };
   const std::pair<const char*, bool> mediums[] = { { "--optical-depth",
                                                      options.OpticalDepth.has_value() },
-    { "--world-unit", options.WorldUnit.has_value() }, { "--numbers", !options.Numbers.empty() } };
+    { "--world-unit", options.WorldUnit.has_value() } };
   for (const auto& [name, given] : others)
   {
     if (given && isMedium)
@@ -107,144 +81,6 @@ void CheckPreset(const Options& options)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkLight> MakeLight(const Viewpoint& view, const Options& options)
-{
-  auto light = vtkSmartPointer<vtkLight>::New();
-  if (view.LightIsLamp)
-  {
-    light->SetPositional(true);
-    light->SetConeAngle(180.0);
-    light->SetPosition(view.LightPosition.data());
-  }
-  else
-  {
-    light->SetPosition(view.LightDirection.data());
-    light->SetFocalPoint(0.0, 0.0, 0.0);
-  }
-  light->SetColor(options.LightColor.data());
-  return light;
-}
-
-//------------------------------------------------------------------------------
-/**
- * Light from the sky and from the eye, so that sides away from the sun keep their colours.
- */
-void AddFill(vtkRenderer* renderer, const Scene& scene, double fill)
-{
-  vtkNew<vtkLight> sky;
-  sky->SetPosition(scene.Up.data());
-  sky->SetFocalPoint(0.0, 0.0, 0.0);
-  sky->SetColor(0.70, 0.82, 1.0);
-  sky->SetIntensity(fill);
-  renderer->AddLight(sky);
-  vtkNew<vtkLight> eye;
-  eye->SetLightTypeToHeadlight();
-  eye->SetColor(0.85, 0.90, 1.0);
-  eye->SetIntensity(fill);
-  renderer->AddLight(eye);
-}
-
-//------------------------------------------------------------------------------
-/**
- * The physical sky; the sun's light gets its colour.
- */
-void AddSky(vtkRenderer* renderer, const Scene& scene, const Viewpoint& view, vtkLight* light,
-  const Options& options)
-{
-  double azimuth = 0.0;
-  double elevation = 0.0;
-  scene.GetAngles(view.LightDirection, azimuth, elevation);
-  Vector3 ground;
-  scene.Bounds.GetCenter(ground.data());
-  for (int i = 0; i < 3; ++i)
-  {
-    ground[i] -= 0.5 * scene.GetExtent(scene.Up) * scene.Up[i];
-  }
-  vtkGodRaysSkyPass* sky = vtkGodRaysSkyPass::Attach(renderer);
-  sky->GetAtmosphere()->LoadPreset(options.Sky);
-  sky->SetSunAzimuth(azimuth);
-  sky->SetSunElevation(elevation);
-  sky->SetUp(scene.Up.data());
-  sky->SetNorth(scene.North.data());
-  sky->SetOrigin(ground.data());
-  sky->SetWorldUnitInMeters(options.WorldUnit.value_or(1.0));
-  sky->SetExposure(SkyExposure);
-  sky->UpdateLight(light);
-}
-
-//------------------------------------------------------------------------------
-const Preset& GetPreset(const Options& options)
-{
-  return options.Preset.empty() ? GetPresets().front() : FindPreset(options.Preset);
-}
-
-//------------------------------------------------------------------------------
-void SetLook(vtkGodRaysPass* rays, const Viewpoint& view, const Options& options)
-{
-  auto* model = vtkGodRaysRadialSumModel::SafeDownCast(rays->GetModel());
-  model->SetDensity(options.Density.value_or(model->GetDensity()));
-  model->SetDecay(options.Decay.value_or(model->GetDecay()));
-  model->SetWeight(options.Weight.value_or(model->GetWeight()));
-  model->SetExposure(options.Exposure.value_or(model->GetExposure()));
-  rays->SetAutomaticExposure(!options.Exposure && !options.Weight);
-  rays->SetLayerMargin(0.0);
-  rays->SetBackgroundGlow(options.Glow.value_or(Glow));
-  rays->SetBackgroundGlowRadius(GlowRadius);
-  rays->SetBackgroundGlowFalloff(
-    options.GlowAngle.value_or(view.LightIsLamp ? LampGlowAngle : SunGlowAngle));
-}
-
-//------------------------------------------------------------------------------
-void SetMedium(vtkGodRaysPass* rays, const Options& options)
-{
-  auto* medium = vtkGodRaysHomogeneousModel::SafeDownCast(rays->GetModel());
-  if (options.OpticalDepth)
-  {
-    medium->SetOpticalDepth(*options.OpticalDepth);
-  }
-  else
-  {
-    medium->SetWorldUnitInMeters(options.WorldUnit.value_or(0.0));
-  }
-  rays->SetAutomaticExposure(true);
-  rays->SetLayerMargin(0.5); // what is just outside the picture casts shadows into it
-}
-
-//------------------------------------------------------------------------------
-void SetPreset(
-  vtkGodRaysPass* rays, const Preset& preset, const Viewpoint& view, const Options& options)
-{
-  rays->ApplyPreset(preset.Name.c_str());
-  if (preset.IsMedium)
-  {
-    SetMedium(rays, options);
-  }
-  else
-  {
-    SetLook(rays, view, options);
-  }
-}
-
-//------------------------------------------------------------------------------
-void SetRays(vtkGodRaysPass* rays, const Viewpoint& view, const Options& options)
-{
-  SetPreset(rays, GetPreset(options), view, options);
-  rays->SetIntensity(options.Intensity.value_or(1.0));
-  rays->SetErrorTolerance(options.Tolerance.value_or(rays->GetErrorTolerance()));
-  rays->SetOutput(options.Show == "occlusion" ? vtkGodRaysPass::OCCLUSION
-      : options.Show == "rays"                ? vtkGodRaysPass::SCATTERING
-                                              : vtkGodRaysPass::COMPOSITE);
-  if (view.LightIsLamp)
-  {
-    rays->SetSourceRadius(options.LightSize.value_or(rays->GetSourceRadius()));
-  }
-  else
-  {
-    rays->SetSunAngularRadius(options.LightSize.value_or(SunRadius));
-  }
-}
-
-//------------------------------------------------------------------------------
 std::string ToText(const double values[3])
 {
   std::ostringstream text;
@@ -253,7 +89,7 @@ std::string ToText(const double values[3])
 }
 
 //------------------------------------------------------------------------------
-void PrintScene(const Scene& scene, const Measured& times)
+void PrintScene(const Scene& scene, const OpeningTimes& times, double drawing)
 {
   double lengths[3];
   scene.Bounds.GetLengths(lengths);
@@ -269,15 +105,15 @@ void PrintScene(const Scene& scene, const Measured& times)
     std::cout << "colours    by " << name << "\n";
   }
   std::cout << "read in    " << times.Reading << " s\nprepared   in " << times.Preparing
-            << " s\ndrawn in   " << times.Drawing << " s\n";
+            << " s\ndrawn in   " << drawing << " s\n";
 }
 
 //------------------------------------------------------------------------------
 void PrintView(const Scene& scene, const Viewpoint& view, vtkCamera* camera)
 {
   std::cout << "camera     --camera-position " << ToText(camera->GetPosition()) << " --focal-point "
-            << ToText(camera->GetFocalPoint()) << " --view-angle " << camera->GetViewAngle()
-            << "\n";
+            << ToText(camera->GetFocalPoint()) << " --view-up " << ToText(camera->GetViewUp())
+            << " --view-angle " << camera->GetViewAngle() << "\n";
   double azimuth = 0.0;
   double elevation = 0.0;
   scene.GetAngles(view.LightDirection, azimuth, elevation);
@@ -340,50 +176,14 @@ void ShowLines(const std::vector<std::string>& lines)
 }
 
 //------------------------------------------------------------------------------
-std::vector<FileContents> ReadFiles(const Options& options)
-{
-  std::vector<FileContents> files;
-  std::vector<std::string> notes;
-  for (const std::string& path : options.Files)
-  {
-    files.push_back(ReadFile(path));
-    notes.insert(notes.end(), files.back().Notes.begin(), files.back().Notes.end());
-  }
-  if (!options.Up && !files.front().UpNote.empty())
-  {
-    notes.push_back(files.front().UpNote);
-  }
-  ShowLines(notes);
-  return files;
-}
-
-//------------------------------------------------------------------------------
 /**
- * MakeScene(), in which a filter of VTK's may crash of what a damaged file holds.
+ * Tell of what VTK said while it drew, and of what in the picture is probably not meant. Returns whether there
+ * was an error.
  */
-Scene MakeSceneOf(const std::vector<FileContents>& files, const Options& options)
-{
-  const std::string which = files.size() == 1 ? files.front().Path : "one of the files";
-  const std::string remedy = "; the file is damaged, or not what its name says: write it again";
-  const Messages messages(true, "godrays: " + which + ": cannot be drawn" + remedy);
-  Scene scene = MakeScene(files, options);
-  if (!messages.GetErrors().empty())
-  {
-    throw Failure(which + ": cannot be drawn (" + messages.GetErrors().front() + ")" + remedy);
-  }
-  ShowLines(messages.GetWarnings());
-  return scene;
-}
-
-//------------------------------------------------------------------------------
-/**
- * Tell of what VTK said while it drew, and of what in the picture is probably not meant, unless that was told
- * already. Returns whether there was an error.
- */
-bool TellMessages(const Messages& messages, const std::string& advice, bool wasTold)
+bool TellMessages(const Messages& messages, const std::string& advice)
 {
   ShowLines(messages.GetWarnings());
-  if (messages.GetWarnings().empty() && !wasTold)
+  if (messages.GetWarnings().empty())
   {
     std::istringstream lines(advice);
     for (std::string line; std::getline(lines, line);)
@@ -396,78 +196,156 @@ bool TellMessages(const Messages& messages, const std::string& advice, bool wasT
 }
 
 //------------------------------------------------------------------------------
-/**
- * Draw a scene to where the options say. Returns whether all went well.
- */
-bool Draw(const Scene& scene, const Viewpoint& view, const Options& options, Measured& times,
-  bool hasAdvice)
+bool IsWindow(const Options& options)
 {
-  const bool window = (options.Output.empty() && options.Numbers.empty()) || options.Interactive;
-  const Messages messages(!window,
-    "godrays: the display cannot draw with OpenGL 3.2; see that its driver is there (Debian: "
-    "libgl1-mesa-dri)");
-  vtkNew<vtkRenderer> renderer;
-  renderer->AutomaticLightCreationOff();
-  renderer->SetActiveCamera(view.Camera);
-  for (const auto& prop : scene.Props)
-  {
-    renderer->AddViewProp(prop);
-  }
-  const auto light = MakeLight(view, options);
-  renderer->AddLight(light);
-  AddFill(renderer, scene, options.Fill);
-  std::optional<Sky> background;
-  if (options.Sky.empty())
-  {
-    background.emplace(renderer, scene, view, options.LightSize.value_or(SunRadius), options);
-  }
-  else
-  {
-    AddSky(renderer, scene, view, light, options);
-  }
+  const bool isWritten = !options.Output.empty() || !options.Film.empty() ||
+    !options.Numbers.empty() || !options.Reference.empty();
+  return !isWritten || options.Interactive;
+}
 
-  vtkNew<vtkGodRaysPass> rays;
-  SetRays(rays, view, options);
-  rays->AddLight(light);
-  rays->SetMeasureTimes(options.Stats);
+/// Which scene of a list, at which time.
+struct Position
+{
+  std::size_t Item;
+  std::size_t Step;
+};
 
-  vtkNew<vtkRenderWindow> renderWindow;
-  renderWindow->SetOffScreenRendering(!window);
-  renderWindow->SetSize(options.Size[0], options.Size[1]);
-  renderWindow->SetWindowName("godrays");
-  renderWindow->AddRenderer(renderer);
+//------------------------------------------------------------------------------
+/**
+ * About the middle of the data, and the axis that points up.
+ */
+void TurnCamera(vtkRenderer* renderer, const Scene& scene, double degrees)
+{
+  double center[3];
+  scene.Bounds.GetCenter(center);
+  vtkNew<vtkTransform> turn;
+  turn->Translate(center);
+  turn->RotateWXYZ(degrees, scene.Up.data());
+  turn->Translate(-center[0], -center[1], -center[2]);
+  renderer->GetActiveCamera()->ApplyTransform(turn);
   renderer->ResetCameraClippingRange();
-  if (options.Rays)
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Throws Failure when the picture is not as the reference.
+ */
+void Compare(vtkRenderWindow* window, const Options& options)
+{
+  const double error = CompareWithReference(window, options.Reference);
+  std::ostringstream text;
+  text << "the error against " << options.Reference << " is " << error;
+  if (error > options.Threshold)
   {
-    rays->Attach(renderer);
+    text << ", more than --threshold " << options.Threshold;
+    throw Failure(text.str(), Failure::Difference);
   }
-  const double start = GetSeconds();
-  renderWindow->Render();
-  times.Drawing = GetSeconds() - start;
-  if (window)
+  if (!options.Quiet)
   {
-    Interact(renderWindow, renderer, rays, GetPreset(options),
-      [&](const Preset& preset) { SetPreset(rays, preset, view, options); });
-    renderWindow->Render(); // VTK 9.3 keeps nothing of what it has shown
+    std::cout << text.str() << "\n";
   }
-  if (!options.Output.empty())
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Draw, and write or print what the options ask for. Returns whether all went well.
+ */
+bool DrawFrames(vtkRenderWindow* window, std::unique_ptr<Stage>& stage, Playlist& list,
+  const Options& options, const Position& at, Frames& frames)
+{
+  const bool isWindow = IsWindow(options);
+  const Messages messages(!isWindow,
+    "godrays: the display cannot draw with OpenGL 3.2; see that its driver is there (Debian: "
+    "libgl1-mesa-dri)",
+    Failure::Display);
+  vtkRenderer* renderer = stage->GetRenderer();
+  window->AddRenderer(renderer);
+  renderer->ResetCameraClippingRange();
+  const auto& times = list.GetTimes();
+  const auto time = at.Step < times.size() ? std::optional<double>(times[at.Step]) : std::nullopt;
+  const int views = std::max(options.Turntable, 1);
+  for (int i = 0; i < views; ++i)
   {
-    WritePicture(renderWindow, options.Output);
+    const double start = GetSeconds();
+    window->Render();
+    const double drawing = GetSeconds() - start;
+    if (options.Verbose)
+    {
+      Messages::Show(
+        "godrays: " + list.GetName(at.Item) + " drawn in " + std::to_string(drawing) + " s\n");
+    }
+    if (isWindow)
+    {
+      Viewer(window, stage, list, options).Run();
+      renderer = stage->GetRenderer();
+    }
+    frames.Write(window, list.GetName(at.Item), at.Item + 1, time);
+    if (!options.Numbers.empty())
+    {
+      WriteNumbers(stage->GetRays(), options.Irradiance, options.Numbers);
+    }
+    if (!options.Reference.empty())
+    {
+      Compare(window, options);
+    }
+    if (options.Stats && i == 0)
+    {
+      PrintScene(stage->GetScene(), list.GetOpeningTimes(), drawing);
+      PrintView(stage->GetScene(), stage->GetView(), renderer->GetActiveCamera());
+      PrintRays(stage->GetRays(), window, stage->AreRaysOn());
+    }
+    TurnCamera(renderer, stage->GetScene(), 360.0 / views);
   }
-  if (!options.Numbers.empty())
+  window->RemoveRenderer(renderer);
+  const std::string advice =
+    options.Quiet || list.WasAdvised() ? "" : stage->GetRays()->GetAdvice();
+  stage.reset();
+  return !TellMessages(messages, advice);
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Draw all scenes in all times to where the options say. Returns whether all went well.
+ */
+bool DrawAll(const Options& options)
+{
+  Playlist list(options);
+  Frames frames(options);
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(!IsWindow(options));
+  window->SetSize(options.Size[0], options.Size[1]);
+  window->SetWindowName("godrays");
+  window->SetAlphaBitPlanes(options.Transparent);
+  bool isGood = true;
+  const std::size_t items = IsWindow(options) ? 1 : list.GetSize();
+  for (std::size_t item = 0; item < items; ++item)
   {
-    WriteNumbers(rays, options.Irradiance, options.Numbers);
+    std::size_t steps = 1;
+    std::optional<Viewpoint> view; // that of the first step
+    for (std::size_t step = 0; step < steps; ++step)
+    {
+      auto stage = list.Open(item, step, view ? &*view : nullptr);
+      if (options.Verbose)
+      {
+        const OpeningTimes& took = list.GetOpeningTimes();
+        Messages::Show("godrays: " + list.GetName(item) + " read in " +
+          std::to_string(took.Reading) + " s, prepared in " + std::to_string(took.Preparing) +
+          " s\n");
+      }
+      if (!view)
+      {
+        CheckDisplay();
+        view = stage->GetView();
+      }
+      if (options.Animate)
+      {
+        steps = std::max<std::size_t>(list.GetTimes().size(), 1);
+      }
+      isGood = DrawFrames(window, stage, list, options, { item, step }, frames) && isGood;
+    }
   }
-  if (options.Stats)
-  {
-    PrintScene(scene, times);
-    PrintView(scene, view, renderer->GetActiveCamera());
-    PrintRays(rays, renderWindow, options.Rays);
-  }
-  const std::string advice = rays->GetAdvice();
-  rays->Detach(renderer);
-  vtkGodRaysSkyPass::Detach(renderer);
-  return !TellMessages(messages, advice, hasAdvice);
+  frames.Finish();
+  return isGood;
 }
 
 //------------------------------------------------------------------------------
@@ -491,26 +369,12 @@ int Run(int argc, char* argv[])
     return EXIT_SUCCESS;
   }
   CheckPreset(*options);
-  if (!options->Output.empty())
-  {
-    CheckOutput(options->Output, options->Files);
-  }
   if (!options->Numbers.empty())
   {
     CheckNumbers(options->Numbers, options->Files);
   }
-  Measured times;
-  const double start = GetSeconds();
-  const auto files = ReadFiles(*options);
-  times.Reading = GetSeconds() - start;
-  const Scene scene = MakeSceneOf(files, *options);
-  const Viewpoint view = MakeViewpoint(scene, *options);
-  const auto advice = options->Rays ? GetAdvice(scene, view, *options, GetPreset(*options).IsMedium)
-                                    : std::vector<std::string>();
-  ShowLines(advice);
-  times.Preparing = GetSeconds() - start - times.Reading;
-  CheckDisplay();
-  return Draw(scene, view, *options, times, !advice.empty()) ? EXIT_SUCCESS : EXIT_FAILURE;
+  Progress::SetQuiet(options->Quiet);
+  return DrawAll(*options) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 }
 
@@ -524,6 +388,11 @@ int main(int argc, char* argv[])
   catch (const std::bad_alloc&)
   {
     Messages::Show("godrays: there is not enough memory; give fewer or smaller files\n");
+  }
+  catch (const Failure& failure)
+  {
+    Messages::Show(std::string("godrays: ") + failure.what() + "\n");
+    return failure.Code;
   }
   catch (const std::exception& failure)
   {

@@ -14,6 +14,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkRectilinearGrid, vtkStructuredGrid)
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkElevationFilter, vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkCylinderSource, vtkSphereSource
+from vtkmodules.vtkIOExodus import vtkExodusIIWriter
 from vtkmodules.vtkIOGeometry import vtkBYUWriter, vtkOBJWriter, vtkSTLWriter
 from vtkmodules.vtkIOImage import (
     vtkBMPWriter, vtkJPEGWriter, vtkMetaImageWriter, vtkNIFTIImageWriter, vtkPNGWriter,
@@ -293,6 +294,30 @@ def write_colored_obj(path):
         "usemtl red\nf 1 2 3\nusemtl blue\nf 2 4 3\n")
 
 
+def write_exodus(path):
+    writer = vtkExodusIIWriter()
+    writer.SetInputData(unstructured_grid())
+    writer.SetFileName(str(path))
+    writer.Write()
+
+
+def write_pvd(path, radii=(0.5,)):
+    """A ball, at the times 0, 0.5 ... of these radii."""
+    lines = []
+    for i, radius in enumerate(radii):
+        ball = vtkSphereSource()
+        ball.SetRadius(radius)
+        ball.SetThetaResolution(16)
+        ball.SetPhiResolution(16)
+        ball.Update()
+        name = f"{path.stem}-pvd-{i}.vtp"
+        write(vtkXMLPolyDataWriter(), ball.GetOutput(), path.parent / name)
+        lines.append(f'<DataSet timestep="{i * 0.5}" part="0" file="{name}"/>\n')
+    path.write_text(
+        '<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1">\n<Collection>\n' +
+        "".join(lines) + "</Collection>\n</VTKFile>\n")
+
+
 def write_all(folder):
     """Write the files and return their paths."""
     bytes_picture = image(heights(type=numpy.uint8))
@@ -302,6 +327,9 @@ def write_all(folder):
         "a.bmp": lambda p: write(vtkBMPWriter(), color_picture(), p),
         "a.byu": lambda p: write(vtkBYUWriter(), bare, p, GeometryFileName=str(p)),
         "a.dem": write_dem,
+        "a.e": write_exodus,
+        "a.ex2": write_exodus,
+        "a.exo": write_exodus,
         "a.glb": write_glb,
         "a.gltf": write_gltf,
         "a.hdr": write_hdr,
@@ -317,6 +345,7 @@ def write_all(folder):
         "a.ply": lambda p: write(vtkPLYWriter(), filtered(vtkTriangleFilter(), bare), p),
         "a.png": lambda p: write(vtkPNGWriter(), bytes_picture, p),
         "a.ppm": lambda p: write(vtkPNMWriter(), color_picture(), p),
+        "a.pvd": write_pvd,
         "a.pvti": lambda p: write(vtkXMLPImageDataWriter(), volume(), p),
         "a.pvtp": lambda p: write(vtkXMLPPolyDataWriter(), surface(), p),
         "a.pvtr": lambda p: write(vtkXMLPRectilinearGridWriter(), rectilinear_grid(), p),

@@ -72,10 +72,11 @@ class ProgramTest(unittest.TestCase):
         pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(int)
         return pixels.reshape(size[1], size[0], 3)
 
-    def fails(self, *arguments, says=(), **environment):
-        """Run the program, which must end with 1 and one line that says these words."""
+    def fails(self, *arguments, says=(), codes=(2, 3), **environment):
+        """Run the program, which must end with one of the codes, 2 for options and 3 for files, and one
+        line that says these words."""
         done = godrays(*arguments, **environment)
-        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn(done.returncode, codes, done.stderr)
         self.assertEqual(done.stdout, "")
         self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
         self.assertTrue(done.stderr.startswith("godrays: "), done.stderr)
@@ -446,6 +447,19 @@ class Arguments(ProgramTest):
             (["--sky", "mars", "--light", "1,2,3"], ["--sky", "--light"]),
             (["--sky", "mars", "--background", "red"], ["--sky", "--background"]),
             (["--light", "1,2"], ["--light", "X,Y,Z"]),
+            (["--sun-at", "1,1", "--sun", "1,2"], ["--sun-at", "--sun"]),
+            (["--camera", "1,2", "--focal-point", "1,2,3"], ["--camera", "--focal-point"]),
+            (["--camera", "1,95"], ["--camera", "-90 to 90"]),
+            (["--zoom", "0"], ["--zoom"]),
+            (["--parallel-height", "2"], ["--parallel"]),
+            (["--transparent", "--sky", "mars"], ["--transparent", "--sky"]),
+            (["--turntable", "1.5"], ["--turntable", "whole"]),
+            (["--turntable", "3"], ["--output", "{frame}"]),
+            (["--film", "f.ogv"], ["--film", "--turntable"]),
+            (["--time", "now"], ["--time"]),
+            (["--quiet", "--verbose"], ["--quiet", "--verbose"]),
+            (["--window", "1,0"], ["--window", "width"]),
+            (["--volume-preset", "mri"], ["--volume-preset", "ct-skin-bone"]),
             (["--light-color", "1,2,3"], ["--light-color", "r,g,b"]),
             (["--light-color", "nocolor"], ["--light-color"]),
             (["--light-size", "-1"], ["--light-size"]),
@@ -529,7 +543,7 @@ class Arguments(ProgramTest):
                 [os.environ["GODRAYS_PROGRAM"], self.mesh, "--output", link],
                 capture_output=True, text=True, restore_signals=False,
                 preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100)))
-            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertEqual(done.returncode, 3, done.stderr)
             self.assertIn("could not be written", done.stderr)
             self.assertEqual(target.read_bytes() if former else target.exists(), former or False)
             self.assertEqual(
@@ -568,9 +582,28 @@ class Arguments(ProgramTest):
 
     def test_no_display(self):
         picture = self.folder / "p.png"
-        self.fails(self.mesh, "--output", picture, says=["xvfb-run"], DISPLAY="")
-        self.fails(self.mesh, "--output", picture, says=["xvfb-run"], DISPLAY=":987")
-        self.fails(self.mesh, says=["xvfb-run"], DISPLAY="")
+        no_display = {"says": ["xvfb-run"], "codes": [4]}
+        self.fails(self.mesh, "--output", picture, **no_display, DISPLAY="")
+        self.fails(self.mesh, "--output", picture, **no_display, DISPLAY=":987")
+        self.fails(self.mesh, **no_display, DISPLAY="")
+
+    def test_exit_codes_by_kind(self):
+        picture = self.folder / "p.png"
+        self.fails(self.mesh, "--nonesuch", codes=[2])
+        self.fails(self.mesh, "--output", picture, "--scalars", "nonesuch", codes=[2])
+        self.fails("none.vtp", "--output", picture, codes=[3])
+        self.fails(self.mesh, "--output", self.folder / "no" / "p.png", codes=[3])
+
+    def test_misspelt_names_are_guessed(self):
+        for arguments, right in (
+            (["--prest", "fog"], "--preset"), (["--isosruface=1"], "--isosurface"),
+            (["--preset", "defualt"], "default"), (["--preset", "long-shaft"], "long-shafts"),
+            (["--colormap", "virids"], "viridis"), (["--volume-preset", "ct-bon"], "ct-bone"),
+        ):
+            with self.subTest(arguments):
+                self.fails(self.mesh, *arguments, says=[f"did you mean {right}?"], codes=[2])
+        done = godrays(self.mesh, "--frobnicate")
+        self.assertNotIn("did you mean", done.stderr)
 
 
 class Pictures(ProgramTest):
@@ -612,7 +645,8 @@ class Pictures(ProgramTest):
             ["--sky", "mars", "--world-unit", "1000"],
             ["--background", "#200000:navy"], ["--scalars", "none"], ["--colormap", "inferno"],
             ["--range", "0,9"], ["--color", "1,0,0"], ["--opacity", "0.3"], ["--edges"],
-            ["--elevation-scale", "2"],
+            ["--elevation-scale", "2"], ["--camera", "90,30"], ["--zoom", "1.5"],
+            ["--sun-at", "0.2,0.8"],
         ):
             with self.subTest(arguments):
                 self.assertGreater(abs(self.draw(self.mesh, *arguments) - default).max(), 8)

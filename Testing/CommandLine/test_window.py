@@ -10,6 +10,8 @@ import sys
 import time
 import unittest
 
+import numpy
+
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from test_cli import ProgramTest
 
@@ -62,14 +64,59 @@ class Screen:
                 return window, title.value.decode()
         return None
 
-    def press(self, window, letter):
-        symbol = ctypes.c_ulong(self.x.XStringToKeysym(letter.encode()))
+    def look(self, window, size):
+        """What the window shows, as rows of RGB from the top."""
+        self.x.XGetImage.restype = ctypes.POINTER(Image)
+        image = self.x.XGetImage(
+            self.display, ctypes.c_ulong(window), 0, 0, *size, ctypes.c_ulong(0xFFFFFFFF), 2)
+        if not image:
+            return numpy.zeros((*size[::-1], 3), int)  # it is not on the screen yet
+        length = image.contents.bytes_per_line * size[1]
+        data = numpy.ctypeslib.as_array(image.contents.data, (length,)).copy()
+        self.x.XDestroyImage(image)
+        return data.reshape(size[1], -1, 4)[:, : size[0], 2::-1].astype(int)
+
+    def send(self, window, kind, mask, **values):
+        event = KeyEvent(type=kind, window=window, root=self.root, same_screen=1, **values)
+        self.x.XSendEvent(
+            self.display, ctypes.c_ulong(window), 0, ctypes.c_long(mask), ctypes.byref(event))
+        self.x.XFlush(self.display)
+
+    def press(self, window, name):
+        """A key by its X name, after "shift+" with that one held."""
+        shift = name.startswith("shift+")
+        symbol = ctypes.c_ulong(self.x.XStringToKeysym(name.removeprefix("shift+").encode()))
         code = self.x.XKeysymToKeycode(self.display, symbol)
         for kind, mask in ((2, 1), (3, 2)):  # pressed and released
-            event = KeyEvent(type=kind, window=window, root=self.root, keycode=code, same_screen=1)
-            self.x.XSendEvent(
-                self.display, ctypes.c_ulong(window), 0, ctypes.c_long(mask), ctypes.byref(event))
-        self.x.XFlush(self.display)
+            self.send(window, kind, mask, keycode=code, state=1 if shift else 0)
+
+    def drag(self, window, start, end):
+        """With the left button from a place of the window, from its upper left, to another one."""
+        steps = 5
+        places = [[a + (b - a) * i // steps for a, b in zip(start, end)] for i in range(steps + 1)]
+        self.x.XWarpPointer(
+            self.display, ctypes.c_ulong(0), ctypes.c_ulong(window), 0, 0, 0, 0, *start)
+        self.send(window, 6, 1 << 6, x=start[0], y=start[1])
+        time.sleep(0.5)  # until it is over the handle
+        self.send(window, 4, 1 << 2, x=start[0], y=start[1], keycode=1)
+        for x, y in places[1:]:
+            time.sleep(0.1)  # VTK skips all but the last of those that are there
+            # It asks where the pointer is.
+            self.x.XWarpPointer(
+                self.display, ctypes.c_ulong(0), ctypes.c_ulong(window), 0, 0, 0, 0, x, y)
+            self.send(window, 6, 1 << 6, x=x, y=y, state=1 << 8)
+        self.send(window, 5, 1 << 3, x=end[0], y=end[1], keycode=1, state=1 << 8)
+
+
+class Image(ctypes.Structure):
+    """The beginning of XImage of Xlib."""
+
+    _fields_ = [
+        ("width", ctypes.c_int), ("height", ctypes.c_int), ("xoffset", ctypes.c_int),
+        ("format", ctypes.c_int), ("data", ctypes.POINTER(ctypes.c_ubyte)),
+        ("byte_order", ctypes.c_int), ("bitmap_unit", ctypes.c_int), ("bitmap_bit_order", ctypes.c_int),
+        ("bitmap_pad", ctypes.c_int), ("depth", ctypes.c_int), ("bytes_per_line", ctypes.c_int),
+    ]
 
 
 class Window(ProgramTest):
@@ -112,6 +159,176 @@ class Window(ProgramTest):
                 picture = self.draw_and_press(key)
                 self.assertGreater(abs(usual - expected).max(), 20)
                 self.assertLess(abs(picture - expected).max(), 3)
+
+
+class Viewer(ProgramTest):
+    """Each test opens one window."""
+
+    SIZE = (301, 203)  # that no other program on the screen has
+
+    def open(self, *arguments):
+        self.screen = Screen()
+        self.addCleanup(self.screen.close)
+        self.output = self.folder / "viewer.png"
+        self.output.unlink(missing_ok=True)
+        self.program = subprocess.Popen(
+            [os.environ["GODRAYS_PROGRAM"], *map(str, arguments), "--size",
+             "{}x{}".format(*self.SIZE), "--interactive", "--output", self.output],
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=self.folder)
+        self.addCleanup(self.program.kill)
+        self.wait(lambda: self.screen.find_window(self.SIZE) is not None)
+        self.window = self.screen.find_window(self.SIZE)[0]
+        self.wait(lambda: self.look().max() > 60)
+        self.press("z", lambda picture: True)  # without the status line, whose numbers change
+
+    def wait(self, condition, seconds=20):
+        end = time.monotonic() + seconds
+        while not condition():
+            self.assertLess(time.monotonic(), end, "nothing happened")
+            self.assertIsNone(self.program.poll(), "the program ended")
+            time.sleep(0.1)
+
+    def look(self):
+        return self.screen.look(self.window, self.SIZE)
+
+    def steady(self):
+        """What is shown when nothing has changed for a while."""
+        former, picture = None, self.look()
+        while former is None or (former != picture).any():
+            time.sleep(0.3)
+            former, picture = picture, self.look()
+        return picture
+
+    def press(self, key, expected=None):
+        """Press a key, and wait until the window has changed. Returns what it shows then."""
+        before = self.steady()
+        self.screen.press(self.window, key)
+        self.wait(lambda: (expected or (lambda now: abs(now - before).max() > 20))(self.look()))
+        return self.steady()
+
+    def drag(self, start, end):
+        self.screen.drag(self.window, start, end)
+        time.sleep(0.5)
+        return self.steady()
+
+    def end(self):
+        """The picture written at the end, as rows of RGB from the foot, and what was printed."""
+        self.screen.press(self.window, "q")
+        printed = self.program.communicate(timeout=30)
+        self.assertEqual((self.program.returncode, printed[1]), (0, ""))
+        return self.read(self.output, self.SIZE), printed[0]
+
+    def assert_same(self, picture, other):
+        """But for a hundredth of the pixels: the text of a message, or single lines of the rays, which
+        frames after the first work out otherwise."""
+        self.assertLess((abs(picture - other).max(axis=2) > 3).mean(), 0.01)
+
+    def disc(self, picture, color=(255, 204, 51)):
+        """The place of what has a colour of the handle of the light, from the upper left."""
+        rows, columns = numpy.nonzero(abs(picture - color).max(axis=2) < 40)
+        self.assertGreater(len(rows), 5, "there is no handle")
+        return columns.mean(), rows.mean()
+
+    def test_keys_that_lay_something_over_the_picture(self):
+        self.open(self.mesh)
+        plain = self.steady()
+        for key in "h", "shift+question", "x", "b", "m", "z":
+            with self.subTest(key):
+                shown = self.press(key)
+                again = self.press(key)
+                self.assertGreater((abs(shown - plain).max(axis=2) > 20).sum(), 50)
+                self.assert_same(again, plain)
+        self.press("h")
+        picture, _ = self.end()
+        self.assert_same(picture, self.draw(self.mesh, size=self.SIZE))
+
+    def test_vtks_own_keys_do_nothing(self):
+        self.open(self.mesh)
+        plain = self.steady()
+        for key in "3", "p", "w", "e", "j", "f":
+            self.screen.press(self.window, key)
+        time.sleep(1)
+        self.assert_same(self.steady(), plain)
+        self.end()
+
+    def test_the_light_is_moved_by_keys_and_by_its_handle(self):
+        self.open(self.mesh, "--camera", "180,0", "--sun", "5,10", "--intensity", "0.2")
+        before = self.disc(self.press("l"))
+        right = self.disc(self.press("shift+Right"))
+        self.assertGreater(right[0], before[0] + 10)
+        above = self.disc(self.press("Up"))
+        self.assertLess(above[1], right[1] - 2)
+        place = 60, 60
+        self.drag([round(each) for each in above], place)
+        white = self.disc(self.steady(), (255, 255, 255))  # while the pointer is over it
+        self.assertLess(max(abs(a - b) for a, b in zip(white, place)), 8)
+        self.screen.press(self.window, "c")
+        picture, printed = self.end()
+        again = self.draw(self.mesh, *printed.split(), size=self.SIZE, told=None)
+        self.assertLess(abs(picture - again).mean(), 1)
+        self.assertIn("--preset default", printed)
+        self.assertIn("--view-up", printed)
+
+    def test_the_divider(self):
+        """What is right of it has rays."""
+        self.open(self.mesh)
+        rays = self.steady()
+        half = self.press("d")
+        without = self.draw(self.mesh, "--no-rays", size=self.SIZE)[::-1]
+        middle = self.SIZE[0] // 2
+        self.assert_same(half[:, : middle - 10], without[:, : middle - 10])
+        self.assert_same(half[:, middle + 10 :], rays[:, middle + 10 :])
+        self.assertGreater(abs(rays - without)[:, : middle - 10].max(), 20)
+        moved = self.drag((middle, self.SIZE[1] // 2), (middle - 70, self.SIZE[1] // 2))
+        self.assert_same(moved[:, : middle - 80], without[:, : middle - 80])
+        self.assert_same(moved[:, middle - 60 :], rays[:, middle - 60 :])
+        picture, _ = self.end()
+        self.assert_same(picture[::-1], rays)
+
+    def test_views_presets_and_strength(self):
+        self.open(self.mesh)
+        plain = self.steady()
+        self.press("shift+plus", lambda now: now.mean() > plain.mean() + 0.5)
+        self.press("minus", lambda now: now.mean() < plain.mean() + 0.2)
+        views = [self.press("v") for _ in range(4)]
+        depth = views[2]
+        self.assertEqual(abs(depth[40:, :, :1] - depth[40:]).max(), 0, "depths are grey")
+        covered = (depth[40:, :, 0] > 40).mean()
+        self.assertTrue(0.2 < covered < 0.5, covered)
+        self.assertLess(views[3].mean(), 20)  # the error
+        self.press("v")
+        self.press("n")
+        self.assertEqual(self.screen.find_window(self.SIZE)[1], "godrays: low-sun")
+        self.press("shift+N")
+        self.assertEqual(self.screen.find_window(self.SIZE)[1], "godrays: default")
+        self.press("u")
+        picture, _ = self.end()
+        black = self.draw(self.mesh, "--background", "black", size=self.SIZE)
+        self.assert_same(picture, black)
+
+    def test_home_and_the_screenshot(self):
+        self.open(self.mesh)
+        plain = self.steady()
+        moved = self.drag((150, 150), (210, 120))
+        self.assertGreater(abs(moved - plain).max(), 20)
+        self.assert_same(self.press("Home"), plain)
+        self.press("s")
+        shot = self.read(self.folder / "a-1.png", self.SIZE)
+        picture, _ = self.end()
+        self.assert_same(picture, shot)
+
+    def test_files_one_after_another_and_again(self):
+        changing = self.folder / "changing.obj"
+        corners = "v {0} 0 0\nv 0 {0} 0\nv 0 0 {0}\nf 1 2 3\n"
+        changing.write_text(corners.format(1))
+        camera = ["--camera-position", "3,3,3", "--focal-point", "0,0,0", "--sun", "225,20"]
+        self.open("--each", "--watch", "--quiet", self.mesh, changing, *camera)
+        plain = self.steady()
+        second = self.press("Next")
+        changing.write_text(corners.format(2))
+        self.wait(lambda: abs(self.look() - second).max() > 20)
+        self.assertLess((abs(self.press("Prior") - plain).max(axis=2) > 20).mean(), 0.02)
+        self.end()
 
 
 if __name__ == "__main__":

@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Frames.h"
+
+#include "Failure.h"
+#include "Output.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkOggTheoraWriter.h"
+#include "vtkRenderWindow.h"
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <unistd.h>
+
+namespace
+{
+namespace fs = std::filesystem;
+
+//------------------------------------------------------------------------------
+bool IsOgv(const std::string& path)
+{
+  return fs::path(path).extension() == ".ogv";
+}
+
+//------------------------------------------------------------------------------
+bool HasProgram(const std::string& name)
+{
+  const char* path = std::getenv("PATH");
+  std::stringstream folders(path ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');)
+  {
+    if (access((fs::path(folder) / name).c_str(), X_OK) == 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+std::string QuoteForShell(const std::string& text)
+{
+  std::string quoted = "'";
+  for (const char letter : text)
+  {
+    quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  }
+  return quoted + "'";
+}
+}
+
+//------------------------------------------------------------------------------
+std::string FillTemplate(const std::string& text, const std::string& name, std::size_t number,
+  std::size_t frame, std::optional<double> time)
+{
+  const auto toDigits = [](std::size_t value)
+  {
+    char digits[32];
+    std::snprintf(digits, sizeof(digits), "%04zu", value);
+    return std::string(digits);
+  };
+  std::string filled;
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
+    const auto end = text[i] == '{' ? text.find('}', i) : std::string::npos;
+    if (end == std::string::npos)
+    {
+      filled += text[i];
+      continue;
+    }
+    const std::string word = text.substr(i + 1, end - i - 1);
+    if (word == "time")
+    {
+      std::ostringstream value;
+      value << time.value_or(0.0);
+      filled += value.str();
+    }
+    else if (word == "name" || word == "n" || word == "frame")
+    {
+      filled += word == "name" ? name : toDigits(word == "n" ? number : frame);
+    }
+    else
+    {
+      throw Failure("--output: {" + word + "} should be {name}, {n}, {frame} or {time}");
+    }
+    i = end;
+  }
+  return filled;
+}
+
+//------------------------------------------------------------------------------
+Frames::Frames(const Options& options)
+  : Settings(options)
+{
+  if (!options.Output.empty())
+  {
+    CheckPictureName(options.Output);
+    if (options.Output != "-")
+    {
+      // Of names that are filled in, the folder at least is known.
+      CheckOutput("--output", FillTemplate(options.Output, "name", 1, 1, 0.0), options.Files);
+    }
+  }
+  const std::string& film = options.Film;
+  if (film.empty())
+  {
+    return;
+  }
+  CheckOutput("--film", film, options.Files);
+  const std::string extension = fs::path(film).extension().string();
+  const std::string types = " .mp4 .webm .mkv .gif .ogv ";
+  if (extension.empty() || types.find(" " + extension + " ") == std::string::npos)
+  {
+    throw Failure("--film: " + film + " should end in .ogv, .mp4, .webm, .mkv or .gif");
+  }
+  if (!IsOgv(film) && !HasProgram("ffmpeg"))
+  {
+    throw Failure("--film: there is no ffmpeg to write " + extension +
+      " with; install it, give a name that ends in .ogv, or write pictures with --output "
+      "'{frame}.png'");
+  }
+}
+
+//------------------------------------------------------------------------------
+Frames::~Frames()
+{
+  if (this->Encoder)
+  {
+    pclose(this->Encoder);
+  }
+  this->Writer = nullptr;
+  if (!this->Part.empty())
+  {
+    std::error_code error;
+    fs::remove(this->Part, error);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Frames::StartFilm(vtkRenderWindow* window)
+{
+  const fs::path film = this->Settings.Film;
+  this->Part =
+    (film.parent_path() / ("." + std::to_string(getpid()) + "-" + film.filename().string()))
+      .string();
+  if (IsOgv(film.string()))
+  {
+    auto writer = vtkSmartPointer<vtkOggTheoraWriter>::New();
+    writer->SetRate(static_cast<int>(this->Settings.FrameRate + 0.5));
+    writer->SetQuality(2);
+    writer->SetFileName(this->Part.c_str());
+    writer->SetInputData(TakePicture(window, false));
+    writer->Start();
+    this->Writer = writer;
+    return;
+  }
+  std::signal(SIGPIPE, SIG_IGN); // what ffmpeg does not take is told below
+  std::ostringstream command;
+  // Most players want even sizes and colours of half their resolution.
+  command << "ffmpeg -loglevel error -y -f image2pipe -framerate " << this->Settings.FrameRate
+          << " -i - -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' "
+          << (film.extension() == ".gif" ? "" : "-pix_fmt yuv420p ") << QuoteForShell(this->Part);
+  this->Encoder = popen(command.str().c_str(), "w");
+}
+
+//------------------------------------------------------------------------------
+void Frames::Write(
+  vtkRenderWindow* window, const std::string& name, std::size_t number, std::optional<double> time)
+{
+  ++this->Count;
+  if (!this->Settings.Output.empty())
+  {
+    const std::string path = FillTemplate(this->Settings.Output, name, number, this->Count, time);
+    if (path != "-")
+    {
+      CheckOutput("--output", path, this->Settings.Files);
+    }
+    WritePicture(window, path, this->Settings.Transparent);
+  }
+  if (this->Settings.Film.empty())
+  {
+    return;
+  }
+  if (this->Part.empty())
+  {
+    this->StartFilm(window);
+  }
+  if (this->Writer)
+  {
+    this->Writer->SetInputData(TakePicture(window, false));
+    this->Writer->Write();
+  }
+  else if (this->Encoder)
+  {
+    PrintPicture(TakePicture(window, false), this->Encoder, "--film");
+  }
+}
+
+//------------------------------------------------------------------------------
+void Frames::Finish()
+{
+  if (this->Part.empty())
+  {
+    return;
+  }
+  bool isWritten = true;
+  if (this->Writer)
+  {
+    this->Writer->End();
+    isWritten = !this->Writer->GetError();
+    this->Writer = nullptr;
+  }
+  else
+  {
+    isWritten = this->Encoder && pclose(this->Encoder) == 0;
+    this->Encoder = nullptr;
+  }
+  std::error_code error;
+  if (isWritten)
+  {
+    fs::rename(this->Part, this->Settings.Film, error);
+  }
+  if (!isWritten || error)
+  {
+    throw Failure(
+      "--film: " + this->Settings.Film + " could not be written; is the disk full?", Failure::File);
+  }
+  this->Part.clear();
+}

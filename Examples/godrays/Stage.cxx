@@ -1,0 +1,320 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Stage.h"
+
+#include "vtkCamera.h"
+#include "vtkGodRaysAtmosphere.h"
+#include "vtkGodRaysHomogeneousModel.h"
+#include "vtkGodRaysPass.h"
+#include "vtkGodRaysRadialSumModel.h"
+#include "vtkGodRaysSkyPass.h"
+#include "vtkLight.h"
+#include "vtkRenderer.h"
+
+#include <sstream>
+#include <utility>
+
+namespace
+{
+// [degrees] a look: larger than the real sun, which vtkGodRaysSun and the sky of --sky have, to be seen
+constexpr double SunRadius = 0.6;
+// brighter and narrower than the pass has it: shafts with more contrast
+constexpr double Glow = 0.6;
+constexpr double GlowRadius = 1.0;
+constexpr double SunGlowAngle = 5.0;
+constexpr double LampGlowAngle = 14.0;
+constexpr double SkyExposure = 2.5; // a white wall in the sun is about as bright as can be shown
+
+//------------------------------------------------------------------------------
+void PlaceLight(vtkLight* light, const Viewpoint& view)
+{
+  light->SetPositional(view.LightIsLamp);
+  if (view.LightIsLamp)
+  {
+    light->SetConeAngle(180.0);
+    light->SetPosition(view.LightPosition.data());
+  }
+  else
+  {
+    light->SetPosition(view.LightDirection.data());
+    light->SetFocalPoint(0.0, 0.0, 0.0);
+  }
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Light from the sky and from the eye, so that sides away from the sun keep their colours.
+ */
+void AddFill(vtkRenderer* renderer, const Scene& scene, double fill)
+{
+  vtkNew<vtkLight> sky;
+  sky->SetPosition(scene.Up.data());
+  sky->SetFocalPoint(0.0, 0.0, 0.0);
+  sky->SetColor(0.70, 0.82, 1.0);
+  sky->SetIntensity(fill);
+  renderer->AddLight(sky);
+  vtkNew<vtkLight> eye;
+  eye->SetLightTypeToHeadlight();
+  eye->SetColor(0.85, 0.90, 1.0);
+  eye->SetIntensity(fill);
+  renderer->AddLight(eye);
+}
+
+//------------------------------------------------------------------------------
+/**
+ * The physical sky, without its sun.
+ */
+void AddSky(vtkRenderer* renderer, const Scene& scene, const Options& options)
+{
+  Vector3 ground;
+  scene.Bounds.GetCenter(ground.data());
+  for (int i = 0; i < 3; ++i)
+  {
+    ground[i] -= 0.5 * scene.GetExtent(scene.Up) * scene.Up[i];
+  }
+  vtkGodRaysSkyPass* sky = vtkGodRaysSkyPass::Attach(renderer);
+  sky->GetAtmosphere()->LoadPreset(options.Sky);
+  sky->SetUp(scene.Up.data());
+  sky->SetNorth(scene.North.data());
+  sky->SetOrigin(ground.data());
+  sky->SetWorldUnitInMeters(options.WorldUnit.value_or(1.0));
+  sky->SetExposure(SkyExposure);
+}
+
+//------------------------------------------------------------------------------
+void SetLook(vtkGodRaysPass* rays, const Viewpoint& view, const Options& options)
+{
+  auto* model = vtkGodRaysRadialSumModel::SafeDownCast(rays->GetModel());
+  model->SetDensity(options.Density.value_or(model->GetDensity()));
+  model->SetDecay(options.Decay.value_or(model->GetDecay()));
+  model->SetWeight(options.Weight.value_or(model->GetWeight()));
+  model->SetExposure(options.Exposure.value_or(model->GetExposure()));
+  rays->SetAutomaticExposure(!options.Exposure && !options.Weight);
+  rays->SetLayerMargin(0.0);
+  rays->SetBackgroundGlow(options.Glow.value_or(Glow));
+  rays->SetBackgroundGlowRadius(GlowRadius);
+  rays->SetBackgroundGlowFalloff(
+    options.GlowAngle.value_or(view.LightIsLamp ? LampGlowAngle : SunGlowAngle));
+}
+
+//------------------------------------------------------------------------------
+void SetMedium(vtkGodRaysPass* rays, const Options& options)
+{
+  auto* medium = vtkGodRaysHomogeneousModel::SafeDownCast(rays->GetModel());
+  if (options.OpticalDepth)
+  {
+    medium->SetOpticalDepth(*options.OpticalDepth);
+  }
+  else
+  {
+    medium->SetWorldUnitInMeters(options.WorldUnit.value_or(0.0));
+  }
+  rays->SetAutomaticExposure(true);
+  rays->SetLayerMargin(0.5); // what is just outside the picture casts shadows into it
+}
+
+//------------------------------------------------------------------------------
+void SetPreset(
+  vtkGodRaysPass* rays, const Preset& preset, const Viewpoint& view, const Options& options)
+{
+  rays->ApplyPreset(preset.Name.c_str());
+  if (preset.IsMedium)
+  {
+    SetMedium(rays, options);
+  }
+  else
+  {
+    SetLook(rays, view, options);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SetRays(vtkGodRaysPass* rays, const Viewpoint& view, const Options& options)
+{
+  SetPreset(rays, GetPreset(options), view, options);
+  rays->SetIntensity(options.Intensity.value_or(1.0));
+  rays->SetErrorTolerance(options.Tolerance.value_or(rays->GetErrorTolerance()));
+  rays->SetOutput(options.Show == "occlusion" ? vtkGodRaysPass::OCCLUSION
+      : options.Show == "rays"                ? vtkGodRaysPass::SCATTERING
+                                              : vtkGodRaysPass::COMPOSITE);
+  if (view.LightIsLamp)
+  {
+    rays->SetSourceRadius(options.LightSize.value_or(rays->GetSourceRadius()));
+  }
+  else
+  {
+    rays->SetSunAngularRadius(options.LightSize.value_or(SunRadius));
+  }
+}
+
+}
+
+//------------------------------------------------------------------------------
+Stage::Stage(Scene scene, const Viewpoint& view, const Options& options)
+  : Data(std::move(scene))
+  , View(view)
+  , Settings(options)
+  , Look(GetPreset(options))
+{
+  this->Renderer->AutomaticLightCreationOff();
+  this->Renderer->SetActiveCamera(view.Camera);
+  for (const auto& prop : this->Data.Props)
+  {
+    this->Renderer->AddViewProp(prop);
+  }
+  PlaceLight(this->Light, view);
+  this->Light->SetColor(options.LightColor.data());
+  this->Renderer->AddLight(this->Light);
+  AddFill(this->Renderer, this->Data, options.Fill);
+  if (!options.Sky.empty())
+  {
+    AddSky(this->Renderer, this->Data, options);
+  }
+  this->SetBackground(options.Background);
+  ::SetRays(this->Rays, view, options);
+  this->Rays->AddLight(this->Light);
+  this->Rays->SetMeasureTimes(options.Stats);
+  this->SetRays(options.Rays);
+}
+
+//------------------------------------------------------------------------------
+Stage::~Stage()
+{
+  this->SetRays(false);
+  vtkGodRaysSkyPass::Detach(this->Renderer);
+}
+
+//------------------------------------------------------------------------------
+void Stage::SetRays(bool on)
+{
+  if (on && !this->HasRays)
+  {
+    this->Rays->Attach(this->Renderer);
+  }
+  else if (!on && this->HasRays)
+  {
+    this->Rays->Detach(this->Renderer);
+  }
+  this->HasRays = on;
+}
+
+//------------------------------------------------------------------------------
+void Stage::SetPreset(const ::Preset& preset)
+{
+  this->Look = preset;
+  this->Settings.Preset = preset.Name;
+  ::SetPreset(this->Rays, preset, this->View, this->Settings);
+}
+
+//------------------------------------------------------------------------------
+void Stage::SetBackground(const std::string& background)
+{
+  this->Settings.Background = background;
+  this->Background.reset();
+  this->Renderer->TexturedBackgroundOff();
+  this->Renderer->SetBackgroundTexture(nullptr);
+  if (this->Settings.Transparent)
+  {
+    this->Renderer->SetBackground(0.0, 0.0, 0.0);
+    this->Renderer->SetBackgroundAlpha(0.0);
+  }
+  else if (this->Settings.Sky.empty())
+  {
+    this->Background.emplace(this->Renderer, this->Data, this->View,
+      this->Settings.LightSize.value_or(SunRadius), this->Settings);
+  }
+  else
+  {
+    this->MoveSkySun();
+  }
+}
+
+//------------------------------------------------------------------------------
+void Stage::MoveLight(const Vector3& place)
+{
+  (this->View.LightIsLamp ? this->View.LightPosition : this->View.LightDirection) = place;
+  this->View.LightWasChosen = false;
+  PlaceLight(this->Light, this->View);
+  if (this->Background)
+  {
+    this->Background->SetView(this->View);
+  }
+  else if (!this->Settings.Sky.empty())
+  {
+    this->MoveSkySun();
+  }
+}
+
+//------------------------------------------------------------------------------
+void Stage::MoveSkySun()
+{
+  double azimuth = 0.0;
+  double elevation = 0.0;
+  this->Data.GetAngles(this->View.LightDirection, azimuth, elevation);
+  vtkGodRaysSkyPass* sky = vtkGodRaysSkyPass::Find(this->Renderer);
+  sky->SetSunAzimuth(azimuth);
+  sky->SetSunElevation(elevation);
+  sky->UpdateLight(this->Light);
+}
+
+//------------------------------------------------------------------------------
+void Stage::SetExposure(double factor)
+{
+  if (vtkGodRaysSkyPass* sky = vtkGodRaysSkyPass::Find(this->Renderer))
+  {
+    sky->SetExposure(factor * SkyExposure);
+    sky->UpdateLight(this->Light);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string Stage::GetOptions() const
+{
+  const auto toText = [](const double values[3])
+  {
+    std::ostringstream text;
+    text.precision(9);
+    text << values[0] << "," << values[1] << "," << values[2];
+    return text.str();
+  };
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  std::ostringstream text;
+  text << "--camera-position " << toText(camera->GetPosition()) << " --focal-point "
+       << toText(camera->GetFocalPoint()) << " --view-up " << toText(camera->GetViewUp());
+  if (camera->GetParallelProjection())
+  {
+    text << " --parallel --parallel-height " << 2.0 * camera->GetParallelScale();
+  }
+  else
+  {
+    text << " --view-angle " << camera->GetViewAngle();
+  }
+  if (this->View.LightIsLamp)
+  {
+    text << " --light " << toText(this->View.LightPosition.data());
+  }
+  else
+  {
+    double azimuth = 0.0;
+    double elevation = 0.0;
+    this->Data.GetAngles(this->View.LightDirection, azimuth, elevation);
+    text.precision(9);
+    text << " --sun " << azimuth << "," << elevation;
+  }
+  text << " --preset " << this->Look.Name;
+  if (this->Rays->GetIntensity() != 1.0)
+  {
+    text << " --intensity " << this->Rays->GetIntensity();
+  }
+  if (this->Settings.Background != "sky")
+  {
+    text << " --background " << this->Settings.Background;
+  }
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+const Preset& GetPreset(const Options& options)
+{
+  return options.Preset.empty() ? GetPresets().front() : FindPreset(options.Preset);
+}

@@ -1,0 +1,687 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Viewer.h"
+
+#include "CameraOptions.h"
+#include "Output.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkCubeAxesActor.h"
+#include "vtkFloatArray.h"
+#include "vtkGodRaysIntegrator.h"
+#include "vtkGodRaysPass.h"
+#include "vtkImageData.h"
+#include "vtkInteractorStyleTerrain.h"
+#include "vtkInteractorStyleTrackballCamera.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkTextProperty.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <sstream>
+
+namespace
+{
+constexpr double IntensityStep = 1.25;
+constexpr double ExposureStep = 1.25;
+constexpr double LightStep = 1.0; // degrees
+constexpr double Faster = 5.0;    // with Shift
+constexpr double HighestSun = 89.5;
+constexpr double ErrorFactor = 64.0;
+constexpr double SmallestTolerance = 1e-6;
+constexpr int VerifiedPixels = 1024;
+constexpr float First = 10.0F;     // before VTK's own
+constexpr int TimerInterval = 200; // milliseconds
+
+const char* const ViewNames[] = { "scene", "occlusion", "rays", "depth", "error" };
+
+//------------------------------------------------------------------------------
+void SetCamera(vtkRenderer* renderer, vtkCamera* from)
+{
+  vtkNew<vtkCamera> camera; // the stage's own is that of the beginning
+  camera->DeepCopy(from);
+  renderer->SetActiveCamera(camera);
+  renderer->ResetCameraClippingRange();
+}
+}
+
+//------------------------------------------------------------------------------
+Viewer::Viewer(
+  vtkRenderWindow* window, std::unique_ptr<Stage>& stage, Playlist& list, const Options& options)
+  : Window(window)
+  , Shown(stage)
+  , List(list)
+  , Settings(options)
+  , Home(stage->GetView())
+{
+  this->Interactor->SetRenderWindow(window);
+  this->Interactor->EnableRenderOff(); // Render() is called for RenderEvent
+  this->Over.emplace(this->Interactor);
+  this->Over->OnDragLight([this](double x, double y) { this->OnDragLight(x, y); });
+  this->Over->OnDragDivider([this](double x, double)
+    { this->Divider = std::clamp(x / std::max(this->Window->GetSize()[0], 1), 0.02, 0.98); });
+  this->SetStyle(stage->GetScene().IsTerrain());
+  SetCamera(stage->GetRenderer(), this->Home.Camera);
+
+  this->Observe(
+    this->Interactor, vtkCommand::RenderEvent, [](Viewer* self) { self->Render(); }, false);
+  this->Observe(
+    this->Interactor, vtkCommand::KeyPressEvent,
+    [](Viewer* self)
+    {
+      const char* symbol = self->Interactor->GetKeySym();
+      self->OnKey(symbol ? symbol : "", self->Interactor->GetShiftKey() != 0);
+    },
+    true);
+  // VTK's styles take letters here; 3 and P would leave a broken picture.
+  this->Observe(
+    this->Interactor, vtkCommand::CharEvent, [](Viewer*) {}, true);
+  this->Observe(
+    this->Interactor, vtkCommand::TimerEvent, [](Viewer* self) { self->OnTimer(); }, false);
+  // Without this observer, VTK 9.1 closes the display at the end, while its loop still reads events.
+  this->Observe(
+    this->Interactor, vtkCommand::ExitEvent, [](Viewer* self) { self->Interactor->SetDone(true); },
+    false);
+}
+
+//------------------------------------------------------------------------------
+Viewer::~Viewer()
+{
+  this->SetGrid(false);
+  this->Interactor->RemoveAllObservers();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::Observe(vtkObject* object, unsigned long event, void (*call)(Viewer*), bool last)
+{
+  struct Target
+  {
+    Viewer* Self;
+    void (*Call)(Viewer*);
+  };
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(new Target{ this, call });
+  command->SetClientDataDeleteCallback([](void* target) { delete static_cast<Target*>(target); });
+  command->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*)
+    {
+      auto* target = static_cast<Target*>(data);
+      target->Call(target->Self);
+    });
+  command->SetAbortFlagOnExecute(last);
+  object->AddObserver(event, command, First);
+}
+
+//------------------------------------------------------------------------------
+void Viewer::Run()
+{
+  this->Interactor->Initialize();
+  if (this->Settings.Watch || this->List.GetTimes().size() > 1 || this->List.GetSize() > 1)
+  {
+    this->Interactor->CreateRepeatingTimer(TimerInterval);
+  }
+  this->Render();
+  this->Interactor->Start();
+  this->Over.reset();
+  this->View = std::min<int>(this->View, RaysAlone);
+  this->RenderPicture(); // VTK 9.3 keeps nothing of what it has shown
+}
+
+//------------------------------------------------------------------------------
+bool Viewer::OnKey(const std::string& symbol, bool shift)
+{
+  const KeyBinding* binding = FindKeyBinding(symbol);
+  if (!binding)
+  {
+    return false;
+  }
+  this->Message.clear();
+  if (this->Do(*binding, shift))
+  {
+    this->Render();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Returns whether to draw again.
+ */
+bool Viewer::Do(const KeyBinding& binding, bool shift)
+{
+  vtkGodRaysPass* rays = this->Shown->GetRays();
+  switch (binding.Do)
+  {
+    case Command::Help:
+      this->Over->ShowHelp(!this->Over->IsHelpShown());
+      break;
+    case Command::Home:
+      this->GoHome();
+      break;
+    case Command::Rays:
+      this->Shown->SetRays(!this->Shown->AreRaysOn());
+      break;
+    case Command::Look:
+      this->TakePreset(binding.Step);
+      break;
+    case Command::Intensity:
+      rays->SetIntensity(
+        std::min(rays->GetIntensity() * std::pow(IntensityStep, binding.Step), 1e4));
+      break;
+    case Command::Exposure:
+      this->SkyExposure *= std::pow(ExposureStep, binding.Step);
+      this->Shown->SetExposure(this->SkyExposure);
+      this->Message = this->Settings.Sky.empty()
+        ? "there is no physical sky; give --sky"
+        : "exposure of the sky: times " + std::to_string(this->SkyExposure);
+      break;
+    case Command::Azimuth:
+    case Command::Elevation:
+      this->MoveLight(binding.Do, binding.Step * LightStep * (shift ? Faster : 1.0));
+      break;
+    case Command::Handle:
+      this->HasHandle = !this->HasHandle;
+      break;
+    case Command::View:
+      this->SetView((this->View + binding.Step + NumberOfViews) % NumberOfViews);
+      break;
+    case Command::RaysAlone:
+      this->SetView(this->View == RaysAlone ? Composite : RaysAlone);
+      break;
+    case Command::Split:
+      this->Divider = this->Divider ? std::nullopt : std::optional<double>(0.5);
+      break;
+    case Command::Background:
+      this->TakeBackground();
+      break;
+    case Command::ScalarBar:
+      this->Over->ShowScalarBar(
+        this->Over->IsScalarBarShown() ? nullptr : &this->Shown->GetScene());
+      break;
+    case Command::Axes:
+      this->Over->ShowAxes(!this->Over->AreAxesShown());
+      break;
+    case Command::Grid:
+      this->SetGrid(!this->Grid);
+      break;
+    case Command::Status:
+      this->HasStatus = !this->HasStatus;
+      break;
+    case Command::Style:
+      this->SetStyle(!this->IsTerrainStyle);
+      break;
+    case Command::Screenshot:
+      this->WriteScreenshot();
+      break;
+    case Command::PrintOptions:
+      std::cout << this->Shown->GetOptions() << std::endl;
+      this->Message = "printed";
+      break;
+    case Command::File:
+      this->Open((this->Item + binding.Step + this->List.GetSize()) % this->List.GetSize(), 0,
+        this->List.GetSize() == 1);
+      break;
+    case Command::Reload:
+      this->Open(this->Item, this->Step, true);
+      break;
+    case Command::Time:
+      this->TakeStep(binding.Step);
+      break;
+    case Command::Play:
+      this->IsPlaying = !this->IsPlaying && this->List.GetTimes().size() > 1;
+      break;
+    case Command::Quit:
+      this->Interactor->ExitCallback();
+      return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void Viewer::OnTimer()
+{
+  if (this->IsPlaying)
+  {
+    this->TakeStep(1);
+    this->Render();
+  }
+  else if (this->Settings.Watch && this->List.HasChanged(this->Item))
+  {
+    this->Open(this->Item, this->Step, true);
+    this->Render();
+  }
+}
+
+//------------------------------------------------------------------------------
+void Viewer::GoHome()
+{
+  const Viewpoint& home = this->Home;
+  SetCamera(this->Shown->GetRenderer(), home.Camera);
+  this->Shown->MoveLight(home.LightIsLamp ? home.LightPosition : home.LightDirection);
+}
+
+//------------------------------------------------------------------------------
+/**
+ * The next one of ours; those that others published come by name alone.
+ */
+void Viewer::TakePreset(int step)
+{
+  const auto& presets = GetPresets();
+  const int count = static_cast<int>(presets.size());
+  int index = static_cast<int>(
+    std::find_if(presets.begin(), presets.end(),
+      [this](const Preset& preset) { return preset.Name == this->Shown->GetLook().Name; }) -
+    presets.begin());
+  do
+  {
+    index = (index + step + count) % count;
+  } while (presets[index].IsPublished);
+  this->Shown->SetPreset(presets[index]);
+  this->Message = presets[index].Name + ": " + presets[index].Description;
+  this->Window->SetWindowName(("godrays: " + presets[index].Name).c_str());
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Of a sun its azimuth or elevation; a lamp as far across the picture.
+ */
+void Viewer::MoveLight(Command command, double degrees)
+{
+  const Viewpoint& view = this->Shown->GetView();
+  if (!view.LightIsLamp)
+  {
+    double azimuth = 0.0;
+    double elevation = 0.0;
+    this->Shown->GetScene().GetAngles(view.LightDirection, azimuth, elevation);
+    (command == Command::Azimuth ? azimuth : elevation) += degrees;
+    elevation = std::clamp(elevation, -HighestSun, HighestSun);
+    this->Shown->MoveLight(this->Shown->GetScene().GetDirection(azimuth, elevation));
+    return;
+  }
+  vtkCamera* camera = this->Shown->GetRenderer()->GetActiveCamera();
+  double x = 0.0;
+  double y = 0.0;
+  if (FindLight(view, camera, this->GetAspect(), x, y))
+  {
+    const double share = degrees / camera->GetViewAngle();
+    x += command == Command::Azimuth ? share / this->GetAspect() : 0.0;
+    y += command == Command::Elevation ? share : 0.0;
+    this->Shown->MoveLight(GetLightAt(view, camera, this->GetAspect(), x, y));
+  }
+}
+
+//------------------------------------------------------------------------------
+void Viewer::OnDragLight(double x, double y)
+{
+  const int* size = this->Window->GetSize();
+  this->Shown->MoveLight(GetLightAt(this->Shown->GetView(),
+    this->Shown->GetRenderer()->GetActiveCamera(), this->GetAspect(), x / size[0], y / size[1]));
+}
+
+//------------------------------------------------------------------------------
+void Viewer::TakeBackground()
+{
+  static const char* const backgrounds[] = { "sky", "black", "#101820:#405070", "#808890",
+    "white" };
+  if (!this->Settings.Sky.empty())
+  {
+    this->Message = "the physical sky (--sky) is the background";
+    return;
+  }
+  const auto* found =
+    std::find(std::begin(backgrounds), std::end(backgrounds), this->Shown->GetBackground());
+  const char* next = found == std::end(backgrounds) || found + 1 == std::end(backgrounds)
+    ? backgrounds[0]
+    : *(found + 1);
+  this->Shown->SetBackground(next);
+  this->Message = std::string("background: ") + next;
+}
+
+//------------------------------------------------------------------------------
+void Viewer::SetView(int view)
+{
+  this->View = view;
+  this->Shown->GetRays()->SetOutput(view == Occlusion ? vtkGodRaysPass::OCCLUSION
+      : view == RaysAlone                             ? vtkGodRaysPass::SCATTERING
+                                                      : vtkGodRaysPass::COMPOSITE);
+  this->Message = std::string("view: ") + ViewNames[view];
+}
+
+//------------------------------------------------------------------------------
+/**
+ * It is of the scene, and stands in it; no light is blocked by it.
+ */
+void Viewer::SetGrid(bool on)
+{
+  vtkRenderer* renderer = this->Shown->GetRenderer();
+  if (this->Grid)
+  {
+    renderer->RemoveViewProp(this->Grid);
+    this->Grid = nullptr;
+  }
+  if (!on)
+  {
+    return;
+  }
+  this->Grid = vtkSmartPointer<vtkCubeAxesActor>::New();
+  double bounds[6];
+  this->Shown->GetScene().Bounds.GetBounds(bounds);
+  this->Grid->SetBounds(bounds);
+  this->Grid->SetCamera(renderer->GetActiveCamera());
+  this->Grid->SetFlyModeToOuterEdges();
+  this->Grid->SetGridLineLocation(vtkCubeAxesActor::VTK_GRID_LINES_FURTHEST);
+  this->Grid->DrawXGridlinesOn();
+  this->Grid->DrawYGridlinesOn();
+  this->Grid->DrawZGridlinesOn();
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Grid->GetTitleTextProperty(i)->SetColor(1.0, 1.0, 1.0);
+    this->Grid->GetLabelTextProperty(i)->SetColor(1.0, 1.0, 1.0);
+  }
+  vtkGodRaysPass::SetRole(this->Grid, vtkGodRaysPass::IGNORED);
+  renderer->AddViewProp(this->Grid);
+}
+
+//------------------------------------------------------------------------------
+void Viewer::SetStyle(bool terrain)
+{
+  this->IsTerrainStyle = terrain;
+  vtkSmartPointer<vtkInteractorStyle> style;
+  if (terrain)
+  {
+    style = vtkSmartPointer<vtkInteractorStyleTerrain>::New();
+    this->Message = "the horizon stays level";
+  }
+  else
+  {
+    style = vtkSmartPointer<vtkInteractorStyleTrackballCamera>::New();
+    this->Message = "trackball";
+  }
+  this->Interactor->SetInteractorStyle(style);
+}
+
+//------------------------------------------------------------------------------
+void Viewer::TakeStep(int step)
+{
+  const int count = static_cast<int>(this->List.GetTimes().size());
+  if (count > 1)
+  {
+    this->Open(this->Item, (static_cast<int>(this->Step) + step + count) % count, true);
+  }
+  else
+  {
+    this->Message = "the files have no time steps";
+  }
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Show another scene; the present one if it cannot be read, and the reason.
+ */
+void Viewer::Open(std::size_t item, std::size_t step, bool keepView)
+{
+  Viewpoint view = this->Shown->GetView();
+  std::unique_ptr<Stage> next;
+  try
+  {
+    next = this->List.Open(item, step, keepView ? &view : nullptr);
+  }
+  catch (const std::exception& failure)
+  {
+    this->Message = failure.what();
+    return;
+  }
+  const bool hasGrid = this->Grid;
+  this->SetGrid(false);
+  next->SetPreset(this->Shown->GetLook());
+  next->GetRays()->SetIntensity(this->Shown->GetRays()->GetIntensity());
+  next->GetRays()->SetOutput(this->Shown->GetRays()->GetOutput());
+  next->SetRays(this->Shown->AreRaysOn());
+  next->SetBackground(this->Shown->GetBackground());
+  next->SetExposure(this->SkyExposure);
+  SetCamera(next->GetRenderer(),
+    keepView ? this->Shown->GetRenderer()->GetActiveCamera() : next->GetView().Camera.Get());
+  if (!keepView)
+  {
+    this->Home = next->GetView();
+  }
+  this->Window->RemoveRenderer(this->Shown->GetRenderer());
+  this->Window->AddRenderer(next->GetRenderer());
+  this->Shown = std::move(next);
+  this->Item = item;
+  this->Step = step;
+  this->SetGrid(hasGrid);
+  if (this->Over->IsScalarBarShown())
+  {
+    this->Over->ShowScalarBar(&this->Shown->GetScene());
+  }
+}
+
+//------------------------------------------------------------------------------
+void Viewer::WriteScreenshot()
+{
+  namespace fs = std::filesystem;
+  std::string name;
+  for (int i = 1; name.empty() || fs::exists(name); ++i)
+  {
+    name = this->List.GetName(this->Item) + "-" + std::to_string(i) + ".png";
+  }
+  this->Over->SetVisible(false);
+  this->RenderPicture();
+  try
+  {
+    WritePicture(this->Window, name, false);
+    this->Message = "written: " + name;
+  }
+  catch (const std::exception& failure)
+  {
+    this->Message = failure.what();
+  }
+  this->Over->SetVisible(true);
+}
+
+//------------------------------------------------------------------------------
+double Viewer::GetAspect() const
+{
+  const int* size = this->Window->GetSize();
+  return size[1] > 0 ? static_cast<double>(size[0]) / size[1] : 1.0;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> Viewer::Capture()
+{
+  this->Over->SetVisible(false);
+  this->Window->SwapBuffersOff();
+  this->Window->Render();
+  vtkNew<vtkWindowToImageFilter> picture;
+  picture->SetInput(this->Window);
+  picture->ReadFrontBufferOff();
+  picture->ShouldRerenderOff();
+  picture->Update();
+  this->Window->SwapBuffersOn();
+  this->Over->SetVisible(true);
+  vtkSmartPointer<vtkImageData> result = picture->GetOutput();
+  return result;
+}
+
+//------------------------------------------------------------------------------
+/**
+ * From white at the nearest to grey at the farthest; black where nothing is.
+ */
+vtkSmartPointer<vtkImageData> Viewer::MakeDepthPicture()
+{
+  vtkSmartPointer<vtkImageData> picture = this->Capture();
+  int size[3];
+  picture->GetDimensions(size);
+  vtkNew<vtkFloatArray> depths;
+  this->Window->GetZbufferData(0, 0, size[0] - 1, size[1] - 1, depths);
+  vtkCamera* camera = this->Shown->GetRenderer()->GetActiveCamera();
+  const double* range = camera->GetClippingRange();
+  const bool parallel = camera->GetParallelProjection() != 0;
+  const auto toDistance = [&](double depth)
+  {
+    return parallel ? range[0] + depth * (range[1] - range[0])
+                    : range[0] * range[1] / (range[1] - depth * (range[1] - range[0]));
+  };
+  double nearest = VTK_DOUBLE_MAX;
+  double farthest = 0.0;
+  const vtkIdType count = std::min(depths->GetNumberOfValues(), picture->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double depth = depths->GetValue(i);
+    if (depth < 1.0)
+    {
+      nearest = std::min(nearest, toDistance(depth));
+      farthest = std::max(farthest, toDistance(depth));
+    }
+  }
+  auto* bytes = static_cast<unsigned char*>(picture->GetScalarPointer());
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double depth = depths->GetValue(i);
+    const double part =
+      (toDistance(depth) - nearest) / (farthest > nearest ? farthest - nearest : 1.0);
+    const double grey = depth < 1.0 ? 255.0 - 200.0 * part : 0.0;
+    std::fill_n(bytes + 3 * i, 3, static_cast<unsigned char>(grey));
+  }
+  picture->Modified();
+  return picture;
+}
+
+//------------------------------------------------------------------------------
+/**
+ * The rays less those of the smallest tolerance, 64 times as bright. The numbers are of more exact
+ * values than a picture holds.
+ */
+vtkSmartPointer<vtkImageData> Viewer::MakeErrorPicture()
+{
+  vtkGodRaysPass* rays = this->Shown->GetRays();
+  const double tolerance = rays->GetErrorTolerance();
+  rays->SetOutput(vtkGodRaysPass::SCATTERING);
+  vtkGodRaysIntegrator* integrator = rays->GetIntegrator();
+  integrator->SetVerifyPixels(VerifiedPixels);
+  const vtkSmartPointer<vtkImageData> picture = this->Capture();
+  this->Errors = { integrator->GetErrorEstimate(), integrator->GetLargestVerifiedError() };
+  integrator->SetVerifyPixels(0);
+  rays->SetErrorTolerance(SmallestTolerance);
+  const vtkSmartPointer<vtkImageData> exact = this->Capture();
+  rays->SetErrorTolerance(tolerance);
+  rays->SetOutput(vtkGodRaysPass::COMPOSITE);
+  auto* bytes = static_cast<unsigned char*>(picture->GetScalarPointer());
+  const auto* others = static_cast<const unsigned char*>(exact->GetScalarPointer());
+  std::transform(bytes, bytes + 3 * picture->GetNumberOfPoints(), others, bytes,
+    [](unsigned char a, unsigned char b)
+    { return static_cast<unsigned char>(std::min(ErrorFactor * std::abs(a - b), 255.0)); });
+  picture->Modified();
+  return picture;
+}
+
+//------------------------------------------------------------------------------
+void Viewer::Render()
+{
+  if (this->IsRendering || !this->Over)
+  {
+    return; // a widget or VTK asks for it within it
+  }
+  this->IsRendering = true;
+  const double start = GetSeconds();
+  this->Errors = { -1.0, -1.0 };
+  vtkSmartPointer<vtkImageData> picture;
+  int width = this->Window->GetSize()[0];
+  if (this->View == Depth)
+  {
+    picture = this->MakeDepthPicture();
+  }
+  else if (this->View == Error && this->Shown->AreRaysOn())
+  {
+    picture = this->MakeErrorPicture();
+  }
+  else if (this->Divider && this->Shown->AreRaysOn())
+  {
+    this->Shown->SetRays(false);
+    picture = this->Capture();
+    this->Shown->SetRays(true);
+    width = static_cast<int>(std::lround(*this->Divider * width));
+  }
+  this->Over->ShowPicture(picture, width);
+  this->UpdateOverlay();
+  this->RenderPicture();
+  this->LastFrame = GetSeconds() - start;
+  this->IsRendering = false;
+}
+
+//------------------------------------------------------------------------------
+void Viewer::RenderPicture()
+{
+  this->Window->Render();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::UpdateOverlay()
+{
+  this->Over->ShowDivider(this->Divider && this->View < Depth && this->Shown->AreRaysOn()
+      ? static_cast<int>(std::lround(*this->Divider * this->Window->GetSize()[0]))
+      : -1);
+  double x = 0.0;
+  double y = 0.0;
+  const bool isBefore = FindLight(
+    this->Shown->GetView(), this->Shown->GetRenderer()->GetActiveCamera(), this->GetAspect(), x, y);
+  const int* size = this->Window->GetSize();
+  this->Over->ShowHandle(this->HasHandle && isBefore, x * size[0], y * size[1]);
+  if (this->Over->IsHelpShown())
+  {
+    this->Over->ShowHelp(true); // where the window's size has it
+  }
+  this->Over->ShowMessage(this->Message);
+  this->Over->ShowStatus(this->HasStatus ? this->GetStatus() : "");
+}
+
+//------------------------------------------------------------------------------
+std::string Viewer::GetStatus() const
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << this->List.GetName(this->Item);
+  if (this->List.GetSize() > 1)
+  {
+    text << " (" << this->Item + 1 << " of " << this->List.GetSize() << ")";
+  }
+  const auto& times = this->List.GetTimes();
+  if (times.size() > 1 && this->Step < times.size())
+  {
+    text << "  |  time " << times[this->Step];
+  }
+  text << "  |  " << (this->Shown->AreRaysOn() ? this->Shown->GetLook().Name : "no rays")
+       << ", intensity " << this->Shown->GetRays()->GetIntensity() << "  |  "
+       << ViewNames[this->View];
+  if (this->Errors[0] >= 0.0)
+  {
+    text << " times " << ErrorFactor << ": " << this->Errors[0] << ", largest " << this->Errors[1]
+         << " of the brightest ray";
+  }
+  if (this->LastFrame > 0.0)
+  {
+    text << "  |  " << 1.0 / this->LastFrame << " frames/s";
+  }
+  // Of the plan, the line that says how the rays are worked out, to its first comma.
+  std::istringstream plan(this->Shown->GetRays()->GetPlan());
+  for (std::string line; this->Shown->AreRaysOn() && std::getline(plan, line);)
+  {
+    if (line.rfind("scattering: ", 0) == 0)
+    {
+      text << "  |  " << line.substr(12, line.find(',', 12) - 12);
+    }
+  }
+  text << "  |  H: help";
+  return text.str();
+}

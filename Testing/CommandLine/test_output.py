@@ -1,0 +1,298 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The program godrays (its path is in GODRAYS_PROGRAM): series, films, references, volumes, files of
+options, and the documents made of its tables."""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+
+import numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import sample_files
+from test_cli import HEIGHT, WIDTH, ProgramTest, godrays
+
+SIZE = f"{WIDTH}x{HEIGHT}"
+README = pathlib.Path(__file__).parent.parent.parent / "Examples/godrays/README.md"
+
+
+class OutputTest(ProgramTest):
+    def write(self, *arguments):
+        done = godrays(*arguments, "--size", SIZE)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return done
+
+    def picture(self, name):
+        return self.read(self.folder / name, (WIDTH, HEIGHT))
+
+
+class Cameras(OutputTest):
+    CAMERA = ["--camera-position", "0,-5,0", "--focal-point", "0,0,0", "--view-angle", "60"]
+
+    def test_the_camera_is_where_its_angles_have_it(self):
+        for angles, expected in (("180,0", (0, -1, 0)), ("90,30", (0.866, 0, 0.5)), ("0,90", (0, 0, 1))):
+            text = self.write(
+                self.mesh, "--camera", angles, "--output", self.folder / "p.png", "--stats").stdout
+            numbers = re.search(r"--camera-position (\S+) --focal-point (\S+)", text).groups()
+            position, focus = (numpy.array(each.split(","), float) for each in numbers)
+            direction = (position - focus) / numpy.linalg.norm(position - focus)
+            self.assertLess(abs(direction - expected).max(), 0.01)
+
+    def test_zoom_makes_things_larger(self):
+        def share(*arguments):
+            picture = self.draw(
+                self.mesh, "--no-rays", "--background", "#010203", "--color", "white", *arguments)
+            return (picture != (1, 2, 3)).any(axis=2).mean()
+        for camera in ["--camera", "180,0"], ["--camera", "180,0", "--parallel"]:
+            self.assertAlmostEqual(
+                share(*camera, "--zoom", 0.5) / share(*camera), 0.25, delta=0.06)
+
+    def test_the_sun_is_at_its_place_in_the_picture(self):
+        for x, y in (0.2, 0.8), (0.75, 0.6):
+            light = self.draw(
+                self.mesh, *self.CAMERA, "--sun-at", f"{x},{y}", "--show", "occlusion",
+                told=None).sum(axis=2)
+            rows, columns = numpy.nonzero(light > 0.9 * light.max())
+            self.assertAlmostEqual(columns.mean() / WIDTH, x, delta=0.05)
+            self.assertAlmostEqual(rows.mean() / HEIGHT, y, delta=0.05)
+
+
+class Series(OutputTest):
+    def test_a_turntable_goes_about_once(self):
+        name = str(self.folder / "turn-{frame}.png")
+        film = self.folder / "turn.ogv"
+        self.write(
+            self.mesh, "--camera", "180,10", "--sun", "200,20", "--turntable", 3, "--output", name,
+            "--film", film, "--quiet")
+        self.assertEqual(film.read_bytes()[:4], b"OggS")
+        self.assertEqual(len(list(self.folder.glob("turn-*.png"))), 3)
+        self.assertFalse(list(self.folder.glob(".*")), "parts are left")
+        # The third camera is 240 degrees on, which is 60 degrees, against the clock from above.
+        told = None
+        third = self.draw(self.mesh, "--camera", "300,10", "--sun", "200,20", told=told)
+        other = self.draw(self.mesh, "--camera", "60,10", "--sun", "200,20", told=told)
+        self.assertLess(
+            min(abs(self.picture("turn-0003.png") - each).mean() for each in (third, other)), 1)
+        self.assertGreater(abs(self.picture("turn-0003.png") - self.picture("turn-0001.png")).max(), 20)
+
+    def test_time_steps(self):
+        path = self.folder / "growing.pvd"
+        sample_files.write_pvd(path, (0.3, 0.5, 0.8))
+        plain = ["--no-rays", "--background", "#010203", "--camera-position", "0,-5,0",
+                 "--focal-point", "0,0,0", "--sun", "20,30"]
+        self.write(path, *plain, "--animate", "--output", self.folder / "step-{frame}-{time}.png")
+        names = sorted(each.name for each in self.folder.glob("step-*.png"))
+        self.assertEqual(names, ["step-0001-0.png", "step-0002-0.5.png", "step-0003-1.png"])
+        shares = [(self.picture(name) != (1, 2, 3)).any(axis=2).mean() for name in names]
+        for share, radius in zip(shares[1:], (0.5, 0.8)):
+            self.assertAlmostEqual(share / shares[0], (radius / 0.3) ** 2, delta=0.8)
+        nearest = self.draw(path, *plain, "--time", 0.6)
+        self.assertTrue((nearest == self.picture(names[1])).all())
+
+    def test_a_picture_of_each_file(self):
+        self.write(
+            "--each", self.mesh, self.folder / "a.obj", "--output", self.folder / "each-{n}-{name}.png")
+        self.assertTrue((self.picture("each-0001-a.png") == self.draw(self.mesh)).all())
+        self.assertTrue((self.picture("each-0002-a.png") == self.draw(self.folder / "a.obj")).all())
+        self.fails("--each", self.mesh, "--output", self.folder / "x-{word}.png", says=["{word}"])
+
+    @unittest.skipIf(shutil.which("ffmpeg"), "there is ffmpeg")
+    def test_a_film_without_ffmpeg(self):
+        self.fails(
+            self.mesh, "--turntable", 2, "--film", self.folder / "f.mp4", says=["ffmpeg", ".ogv"])
+
+    def test_ffmpeg_gets_the_pictures(self):
+        """A program of its name, which counts them."""
+        program = self.folder / "bin" / "ffmpeg"
+        program.parent.mkdir(exist_ok=True)
+        program.write_text('#!/bin/sh\nfor last; do :; done\ngrep -ac IHDR > "$last"\n')
+        program.chmod(0o755)
+        film = self.folder / "it's a film.mp4"
+        path = f"{program.parent}:{os.environ['PATH']}"
+        done = godrays(self.mesh, "--turntable", 3, "--film", film, "--size", SIZE, PATH=path)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(film.read_text(), "3\n")
+        program.write_text("#!/bin/sh\nexit 1\n")
+        film.unlink()
+        self.fails(
+            self.mesh, "--turntable", 3, "--film", film, "--size", SIZE, says=["could not be written"],
+            PATH=path)
+        self.assertFalse(film.exists())
+
+
+class Output(OutputTest):
+    def test_the_standard_output(self):
+        done = subprocess.run(
+            [os.environ["GODRAYS_PROGRAM"], self.mesh, "--size", SIZE, "--output", "-"],
+            capture_output=True)
+        self.assertEqual((done.returncode, done.stderr), (0, b""))
+        (self.folder / "printed.png").write_bytes(done.stdout)
+        self.assertTrue((self.picture("printed.png") == self.draw(self.mesh)).all())
+
+    def test_over_black_a_transparent_picture_is_as_one_with_a_black_background(self):
+        camera = ["--camera", "180,0", "--sun", "5,10"]
+        for rays in [], ["--no-rays"]:
+            path = self.folder / "transparent.png"
+            self.write(self.mesh, *camera, *rays, "--transparent", "--output", path)
+            reader = vtkPNGReader()
+            reader.SetFileName(str(path))
+            reader.Update()
+            pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(float)
+            pixels = pixels.reshape(HEIGHT, WIDTH, 4)
+            self.assertGreater((pixels[..., 3] < 128).mean(), 0.2)
+            self.assertEqual(pixels[HEIGHT // 2, WIDTH // 2, 3], 255)
+            over_black = pixels[..., :3] * pixels[..., 3:] / 255
+            black = self.draw(self.mesh, *camera, *rays, "--background", "black")
+            self.assertLess(abs(over_black - black).max(), 2)
+            partly = (pixels[..., 3] % 255 > 0).mean()  # without rays, edges alone
+            self.assertTrue(partly < 0.05 if rays else partly > 0.2, partly)
+
+    def test_a_reference(self):
+        reference = self.folder / "reference.png"
+        self.write(self.mesh, "--output", reference)
+        self.assertRegex(self.write(self.mesh, "--reference", reference).stdout, "error .* is 0$")
+        other = [self.mesh, "--size", SIZE, "--background", "white", "--reference", reference]
+        self.fails(*other, says=["error", "--threshold 10"], codes=[5])
+        self.assertEqual(godrays(*other, "--threshold", 1e6).returncode, 0)
+        self.fails(
+            self.mesh, "--size", "50x50", "--reference", reference, says=["96 x 72"], codes=[5])
+        self.fails(self.mesh, "--reference", self.mesh, says=["--reference"], codes=[3])
+
+    def test_quiet_and_verbose(self):
+        noon = [self.mesh, "--sun", "180,75", "--size", SIZE, "--output", self.folder / "p.png"]
+        self.assertIn("out of the picture", godrays(*noon).stderr)
+        self.assertEqual(godrays(*noon, "--quiet").stderr, "")
+        self.assertRegex(godrays(*noon, "--verbose").stderr, r"read in [\d.]+ s(.|\n)*drawn in [\d.]+ s")
+
+
+class Volumes(OutputTest):
+    def head(self):
+        """A ball of bone (1000 HU) in one of water (0 HU), in air (-1000 HU)."""
+        axis = numpy.linspace(-1, 1, 40)
+        z, y, x = numpy.meshgrid(axis, axis, axis, indexing="ij")
+        radius = numpy.sqrt(x * x + y * y + z * z)
+        values = numpy.select([radius < 0.4, radius < 0.8], [1000.0, 0.0], -1000.0).astype("f4")
+        image = vtkImageData()
+        image.SetDimensions(40, 40, 40)
+        image.GetPointData().SetScalars(numpy_to_vtk(values.ravel(), deep=1))
+        path = self.folder / "head.vti"
+        sample_files.write(vtkXMLImageDataWriter(), image, path)
+        return path
+
+    def test_bone_and_skin(self):
+        head = self.head()
+        camera = ["--camera", "180,0", "--no-rays", "--background", "#000020"]
+
+        def share(*arguments):
+            picture = self.draw(head, *camera, *arguments).astype(int)
+            return (abs(picture - (0, 0, 32)).max(axis=2) > 12).mean()
+        bone, skin = share("--volume-preset", "ct-bone"), share("--volume-preset", "ct-skin")
+        self.assertAlmostEqual(skin / bone, 4, delta=1)
+        both = self.draw(head, *camera, "--volume-preset", "ct-skin-bone").sum(axis=2)
+        middle, between = both[HEIGHT // 2, WIDTH // 2], both[HEIGHT // 2, WIDTH // 2 + 17]
+        self.assertGreater(share("--volume-preset", "ct-skin-bone") / bone, 2)
+        self.assertGreater(middle, 1.5 * between, "the skin hides the bone")
+        # a window over bone alone, and one that begins below water
+        self.assertAlmostEqual(share("--window", "700,600") / bone, 1, delta=0.3)
+        self.assertGreater(share("--window", "0,1000") / bone, 2)
+
+
+class Configuration(OutputTest):
+    def test_blocks_by_file_name(self):
+        config = self.folder / "config"
+        config.write_text(
+            "# for all\nbackground = black\n\n[*.vtp]\npreset = fog\nedges\n[b*]\nno-rays\n")
+        with_file = self.draw(self.mesh, "--config", config)
+        arguments = ["--background", "black", "--preset", "fog", "--edges"]
+        self.assertTrue((with_file == self.draw(self.mesh, *arguments)).all())
+        again = self.draw(self.mesh, "--config", config, "--background", "#405060", "--edges")
+        arguments[1] = "#405060"
+        self.assertTrue((again == self.draw(self.mesh, *arguments)).all())
+        obj = self.draw(self.folder / "a.obj", "--config", config)
+        self.assertTrue((obj == self.draw(self.folder / "a.obj", "--background", "black")).all())
+
+    def test_the_users_own_file(self):
+        own = self.folder / "home" / "godrays" / "config"
+        own.parent.mkdir(parents=True)
+        own.write_text("size = 50x40\n")
+        environment = {"XDG_CONFIG_HOME": str(own.parent.parent)}
+        path = self.folder / "own.png"
+        self.assertEqual(godrays(self.mesh, "--output", path, **environment).returncode, 0)
+        self.read(path, (50, 40))
+        self.assertEqual(
+            godrays(self.mesh, "--output", path, "--no-config", **environment).returncode, 0)
+        self.read(path, (1200, 800))
+
+    def test_mistakes(self):
+        config = self.folder / "mistaken"
+        for text, words in (
+            ("prest = fog\n", ["mistaken", "prest", "did you mean --preset?"]),
+            ("sun = east\n", ["--sun", "east"]), ("[*.vtp\n", ["mistaken:1", "]"]),
+            ("--edges\n", ["mistaken:1", "without hyphens"]),
+        ):
+            config.write_text(text)
+            self.fails(self.mesh, "--config", config, says=words, codes=[2])
+        self.fails(self.mesh, "--config", self.folder / "none", says=["--config"], codes=[3])
+
+
+class Documents(OutputTest):
+    def document(self, kind):
+        done = godrays("--document", kind)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return done.stdout
+
+    def names(self):
+        return re.findall(r"(?<![\w-])--[a-z][a-z-]+(?= )", re.sub(
+            r"\n\n+Reads (.|\n)*", "", godrays("--help").stdout))
+
+    def test_the_readme_has_the_tables_of_the_program(self):
+        text = README.read_text()
+        for kind in "options", "keys":
+            self.assertIn(self.document(kind), text, f"godrays --document {kind} prints the table")
+
+    def test_the_manual_has_each_option_and_each_key(self):
+        manual = self.document("man").replace("\\-", "-")
+        for line in self.document("options").splitlines()[2:]:
+            name = re.match(r"\| `(?:-\w`, `)?(--[\w-]+)", line).group(1)
+            self.assertIn(name, manual)
+        self.assertGreater(len(self.document("keys").splitlines()), 30)
+        for line in self.document("keys").splitlines()[2:]:
+            self.assertIn(line.split(" | ")[1].removesuffix(" |"), manual)
+        if shutil.which("man"):
+            done = subprocess.run(
+                ["man", "--warnings", "-l", "-"], input=self.document("man").encode(),
+                capture_output=True)
+            self.assertEqual((done.returncode, done.stderr), (0, b""))
+
+    def test_bash_completes_names_and_values(self):
+        script = self.document("bash") + """
+            complete_words() { COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _godrays; echo "${COMPREPLY[@]}"; }
+            complete_words godrays --turn
+            complete_words godrays --preset long
+            complete_words godrays --sun ""
+            """
+        done = subprocess.run(["bash", "-c", script], capture_output=True, text=True)
+        self.assertEqual((done.stdout, done.stderr), ("--turntable\nlong-shafts\n\n", ""))
+
+    def test_zsh_and_fish_have_each_option(self):
+        zsh, fish = self.document("zsh"), self.document("fish")
+        names = [re.match(r"\| `(?:-\w`, `)?--([\w-]+)", line).group(1)
+                 for line in self.document("options").splitlines()[2:]]
+        self.assertGreater(len(names), 60)
+        for name in names:
+            self.assertIn(f"'--{name}[", zsh)
+            self.assertRegex(fish, rf"-l {name} ")
+        self.assertTrue(zsh.startswith("#compdef godrays\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()
