@@ -375,10 +375,9 @@ std::string vtkGodRaysShadowMap::DescribeLayers() const
   if (this->LeftOut > 0)
   {
     text += "; " + std::to_string(this->LeftOut) +
-      (this->Translucent
-          ? " volumes cast no shadow: they are no images, or have gradient opacity or "
-            "another blend mode than composite"
-          : " translucent props or volumes cast no shadow in steps");
+      (this->Translucent ? " volumes cast no shadow: they are no images, or have gradient opacity, "
+                           "a 2-D transfer function or another blend mode than composite"
+                         : " translucent props or volumes cast no shadow in steps");
   }
   return text;
 }

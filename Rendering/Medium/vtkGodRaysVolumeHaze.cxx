@@ -99,7 +99,7 @@ struct Field
     this->Range[1] = std::max(this->Range[1], this->Range[0] + 1e-30);
     property->GetScalarOpacity(0)->GetTable(
       this->Range[0], this->Range[1], TableSize, this->Extinctions);
-    const double unit = property->GetScalarOpacityUnitDistance(0);
+    const double unit = std::max(property->GetScalarOpacityUnitDistance(0), 1e-30);
     for (double& value : this->Extinctions)
     {
       value = -std::log1p(-std::min(std::max(value, 0.0), 1.0 - 1e-6)) / unit;
@@ -176,8 +176,8 @@ struct Field
   double Look(double value) const
   {
     const double at = (value - this->Range[0]) / (this->Range[1] - this->Range[0]);
-    return this->Extinctions[std::min(
-      std::max(static_cast<int>(at * (TableSize - 1) + 0.5), 0), TableSize - 1)];
+    const double inside = at > 0.0 ? std::min(at, 1.0) : 0.0; // of NaN, too
+    return this->Extinctions[static_cast<int>(inside * (TableSize - 1) + 0.5)];
   }
 
   /// The extinction at a place in view coordinates.
@@ -335,6 +335,7 @@ vtkVolume* vtkGodRaysVolumeHaze::GetVolume(vtkProp* prop)
   int ofCells = 0;
   const bool fits = GetImage(mapper) && GetScalars(mapper, ofCells) && volume->GetProperty() &&
     mapper->GetBlendMode() == vtkVolumeMapper::COMPOSITE_BLEND &&
+    volume->GetProperty()->GetTransferFunctionMode() == vtkVolumeProperty::TF_1D &&
     !volume->GetProperty()->HasGradientOpacity(0);
   return fits ? volume : nullptr;
 }
