@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Debian packages as CPack makes them, unpacked into an empty folder: program, module and a project run from there.
 
-The project is that of Documentation/Installation.md, as it stands there.
+The project is that of Documentation/Installation.md, as it stands there. With GODRAYS_LONG in the environment, a
+bare Debian of the same suite installs them, too, in a root that CMake/debian-root.sh makes.
 """
 
 import os
@@ -107,6 +108,31 @@ class Packages(unittest.TestCase):
         done = run("apt-get", "install", "--simulate", "--no-install-recommends", *self.packages.values())
         for package in self.packages:
             self.assertIn(f"Inst {package} ", done)
+
+    @unittest.skipUnless("GODRAYS_LONG" in os.environ, "GODRAYS_LONG is not set")
+    def test_a_bare_debian_installs_and_runs_them(self):
+        release = pathlib.Path("/etc/os-release").read_text(encoding="utf-8")
+        suite = re.search(r"VERSION_CODENAME=(\w+)", release)[1]
+        packages = ROOT / f"build-{suite}" / "build" / "packages"  # /godrays/build/packages, in that root
+        shutil.rmtree(packages, ignore_errors=True)
+        packages.mkdir(parents=True)
+        for name, path in self.packages.items():
+            if name != "libgodrays-dev":  # which brings some gigabytes of VTK's
+                shutil.copy(path, packages)
+        said = run("bash", "CMake/debian-root.sh", suite, "bash", "-ec", """
+            export DEBIAN_FRONTEND=noninteractive
+            apt-get -q update
+            apt-get -q install -y --no-install-recommends ./build/packages/*.deb xvfb xauth libgl1-mesa-dri
+            cd /
+            godrays --version
+            xvfb-run -a -s "-screen 0 1280x1024x24" python3 -c "
+import godrays
+from vtkmodules.vtkFiltersSources import vtkConeSource
+picture = godrays.render(vtkConeSource(), (80, 60))
+print(godrays.__file__, picture.shape, picture.std() > 5)"
+            """, cwd=ROOT)
+        self.assertIn("godrays 0.1", said)
+        self.assertIn("/usr/lib/python3/dist-packages/godrays/__init__.py (60, 80, 3) True", said)
 
     def test_the_program_runs_from_there(self):
         program = TREE / "usr/bin/godrays"
