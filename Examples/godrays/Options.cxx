@@ -709,7 +709,8 @@ std::optional<Options> ParseCommandLine(int argc, char* argv[])
     " 4 (the display), 5 (not as the --reference) or 1.");
   app.set_version_flag("--version", std::string("godrays ") + GODRAYS_VERSION);
   Options options;
-  app.add_option("files", options.Files, "Files to show together");
+  app.add_option("files", options.Files,
+    "Files to show together; - is the standard input, of a type that its first bytes tell");
   Parser parser(app);
   AddLightOptions(parser, options);
   AddRayOptions(parser, options);

@@ -7,9 +7,12 @@
 #include "Failure.h"
 #include "Files.h"
 #include "Messages.h"
+#include "Progress.h"
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
+#include <utility>
 
 namespace
 {
@@ -95,8 +98,10 @@ std::unique_ptr<Stage> Playlist::Open(std::size_t item, std::size_t step, const 
     notes.push_back(files.front().UpNote);
   }
   this->Took.Reading = GetSeconds() - start;
+  std::optional<Waiting> waiting("preparing " + this->GetName(item));
   Scene scene = MakeSceneOf(files, this->Settings, notes);
   const Viewpoint place = view ? *view : MakeView(scene, this->Settings);
+  waiting.reset();
   this->HasAdvice = false;
   if (this->Settings.Rays)
   {

@@ -62,3 +62,40 @@ void Progress::Update(double fraction)
   Messages::Show(this->Terminal ? "\r" + this->What + ": " + percent + "\033[K"
                                 : this->What + ": " + percent + "\n");
 }
+
+//------------------------------------------------------------------------------
+Waiting::Waiting(const std::string& what)
+{
+  if (isQuiet || !Messages::IsTerminal())
+  {
+    return;
+  }
+  this->Teller = std::thread(
+    [this, what]
+    {
+      std::unique_lock<std::mutex> lock(this->Lock);
+      int seconds = 0;
+      while (!this->End.wait_for(lock, BeforeFirst, [this] { return this->HasEnded; }))
+      {
+        Messages::Show("\r" + what + ": " + std::to_string(++seconds) + " s\033[K");
+      }
+      if (seconds > 0)
+      {
+        Messages::Show("\r\033[K");
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+Waiting::~Waiting()
+{
+  if (this->Teller.joinable())
+  {
+    {
+      const std::lock_guard<std::mutex> lock(this->Lock);
+      this->HasEnded = true;
+    }
+    this->End.notify_one();
+    this->Teller.join();
+  }
+}

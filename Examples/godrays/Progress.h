@@ -8,8 +8,11 @@
 #ifndef Progress_h
 #define Progress_h
 
-#include <chrono> // For std::chrono
-#include <string> // For std::string
+#include <chrono>             // For std::chrono
+#include <condition_variable> // For std::condition_variable
+#include <mutex>              // For std::mutex
+#include <string>             // For std::string
+#include <thread>             // For std::thread
 
 class vtkObject;
 
@@ -39,6 +42,26 @@ private:
   double Fraction = 0.0;
   bool Terminal;
   bool Shown = false;
+};
+
+/**
+ * Tells, on a terminal, for how many seconds a step without a measure of its own has gone on; nothing
+ * during the first second, or where Progress is quiet. It takes back what it wrote.
+ */
+class Waiting
+{
+public:
+  explicit Waiting(const std::string& what);
+  ~Waiting();
+
+  Waiting(const Waiting&) = delete;
+  void operator=(const Waiting&) = delete;
+
+private:
+  std::mutex Lock;
+  std::condition_variable End;
+  bool HasEnded = false;
+  std::thread Teller;
 };
 
 #endif

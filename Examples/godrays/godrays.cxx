@@ -15,6 +15,7 @@
 #include "Progress.h"
 #include "Scene.h"
 #include "Stage.h"
+#include "StandardInput.h"
 #include "Viewer.h"
 
 #include "vtkCamera.h"
@@ -267,7 +268,10 @@ bool DrawFrames(vtkRenderWindow* window, std::unique_ptr<Stage>& stage, Playlist
   for (int i = 0; i < views; ++i)
   {
     const double start = GetSeconds();
-    window->Render();
+    {
+      const Waiting waiting("drawing");
+      window->Render();
+    }
     const double drawing = GetSeconds() - start;
     if (options.Verbose)
     {
@@ -351,7 +355,7 @@ bool DrawAll(const Options& options)
 //------------------------------------------------------------------------------
 int Run(int argc, char* argv[])
 {
-  const auto options = ParseCommandLine(argc, argv);
+  auto options = ParseCommandLine(argc, argv);
   if (!options)
   {
     return EXIT_SUCCESS;
@@ -374,6 +378,7 @@ int Run(int argc, char* argv[])
     CheckNumbers(options->Numbers, options->Files);
   }
   Progress::SetQuiet(options->Quiet);
+  const StandardInput input(options->Files);
   return DrawAll(*options) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 }

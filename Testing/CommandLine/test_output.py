@@ -138,6 +138,51 @@ class Output(OutputTest):
         (self.folder / "printed.png").write_bytes(done.stdout)
         self.assertTrue((self.picture("printed.png") == self.draw(self.mesh)).all())
 
+    def test_the_standard_input(self):
+        temporary = self.folder / "temporary"
+        temporary.mkdir()
+        for name in "a.vtp", "a.vtk", "a.glb", "a.vti":
+            with self.subTest(name):
+                done = subprocess.run(
+                    [os.environ["GODRAYS_PROGRAM"], "-", "--up", "Z", "--size", SIZE, "--output",
+                     self.folder / "in.png"],
+                    input=(self.folder / name).read_bytes(), capture_output=True,
+                    env={**os.environ, "TMPDIR": str(temporary)})
+                self.assertEqual((done.returncode, done.stderr), (0, b""))
+                expected = self.draw(self.folder / name, "--up", "Z", told=None)
+                self.assertTrue((self.picture("in.png") == expected).all())
+        self.assertEqual(list(temporary.iterdir()), [])
+        self.fails("-", "-", says=["once"], codes=[2])
+        done = subprocess.run(
+            [os.environ["GODRAYS_PROGRAM"], "-", "--output", "-"], input=b"a letter", capture_output=True)
+        self.assertEqual(done.returncode, 3)
+        self.assertIn(b"unknown type", done.stderr)
+
+    def test_a_terminal_is_told_of_what_takes_long(self):
+        """Where each drawing call takes a while, as of a large volume; nothing remains of it."""
+        axis = numpy.linspace(-1, 1, 100)
+        z, y, x = numpy.meshgrid(axis, axis, axis, indexing="ij")
+        image = vtkImageData()
+        image.SetDimensions(100, 100, 100)
+        image.GetPointData().SetScalars(
+            numpy_to_vtk(numpy.exp(-x * x - y * y - z * z).astype("f4").ravel(), deep=1))
+        path = self.folder / "large.vti"
+        sample_files.write(vtkXMLImageDataWriter(), image, path)
+        for quiet in [], ["--quiet"]:
+            master, slave = os.openpty()
+            done = subprocess.run(
+                [os.environ["GODRAYS_PROGRAM"], path, "--size", "900x700", *quiet, "--output",
+                 self.folder / "large.png"],
+                stderr=slave)
+            os.write(slave, b"end")
+            told = os.read(master, 100000).decode()
+            os.close(slave)
+            os.close(master)
+            self.assertEqual(done.returncode, 0)
+            self.assertTrue(told.endswith("end") if quiet else told.endswith("\r\033[Kend"), told)
+            if not quiet:
+                self.assertRegex(told, r"\r(drawing|preparing large): 1 s\x1b\[K")
+
     def test_over_black_a_transparent_picture_is_as_one_with_a_black_background(self):
         camera = ["--camera", "180,0", "--sun", "5,10"]
         for rays in [], ["--no-rays"]:
