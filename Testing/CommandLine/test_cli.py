@@ -649,7 +649,9 @@ class Pictures(ProgramTest):
             ["--sun-at", "0.2,0.8"],
         ):
             with self.subTest(arguments):
-                self.assertGreater(abs(self.draw(self.mesh, *arguments) - default).max(), 8)
+                # through the dust, a sun on the horizon of Mars is too faint
+                told = ["nothing that can be seen"] if "mars" in arguments else ()
+                self.assertGreater(abs(self.draw(self.mesh, *arguments, told=told) - default).max(), 8)
 
     def test_the_light_of_a_given_sun_is_where_it_should_be(self):
         """Looking north, a sun in the north-north-west is on the left of the middle."""
