@@ -562,7 +562,8 @@ class Arguments(ProgramTest):
                 (folder / "p.png").write_bytes(former)
                 program = subprocess.Popen(
                     [os.environ["GODRAYS_PROGRAM"], self.mesh, "--size", "3000x2000", "--output", folder / "p.png"],
-                    stderr=subprocess.PIPE, text=True)
+                    stderr=subprocess.PIPE, text=True,
+                    preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))  # shells ignore it behind
                 while program.poll() is None and len(list(folder.iterdir())) < 2:
                     time.sleep(0.001)
                 program.send_signal(number)

@@ -433,7 +433,7 @@ TEST(GodRaysCameras, OfTilesShowOnePicture)
     scene.Rays->SetSunAngularRadius(3.0);
     scene.Rays->SetOutput(layer ? vtkGodRaysPass::OCCLUSION : vtkGodRaysPass::COMPOSITE);
   };
-  for (const int scale : { 2, 3 })
+  for (const int scale : { 2, 3, 4, 5 })
   {
     int largest = 0;
     {

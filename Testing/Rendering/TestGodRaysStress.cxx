@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Much, often, or very little: many lights, windows of a few pixels, views from one degree to 170, stereo
+// and sizes that change with every frame, and thousands of frames in the same memory.
+
+#include "GodRaysTesting.h"
+
+#include "vtkGodRaysEpipolarCoverageIntegrator.h"
+#include "vtkGodRaysEpipolarIntegrator.h"
+#include "vtkGodRaysHomogeneousModel.h"
+#include "vtkGodRaysShadowMapIntegrator.h"
+
+#include "vtkCamera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+using namespace GodRaysTesting;
+
+namespace
+{
+using Pixels = std::vector<unsigned char>;
+
+void AddFog(Stage& scene)
+{
+  scene.Rays->SetModel(vtkNew<vtkGodRaysHomogeneousModel>());
+}
+
+struct Kind
+{
+  const char* Name;
+  std::function<void(Stage&)> Arrange;
+};
+
+void PrintTo(const Kind& kind, std::ostream* os)
+{
+  *os << kind.Name;
+}
+
+const Kind Kinds[] = {
+  { "Look", [](Stage&) {} },
+  { "LookInShaders",
+    [](Stage& scene)
+    {
+      auto integrator = vtkGodRaysEpipolarIntegrator::SafeDownCast(scene.Rays->GetIntegrator());
+      integrator->SetBackend(vtkGodRaysEpipolarIntegrator::GRAPHICS);
+    } },
+  { "Taps", [](Stage& scene) { SumTaps(scene.Rays); } },
+  { "Margin", [](Stage& scene) { scene.Rays->SetLayerMargin(0.25); } },
+  { "Medium", AddFog },
+  { "Layers",
+    [](Stage& scene)
+    {
+      AddFog(scene);
+      vtkNew<vtkGodRaysEpipolarCoverageIntegrator> integrator;
+      integrator->SetNumberOfLayers(2);
+      scene.Rays->SetIntegrator(integrator);
+    } },
+  { "Steps",
+    [](Stage& scene)
+    {
+      AddFog(scene);
+      vtkNew<vtkGodRaysShadowMapIntegrator> integrator;
+      integrator->SetMapSize(64);
+      scene.Rays->SetIntegrator(integrator);
+    } },
+};
+
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool KeepsWhatIsFreed = true;
+#else
+constexpr bool KeepsWhatIsFreed = false;
+#endif
+
+class GodRaysStress : public ::testing::TestWithParam<Kind>
+{
+};
+
+/// Memory that the process has, in MB.
+double GetMemory()
+{
+  std::ifstream file("/proc/self/statm");
+  long all = 0;
+  long resident = 0;
+  file >> all >> resident;
+  return static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE)) * 1e-6;
+}
+}
+
+TEST_P(GodRaysStress, AWindowOfAnySizeIsAsANewOne)
+{
+  Messages messages;
+  Stage scene(64, 48);
+  scene.AddPillarsAndSun();
+  GetParam().Arrange(scene);
+  scene.Window->Render();
+  const std::pair<int, int> sizes[] = { { 1, 1 }, { 64, 48 }, { 9, 1 }, { 31, 33 } };
+  for (const auto& size : sizes)
+  {
+    scene.Window->SetSize(size.first, size.second);
+    const Pixels picture = GetPixels(scene.Window);
+    Stage another(size.first, size.second);
+    another.AddPillarsAndSun();
+    GetParam().Arrange(another);
+    EXPECT_EQ(GetLargestDifference(picture, GetPixels(another.Window), 4), 0)
+      << size.first << " x " << size.second;
+  }
+}
+
+TEST_P(GodRaysStress, ViewsOfOneDegreeTo170HaveLightThatIsFinite)
+{
+  Messages messages;
+  Stage scene(48, 36);
+  scene.AddPillarsAndSun();
+  GetParam().Arrange(scene);
+  int lit = 0;
+  for (const double angle : { 1.0, 5.0, 40.0, 90.0, 150.0, 170.0 })
+  {
+    scene.Renderer->GetActiveCamera()->SetViewAngle(angle);
+    scene.Window->Render();
+    vtkNew<vtkImageData> light;
+    if (!scene.Rays->GetScatteringImage(light))
+    {
+      continue; // a view of one degree does not have the sun
+    }
+    ++lit;
+    const auto* values = static_cast<const float*>(light->GetScalarPointer());
+    const auto number = static_cast<std::size_t>(light->GetNumberOfPoints()) *
+      static_cast<std::size_t>(light->GetNumberOfScalarComponents());
+    EXPECT_TRUE(std::all_of(
+      values, values + number, [](float value) { return std::isfinite(value) && value >= 0.0f; }))
+      << angle;
+  }
+  EXPECT_GE(lit, 3);
+}
+
+TEST_P(GodRaysStress, LightsOfWhichThereAre64AreTheSumOfThem)
+{
+  Messages messages;
+  double means[2];
+  for (const int number : { 1, 64 })
+  {
+    Stage scene(48, 36);
+    scene.AddPillarsAndSun();
+    GetParam().Arrange(scene);
+    scene.Rays->RemoveAllLights();
+    for (int i = 0; i < number; ++i)
+    {
+      // in turn red, green and blue light: together as white as the one
+      const auto part = [&](int c) { return number == 1 || (i + c) % 3 == 0 ? 1.0 : 0.0; };
+      auto sun = MakeSun({ 0.3, 0.2, -1.0 }, { part(0), part(1), part(2) });
+      sun->SetIntensity(number == 1 ? 1.0 : 3.0 / 64.0);
+      scene.Rays->AddLight(sun);
+    }
+    scene.Window->Render();
+    vtkNew<vtkImageData> light;
+    ASSERT_TRUE(scene.Rays->GetScatteringImage(light)) << scene.Rays->GetPlan();
+    means[number > 1] = GetMean(light);
+  }
+  EXPECT_GT(means[0], 0.0);
+  EXPECT_NEAR(means[1], means[0], 0.01 * means[0]);
+}
+
+TEST_P(GodRaysStress, StereoThatIsSwitchedBetweenFramesIsAsWithoutRays)
+{
+  Messages messages;
+  const int types[] = { VTK_STEREO_RED_BLUE, VTK_STEREO_INTERLACED, VTK_STEREO_LEFT,
+    VTK_STEREO_RIGHT, VTK_STEREO_DRESDEN, VTK_STEREO_ANAGLYPH, VTK_STEREO_CHECKERBOARD,
+    VTK_STEREO_SPLITVIEWPORT_HORIZONTAL };
+  Stage with(62, 40);
+  Stage without(62, 40);
+  for (Stage* scene : { &with, &without })
+  {
+    scene->AddPillarsAndSun();
+    GetParam().Arrange(*scene);
+  }
+  without.Rays->Detach(without.Renderer);
+  const Pixels bare = GetPixels(without.Window);
+  const Pixels lit = GetPixels(with.Window);
+  const bool darkens = Says(with.Rays->GetPlan(), "medium"); // the scene behind it
+  for (const int type : types)
+  {
+    for (const bool on : { true, true, false })
+    {
+      for (Stage* scene : { &with, &without })
+      {
+        scene->Window->SetStereoType(type);
+        scene->Window->SetStereoRender(on);
+        scene->Renderer->GetActiveCamera()
+          ->Modified(); // else VTK 9.1 keeps the former eye, without rays
+      }
+      const Pixels picture = GetPixels(with.Window);
+      const Pixels plain = GetPixels(without.Window);
+      EXPECT_EQ(GetDepths(with.Window, false), GetDepths(without.Window, false)) << type << on;
+      int darker = 0;
+      int alpha = 0;
+      for (std::size_t i = 0; i < plain.size(); ++i)
+      {
+        darker += i % 4 != 3 && picture[i] + 1 < plain[i];
+        alpha += i % 4 == 3 && picture[i] != plain[i];
+      }
+      EXPECT_TRUE(darkens || darker == 0) << type << on << ": " << darker;
+      EXPECT_EQ(alpha, 0) << type << on;
+      EXPECT_NE(picture, plain) << type << on << ": there are no rays";
+      if (!on)
+      {
+        EXPECT_EQ(picture, lit) << type;
+        EXPECT_EQ(plain, bare) << type;
+      }
+    }
+  }
+}
+
+// GODRAYS_LONG makes 2000 of each, and 5000 frames.
+TEST_P(GodRaysStress, MemoryStaysAsItIs)
+{
+  Messages messages;
+  const bool isLong = std::getenv("GODRAYS_LONG");
+  Stage scene(64, 48);
+  scene.AddPillarsAndSun();
+  GetParam().Arrange(scene);
+  const std::pair<const char*, std::function<void(int)>> changes[] = {
+    { "attached and detached",
+      [&](int)
+      {
+        scene.Rays->Detach(scene.Renderer);
+        scene.Rays->Attach(scene.Renderer);
+      } },
+    { "another size", [&](int i) { scene.Window->SetSize(40 + i % 7, 30 + i % 5); } },
+    { "frame", [&](int) { scene.Renderer->GetActiveCamera()->Azimuth(0.3); } },
+  };
+  for (const bool counts : { false, true }) // memory of threads and caches comes in the first round
+  {
+    for (const auto& change : changes)
+    {
+      const bool isFrame = change.first == std::string("frame");
+      const int number = !counts ? 40 : !isLong ? 40 : isFrame ? 5000 : 2000;
+      const double before = GetMemory();
+      for (int i = 0; i < number; ++i)
+      {
+        change.second(i);
+        scene.Window->Render();
+      }
+      const double growth = GetMemory() - before;
+      if (counts)
+      {
+        std::cout << number << " times " << change.first << ": " << growth << " MB more, of "
+                  << before << "\n";
+        EXPECT_TRUE(KeepsWhatIsFreed || growth < 2.0) << change.first << ": " << growth;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  All, GodRaysStress, ::testing::ValuesIn(Kinds), [](const auto& info) { return info.param.Name; });
