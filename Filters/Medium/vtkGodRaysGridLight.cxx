@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysGridLight.h"
+
+#include "vtkSMPTools.h"
+
+//------------------------------------------------------------------------------
+void vtkGodRaysGridLight::Build(const vtkGodRaysGrid& grid, const Vec3& light, bool directional)
+{
+  this->Directional = directional;
+  this->Bands = grid.Bands;
+  this->Light = directional ? grid.GetSteps(light) : grid.GetPlace(light);
+  const Vec3 size = vtkGodRays::abs(this->Light);
+  const int first = !directional           ? 2
+    : size.z >= size.x && size.z >= size.y ? 2
+    : size.y >= size.x                     ? 1
+                                           : 0;
+  this->Order[0] = first;
+  this->Order[1] = first == 0 ? 1 : 0;
+  this->Order[2] = first == 2 ? 1 : 2;
+  for (int i = 0; i < 3; ++i)
+  {
+    const int points = grid.Points[this->Order[i]];
+    // Aside there are columns before the grid and behind it, too.
+    const int nodes = std::max(2, i == 0 ? points / 2 : points / 2 - 3);
+    this->Distance[i] = (points - 1.0) / (nodes - 1);
+    this->Size[i] = i == 0 ? nodes : nodes + 3;
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    this->Slope[i] = directional ? this->Light[this->Order[i + 1]] / this->Light[first] : 0.0;
+    this->Base[i].resize(this->Size[0]);
+    for (int plane = 0; plane < this->Size[0]; ++plane)
+    {
+      this->Base[i][plane] = static_cast<int>(std::floor(-this->Slope[i] * plane *
+                               this->Distance[0] / this->Distance[i + 1])) -
+        (directional ? 0 : 1);
+    }
+  }
+  const std::size_t row = static_cast<std::size_t>(this->Size[1]) * this->Bands;
+  const std::size_t slice = row * this->Size[2];
+  this->Depths.assign(slice * this->Size[0], 0.0f);
+  const bool up = this->Light[first] > 0.0;
+  const double length = directional ? this->Distance[0] / size[first] : 1.0;
+  const auto fill = [&](int plane, int before, int b)
+  {
+    for (int a = 0; a < this->Size[1]; ++a)
+    {
+      const int columns[2] = { this->Base[0][plane] + a, this->Base[1][plane] + b };
+      Vec3 place;
+      place[first] = plane * this->Distance[0];
+      for (int i = 0; i < 2; ++i)
+      {
+        place[this->Order[i + 1]] =
+          columns[i] * this->Distance[i + 1] + this->Slope[i] * place[first];
+      }
+      Vec3 depth(0.0);
+      const Vec3 steps = directional ? this->Light : this->Light - place;
+      grid.AddDepth(place, steps, 0.0, length, depth);
+      float* result = this->Depths.data() + plane * slice + b * row + a * this->Bands;
+      if (!directional)
+      {
+        depth *= vtkGodRays::length(
+          steps.x * grid.Axes[0] + steps.y * grid.Axes[1] + steps.z * grid.Axes[2]);
+      }
+      for (int band = 0; band < this->Bands; ++band)
+      {
+        result[band] = static_cast<float>(depth[band]);
+      }
+      if (before < 0 || before >= this->Size[0])
+      {
+        continue;
+      }
+      const int there[2] = { columns[0] - this->Base[0][before],
+        columns[1] - this->Base[1][before] };
+      if (there[0] >= 0 && there[1] >= 0 && there[0] < this->Size[1] && there[1] < this->Size[2])
+      {
+        const float* other =
+          this->Depths.data() + before * slice + there[1] * row + there[0] * this->Bands;
+        for (int band = 0; band < this->Bands; ++band)
+        {
+          result[band] += other[band];
+        }
+      }
+    }
+  };
+  // Light flows from plane to plane, or comes to each node by itself.
+  if (directional)
+  {
+    for (int i = 0; i < this->Size[0]; ++i)
+    {
+      const int plane = up ? this->Size[0] - 1 - i : i;
+      vtkSMPTools::For(0, this->Size[2], 4,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          for (vtkIdType b = begin; b < end; ++b)
+          {
+            fill(plane, up ? plane + 1 : plane - 1, static_cast<int>(b));
+          }
+        });
+    }
+  }
+  else
+  {
+    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Size[0]) * this->Size[2], 4,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          fill(static_cast<int>(i / this->Size[2]), -1, static_cast<int>(i % this->Size[2]));
+        }
+      });
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysGridLight::AddDepth(
+  const vtkGodRaysGrid& grid, const Vec3& place, float* depth) const
+{
+  bool inside = true;
+  for (int i = 0; i < 3; ++i)
+  {
+    inside = inside && place[i] >= 0.0 && place[i] <= grid.Points[i] - 1;
+  }
+  if (inside)
+  {
+    this->Look(place, depth);
+    return;
+  }
+  const Vec3 steps = this->Directional ? this->Light : this->Light - place;
+  double begin = 0.0;
+  double end = this->Directional ? std::numeric_limits<double>::infinity() : 1.0;
+  if (grid.Clip(place, steps, begin, end))
+  {
+    this->Look(place + begin * steps, depth);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysGridLight::Look(const Vec3& place, float* depth) const
+{
+  const double across = place[this->Order[0]];
+  const double w = std::max(across / this->Distance[0], 0.0);
+  const int plane = std::min(static_cast<int>(w), this->Size[0] - 2);
+  const float t[2] = { static_cast<float>(1.0 - (w - plane)), static_cast<float>(w - plane) };
+  double column[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    column[i] = (place[this->Order[i + 1]] - this->Slope[i] * across) / this->Distance[i + 1];
+  }
+  const std::size_t row = static_cast<std::size_t>(this->Size[1]) * this->Bands;
+  const std::size_t slice = row * this->Size[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    const double a = std::max(column[0] - this->Base[0][plane + i], 0.0);
+    const double b = std::max(column[1] - this->Base[1][plane + i], 0.0);
+    const int left = std::min(static_cast<int>(a), this->Size[1] - 2);
+    const int low = std::min(static_cast<int>(b), this->Size[2] - 2);
+    const float x = std::min(static_cast<float>(a - left), 1.0f);
+    const float y = std::min(static_cast<float>(b - low), 1.0f);
+    const float* v = this->Depths.data() + (plane + i) * slice + low * row + left * this->Bands;
+    for (int band = 0; band < this->Bands; ++band, ++v)
+    {
+      const float front = v[0] + x * (v[this->Bands] - v[0]);
+      const float back = v[row] + x * (v[row + this->Bands] - v[row]);
+      depth[band] += t[i] * (front + y * (back - front));
+    }
+  }
+}

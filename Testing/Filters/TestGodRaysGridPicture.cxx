@@ -1,0 +1,531 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Media of data, fast: pictures against the ground truth at pixels of all of them.
+
+#include "GodRaysFiltersTesting.h"
+#include "GodRaysGridScenes.h"
+#include "GodRaysMediumScenes.h"
+#include "vtkGodRaysGridFilter.h"
+#include "vtkGodRaysGridLight.h"
+#include "vtkGodRaysGridPicture.h"
+#include "vtkGodRaysMath.h"
+
+#include "vtkSMPTools.h"
+
+#include <chrono>
+#include <cstring>
+
+using namespace GodRaysFiltersTesting;
+using namespace GodRaysGridScenes;
+using GodRaysMediumScenes::Mesh;
+using vtkGodRays::Vec3;
+using Parameters = vtkGodRaysSingleScattering::Parameters;
+
+namespace
+{
+struct Drawing
+{
+  int Size[2] = { 320, 180 };
+  std::vector<float> Radiance;
+  std::vector<float> Transmittance;
+  std::vector<float> Depths;
+
+  double GetPixelSize() const { return 2.0 * std::tan(0.5) / this->Size[1]; }
+
+  void Draw(vtkGodRaysGridPicture& drawer, const Parameters& parameters)
+  {
+    const std::size_t count = 3 * static_cast<std::size_t>(this->Size[0]) * this->Size[1];
+    this->Radiance.assign(count, -1.0f);
+    this->Transmittance.assign(count, -1.0f);
+    vtkGodRaysGridPicture::Picture picture;
+    std::copy_n(this->Size, 2, picture.Size);
+    picture.PixelSize = this->GetPixelSize();
+    picture.Center[0] = 0.5 * this->Size[0];
+    picture.Center[1] = 0.5 * this->Size[1];
+    picture.Depths = this->Depths.empty() ? nullptr : this->Depths.data();
+    picture.Radiance = this->Radiance.data();
+    picture.Transmittance = this->Transmittance.data();
+    drawer.Draw(parameters, picture);
+  }
+};
+
+// A camera in the origin that looks along -z, and a sun.
+Parameters MakeParameters(const Vec3& light, double w)
+{
+  Parameters parameters;
+  parameters.Forward[2] = -1.0;
+  parameters.Light[0] = light.x;
+  parameters.Light[1] = light.y;
+  parameters.Light[2] = light.z;
+  parameters.Light[3] = w;
+  parameters.Medium.FarLimit = 20.0;
+  parameters.Tolerance = 1.0 / 255.0;
+  return parameters;
+}
+
+void AddHaze(Parameters& parameters, double scaleHeight = 0.0)
+{
+  vtkGodRaysMedium::Component& haze = parameters.Medium.Components[0];
+  std::fill_n(haze.Scattering, 3, 0.03);
+  haze.PhaseFunction = 2;
+  haze.Asymmetry = 0.6;
+  haze.ScaleHeight = scaleHeight;
+  parameters.Medium.EyeHeight = 1.5;
+}
+
+std::vector<vtkGodRaysGrid> ReadGrids(std::initializer_list<vtkImageData*> images)
+{
+  std::vector<vtkGodRaysGrid> grids;
+  for (vtkImageData* image : images)
+  {
+    vtkGodRaysGrid grid;
+    EXPECT_EQ(grid.Read(image), "");
+    std::fill_n(grid.Albedo, 3, 0.9);
+    grid.PhaseFunction = 2;
+    grid.Asymmetry = 0.5;
+    grids.push_back(grid);
+  }
+  return grids;
+}
+
+struct Error
+{
+  double Rms = 0.0; // fraction of the peak
+  double Largest = 0.0;
+  double Transmittance = 0.0; // largest
+  double Effect = 0.0;        // of data, the same way as Rms
+};
+
+// At every stride-th pixel of each axis. What the picture adds is held to the difference that data make to
+// the truth.
+Error Compare(const Drawing& drawing, Parameters parameters,
+  const std::vector<vtkGodRaysGrid>& grids, vtkPolyData* occluders = nullptr, int stride = 13)
+{
+  parameters.Tolerance = 1e-5;
+  vtkGodRaysSingleScattering truths[2];
+  for (vtkGodRaysSingleScattering& truth : truths)
+  {
+    truth.SetParameters(parameters);
+    truth.SetOccluders(occluders);
+  }
+  truths[0].SetGrids(grids);
+  const int columns = drawing.Size[0] / stride;
+  const int rows = drawing.Size[1] / stride;
+  std::vector<double> numbers(4 * static_cast<std::size_t>(columns) * rows);
+  vtkSMPTools::For(0, rows,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkGodRaysSingleScattering::Result rays[2];
+      for (vtkIdType j = begin; j < end; ++j)
+      {
+        for (int i = 0; i < columns; ++i)
+        {
+          const int x = i * stride + static_cast<int>(j) % stride; // in no row of any raster
+          const int y = static_cast<int>(j) * stride + i % stride;
+          for (int k = 0; k < 2; ++k)
+          {
+            truths[k].Evaluate((x + 0.5 - 0.5 * drawing.Size[0]) * drawing.GetPixelSize(),
+              (y + 0.5 - 0.5 * drawing.Size[1]) * drawing.GetPixelSize(), rays[k]);
+          }
+          const std::size_t pixel = 3 * (static_cast<std::size_t>(y) * drawing.Size[0] + x);
+          double* n = numbers.data() + 4 * (j * columns + i);
+          n[0] = rays[0].Radiance[0] - rays[1].Radiance[0];
+          n[1] = rays[0].Radiance[0];
+          n[2] = drawing.Radiance[pixel];
+          n[3] = std::abs(
+            drawing.Transmittance[pixel] - rays[0].Transmittance[0] / rays[1].Transmittance[0]);
+        }
+      }
+    });
+  Error error;
+  double peak = 0.0;
+  for (std::size_t i = 0; i < numbers.size(); i += 4)
+  {
+    const double difference = numbers[i + 2] - numbers[i];
+    peak = std::max(peak, numbers[i + 1]);
+    error.Rms += difference * difference;
+    error.Effect += numbers[i] * numbers[i];
+    error.Largest = std::max(error.Largest, std::abs(difference));
+    error.Transmittance = std::max(error.Transmittance, numbers[i + 3]);
+  }
+  error.Rms = std::sqrt(error.Rms / columns / rows) / peak;
+  error.Effect = std::sqrt(error.Effect / columns / rows) / peak;
+  error.Largest /= peak;
+  return error;
+}
+
+void Print(
+  const char* name, const Error& error, const vtkGodRaysGridPicture& drawer, const Drawing& drawing)
+{
+  std::cout << name << ": RMSE " << error.Rms << ", largest " << error.Largest << ", transmittance "
+            << error.Transmittance << ", effect of data " << error.Effect << "; "
+            << static_cast<double>(drawer.GetNumberOfRays()) / (drawing.Size[0] * drawing.Size[1])
+            << " rays a pixel, "
+            << static_cast<double>(drawer.GetNumberOfSteps()) / drawer.GetNumberOfRays()
+            << " steps a ray\n";
+}
+}
+
+//------------------------------------------------------------------------------
+// Sums along columns are exact; between columns, twice as far apart as the data, errors fall with the square
+// of their distance, in the grid and in its shadow. The light number 2 grazes the face that cuts the plume
+// off: depths have a bend there, between columns, and errors fall slower.
+TEST(GridLight, IsTheDepthOfTheWay)
+{
+  const Vec3 lights[] = { Vec3(0.3, 1.0, 0.2), Vec3(-1.0, 0.9, -0.8), Vec3(0.0, -0.2, 1.0),
+    Vec3(1.0, 0.0, 0.0), Vec3(1.0, 2.5, -5.0), Vec3(0.2, 0.1, -6.2) };
+  for (int i = 0; i < 6; ++i)
+  {
+    const bool directional = i < 4;
+    const Vec3 light = directional ? lights[i] / vtkGodRays::length(lights[i]) : lights[i];
+    double before = 0.0;
+    for (const int n : { 40, 80 })
+    {
+      vtkGodRaysGrid grid;
+      auto image = MakePlume(n);
+      ASSERT_EQ(grid.Read(image), "");
+      vtkGodRaysGridLight depths;
+      depths.Build(grid, light, directional);
+      EXPECT_LE(depths.GetSize(), static_cast<std::size_t>(n * n * n / 8));
+      std::mt19937 generator = MakeGenerator(41);
+      const auto uniform = [&](double low, double high)
+      { return low + (high - low) * (generator() / 4294967296.0); };
+      double deepest = 0.0;
+      double squares = 0.0;
+      constexpr int count = 4000;
+      for (int k = 0; k < count; ++k)
+      {
+        const Vec3 p(uniform(-2.0, 2.0), uniform(-2.0, 2.0), uniform(-8.0, -4.0));
+        float actual = 0.0f;
+        depths.AddDepth(grid, grid.GetPlace(p), &actual);
+        Vec3 expected(0.0);
+        const Vec3 way = directional ? light : light - p;
+        const double length = directional ? 1.0 : vtkGodRays::length(way);
+        grid.AddDepth(
+          grid.GetPlace(p), grid.GetSteps(way / length), 0.0, directional ? 1e3 : length, expected);
+        deepest = std::max(deepest, expected.x);
+        squares += (actual - expected.x) * (actual - expected.x);
+      }
+      const double error = std::sqrt(squares / count) / deepest;
+      std::cout << "light " << i << ", " << n << " points: RMSE " << error
+                << " of the largest depth, " << deepest << "\n";
+      EXPECT_LE(error, i == 2 ? 0.02 : n == 40 ? 0.01 : 0.002);
+      EXPECT_LE(n == 40 ? 0.0 : error, (i == 2 ? 0.5 : 0.3) * before);
+      before = error;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// A plume in nothing and in haze, in the light of a sun at the side, before and behind, and of a lamp.
+TEST(GridPicture, IsTheTruthToItsTolerance)
+{
+  const auto grids = ReadGrids({ MakePlume(48) });
+  const struct
+  {
+    const char* Name;
+    Vec3 Light;
+    double W;
+    bool Haze;
+    double ScaleHeight;
+  } cases[] = { { "sun at the side", Vec3(0.8, 0.6, 0.3), 0.0, false, 0.0 },
+    { "sun behind, haze", Vec3(0.1, 0.3, -1.0), 0.0, true, 0.0 },
+    { "sun above, haze that thins out", Vec3(0.2, 1.0, 0.1), 0.0, true, 4.0 },
+    { "lamp at the side", Vec3(2.0, 1.5, -5.0), 1.0, false, 0.0 },
+    { "lamp in the plume", Vec3(0.1, 0.0, -5.9), 1.0, false, 0.0 } };
+  for (const auto& each : cases)
+  {
+    Parameters parameters = MakeParameters(each.Light, each.W);
+    if (each.Haze)
+    {
+      AddHaze(parameters, each.ScaleHeight);
+    }
+    vtkGodRaysGridPicture drawer;
+    drawer.SetGrids(grids);
+    Drawing drawing;
+    drawing.Draw(drawer, parameters);
+    const Error error = Compare(drawing, parameters, grids);
+    Print(each.Name, error, drawer, drawing);
+    EXPECT_LE(error.Rms, 1.0 / 255.0) << each.Name;
+    EXPECT_LE(error.Transmittance, 4.0 / 255.0) << each.Name;
+    EXPECT_GT(error.Effect, 5.0 / 255.0) << each.Name; // the control
+  }
+}
+
+//------------------------------------------------------------------------------
+// A roof that stands between the sun and half of the plume, as a shadow map of it tells: the tolerance and
+// half of it for the map's pixels.
+TEST(GridPicture, SurfacesThrowShadowsOnData)
+{
+  const auto grids = ReadGrids({ MakePlume(32) });
+  Parameters parameters = MakeParameters(Vec3(0.0, 1.0, 0.0), 0.0);
+  AddHaze(parameters);
+  Mesh mesh;
+  mesh.AddBox(-0.4, 0.1, 1.7, 1.8, -6.5, -5.5);
+  // Seen from above: texels of 1/128, the roof at depth 0.2 between heights of 2 and 1.
+  constexpr int size = 1024;
+  std::vector<float> depths(size * size, 1.0f);
+  vtkGodRaysShadowGrids shadows;
+  shadows.Levels = 1;
+  shadows.Grids[0].Depths = depths.data();
+  shadows.Grids[0].Stride = size;
+  shadows.Axes[1][1] = 0.0; // along x and, forwards, z
+  shadows.Axes[1][2] = 1.0;
+  shadows.HeightAtZero = 2.0;
+  shadows.HeightAtOne = 1.0;
+  const double low[2] = { -4.0, 2.0 };
+  for (int i = 0; i < 2; ++i)
+  {
+    shadows.Grids[0].Size[i] = size;
+    shadows.Grids[0].Low[i] = low[i];
+    shadows.Grids[0].Texel[i] = 1.0 / 128.0;
+  }
+  for (int j = 0; j < size; ++j)
+  {
+    for (int i = 0; i < size; ++i)
+    {
+      const double x = low[0] + (i + 0.5) / 128.0;
+      const double z = low[1] + (j + 0.5) / 128.0;
+      if (x > -0.4 && x < 0.1 && z > 5.5 && z < 6.5)
+      {
+        depths[j * size + i] = 0.2f;
+      }
+    }
+  }
+  vtkGodRaysGridPicture drawer;
+  drawer.SetGrids(grids);
+  Drawing drawing;
+  drawing.Draw(drawer, parameters);
+  const Error without = Compare(drawing, parameters, grids, mesh.Get());
+  drawer.SetShadows(&shadows);
+  drawing.Draw(drawer, parameters);
+  const Error error = Compare(drawing, parameters, grids, mesh.Get());
+  Print("without a map", without, drawer, drawing);
+  Print("with a map", error, drawer, drawing);
+  EXPECT_LE(error.Rms, 1.5 / 255.0);
+  EXPECT_GT(without.Rms, 5.0 * error.Rms); // the control
+  EXPECT_TRUE(drawer.KeptLight());
+}
+
+//------------------------------------------------------------------------------
+// Ends of rays in the plume; two plumes that overlap; fewer rays and steps for a larger tolerance; light that
+// is kept; bytes of one thread and of two.
+TEST(GridPicture, TakesWhatThereIsAndNoMore)
+{
+  const double bounds[6] = { -0.5, 2.0, -1.0, 1.0, -8.0, -5.0 };
+  const int points[3] = { 40, 32, 48 };
+  auto other = MakeImage(bounds, points,
+    [](double x, double y, double z)
+    { return 0.4 + 0.1 * std::sin(3.0 * x + 2.0 * y) * std::cos(z); });
+  auto plume = MakePlume(48);
+  const auto grids = ReadGrids({ plume, other });
+  Parameters parameters = MakeParameters(Vec3(0.8, 0.6, 0.3), 0.0);
+  AddHaze(parameters);
+  vtkGodRaysGridPicture drawer;
+  drawer.SetGrids(grids);
+  Drawing drawing;
+  drawing.Draw(drawer, parameters);
+  EXPECT_FALSE(drawer.KeptLight());
+  Error error = Compare(drawing, parameters, grids);
+  Print("two media", error, drawer, drawing);
+  EXPECT_LE(error.Rms, 1.0 / 255.0);
+  const std::size_t rays = drawer.GetNumberOfRays();
+  const auto first = drawing.Radiance;
+  vtkSMPTools::LocalScope(
+    vtkSMPTools::Config{ 1, "STDThread", false }, [&]() { drawing.Draw(drawer, parameters); });
+  EXPECT_TRUE(drawer.KeptLight());
+  EXPECT_EQ(std::memcmp(first.data(), drawing.Radiance.data(), first.size() * sizeof(float)), 0);
+  const std::size_t steps = drawer.GetNumberOfSteps();
+  parameters.Tolerance = 0.04;
+  drawing.Draw(drawer, parameters);
+  const Error coarser = Compare(drawing, parameters, grids);
+  Print("tolerance 0.04", coarser, drawer, drawing);
+  EXPECT_LE(coarser.Rms, 0.04);
+  EXPECT_GT(coarser.Rms, error.Rms);
+  EXPECT_LT(drawer.GetNumberOfRays(), 0.8 * rays);
+  EXPECT_LT(drawer.GetNumberOfSteps(), 0.6 * steps);
+  parameters.Light[0] = -0.8;
+  drawing.Draw(drawer, parameters);
+  EXPECT_FALSE(drawer.KeptLight());
+
+  // A wall that stands in the data, on the left half of the picture.
+  parameters.Tolerance = 1.0 / 255.0;
+  drawing.Depths.assign(drawing.Size[0] * drawing.Size[1], 1e30f);
+  for (int y = 0; y < drawing.Size[1]; ++y)
+  {
+    std::fill_n(drawing.Depths.begin() + y * drawing.Size[0], drawing.Size[0] / 2, 6.0f);
+  }
+  drawing.Draw(drawer, parameters);
+  Mesh wall;
+  wall.AddPolygon({ wall.AddPoint(-50.0, -50.0, -6.0), wall.AddPoint(0.0, -50.0, -6.0),
+    wall.AddPoint(0.0, 50.0, -6.0), wall.AddPoint(-50.0, 50.0, -6.0) });
+  // As the wall throws no shadow here, its rays are asked for one by one.
+  vtkGodRaysSingleScattering truths[2];
+  for (int k = 0; k < 2; ++k)
+  {
+    Parameters exact = parameters;
+    exact.Tolerance = 1e-5;
+    truths[k].SetParameters(exact);
+    truths[k].SetSeen(wall.Get());
+  }
+  truths[0].SetGrids(grids);
+  double squares = 0.0;
+  double effect = 0.0; // of the wall
+  const double peak = *std::max_element(drawing.Radiance.begin(), drawing.Radiance.end());
+  for (int x = 140; x < 180; ++x)
+  {
+    vtkGodRaysSingleScattering::Result results[2];
+    for (int k = 0; k < 2; ++k)
+    {
+      truths[k].Evaluate(
+        (x + 0.5 - 160.0) * drawing.GetPixelSize(), 5.5 * drawing.GetPixelSize(), results[k]);
+    }
+    const double error = drawing.Radiance[3 * (95 * drawing.Size[0] + x)] - results[0].Radiance[0] +
+      results[1].Radiance[0];
+    squares += error * error;
+    effect += x == 159 ? results[0].Radiance[0] : x == 160 ? -results[0].Radiance[0] : 0.0;
+  }
+  const double rms = std::sqrt(squares / 40.0) / peak;
+  std::cout << "at the edge of a wall in the data: RMSE " << rms << ", step " << effect / peak
+            << "\n";
+  EXPECT_LE(rms, 2.0 / 255.0); // of 20 pixels on either side
+  EXPECT_GT(std::abs(effect) / peak, 10.0 / 255.0);
+}
+
+//------------------------------------------------------------------------------
+// With GODRAYS_LONG: the time of 1920 x 1080 pixels and data of 256^3 points.
+TEST(GridPicture, TimeOfALargePicture)
+{
+  const bool large = std::getenv("GODRAYS_LONG") != nullptr;
+  const auto grids = ReadGrids({ MakePlume(large ? 256 : 32) });
+  Drawing drawing;
+  drawing.Size[0] = large ? 1920 : 160;
+  drawing.Size[1] = large ? 1080 : 90;
+  const auto time = [](const std::function<void()>& function)
+  {
+    const auto begin = std::chrono::steady_clock::now();
+    function();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
+  // A march: 60 bilinear taps of a picture of one channel, on one thread.
+  std::vector<float> picture(static_cast<std::size_t>(drawing.Size[0]) * drawing.Size[1], 0.5f);
+  std::vector<float> sums(picture.size());
+  const double march = time(
+    [&]()
+    {
+      for (int y = 0; y < drawing.Size[1]; ++y)
+      {
+        for (int x = 0; x < drawing.Size[0]; ++x)
+        {
+          float sum = 0.0f;
+          for (int k = 0; k < 60; ++k)
+          {
+            const float t = k / 60.0f;
+            const float u = x + t * (drawing.Size[0] / 2 - 1 - x);
+            const float v = y + t * (drawing.Size[1] / 2 - 1 - y);
+            const int i = static_cast<int>(u);
+            const int j = static_cast<int>(v);
+            const float* p = picture.data() +
+              static_cast<std::size_t>(std::min(j, drawing.Size[1] - 2)) * drawing.Size[0] +
+              std::min(i, drawing.Size[0] - 2);
+            const float a = p[0] + (u - i) * (p[1] - p[0]);
+            const float b =
+              p[drawing.Size[0]] + (u - i) * (p[drawing.Size[0] + 1] - p[drawing.Size[0]]);
+            sum += a + (v - j) * (b - a);
+          }
+          sums[static_cast<std::size_t>(y) * drawing.Size[0] + x] = sum;
+        }
+      }
+    });
+  std::cout << "a march on one thread: " << march << " s\n";
+  for (const bool haze : { false, true })
+  {
+    Parameters parameters = MakeParameters(Vec3(0.8, 0.6, 0.3), 0.0);
+    if (haze)
+    {
+      AddHaze(parameters);
+    }
+    vtkGodRaysGridPicture drawer;
+    const double blocks = time([&]() { drawer.SetGrids(grids); });
+    const double first = time([&]() { drawing.Draw(drawer, parameters); });
+    const double second = time([&]() { drawing.Draw(drawer, parameters); });
+    std::cout << (haze ? "in haze" : "alone") << ": blocks " << blocks << " s, first picture "
+              << first << " s, next " << second << " s, "
+              << vtkSMPTools::GetEstimatedNumberOfThreads() << " threads\n";
+    EXPECT_TRUE(drawer.KeptLight());
+    const Error error = Compare(drawing, parameters, grids, nullptr, large ? 120 : 13);
+    Print("large", error, drawer, drawing);
+    EXPECT_LE(error.Rms, 1.0 / 255.0);
+  }
+  EXPECT_GT(sums[sums.size() / 2], 29.0f);
+}
+
+//------------------------------------------------------------------------------
+// As a filter: with the medium's own light it is the reference's picture; errors are told once.
+TEST(GridFilter, IsTheReferenceWithTheMediumsLight)
+{
+  auto plume = MakePlume(40);
+  vtkNew<vtkGodRaysGridFilter> filter;
+  vtkNew<vtkGodRaysSingleScatteringReference> reference;
+  filter->SetInputData(0, plume);
+  filter->SetSize(24, 16);
+  reference->SetSize(24, 16);
+  for (vtkGodRaysGridMediumFilter* each :
+    std::initializer_list<vtkGodRaysGridMediumFilter*>{ filter, reference })
+  {
+    each->SetCameraPosition(3.0, 0.5, -3.0);
+    each->SetCameraFocalPoint(0.0, 0.0, -6.0);
+    each->SetViewAngle(40.0);
+    each->SetFarLimit(9.0);
+    each->SetScatteringCoefficient(0.02, 0.03, 0.05);
+    each->SetLight(0.3, 1.0, 0.4, 0.0);
+    each->SetDataAlbedo(0.9, 0.8, 0.7);
+    each->SetDataScale(0.8);
+  }
+  reference->SetTolerance(1e-5);
+  reference->Update();
+  const Picture alone = FromImage(reference->GetOutput());
+  reference->SetInputData(2, plume);
+  reference->Update();
+  const Picture expected = FromImage(reference->GetOutput());
+  const auto compare = [&]()
+  {
+    filter->Update();
+    const Picture actual = FromImage(filter->GetOutput());
+    double squares = 0.0;
+    for (std::size_t i = 0; i < actual.Values.size(); ++i)
+    {
+      const double difference = actual.Values[i] + alone.Values[i] - expected.Values[i];
+      squares += difference * difference;
+    }
+    return std::sqrt(squares / actual.Values.size()) / expected.GetMaximum();
+  };
+  const double error = compare();
+  std::cout << "RMSE " << error << "\n";
+  EXPECT_LE(error, 1.0 / 255.0);
+  filter->SetDataScale(0.4); // the control: the depths of before are not kept
+  EXPECT_GT(compare(), 5.0 / 255.0);
+  filter->SetDataScale(0.8);
+  EXPECT_LE(compare(), 1.0 / 255.0);
+  filter->SetDataAlbedo(0.0, 0.0, 0.0);
+  EXPECT_GT(compare(), 5.0 / 255.0);
+  filter->SetDataAlbedo(0.9, 0.8, 0.7);
+  EXPECT_LE(compare(), 1.0 / 255.0);
+
+  // Depths that end all rays before the plume.
+  vtkNew<vtkImageData> depths;
+  depths->SetDimensions(24, 16, 1);
+  depths->AllocateScalars(VTK_DOUBLE, 1);
+  depths->GetPointData()->GetScalars()->Fill(1.0);
+  filter->SetInputData(1, depths);
+  filter->SetScatteringCoefficient(0.0, 0.0, 0.0);
+  filter->Update();
+  EXPECT_EQ(FromImage(filter->GetOutput()).GetMaximum(), 0.0);
+  ErrorListener errors(filter);
+  filter->SetSize(25, 16);
+  filter->Update();
+  ASSERT_EQ(errors.Texts.size(), 1u);
+  EXPECT_NE(errors.Texts[0].find("picture of depths"), std::string::npos);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
