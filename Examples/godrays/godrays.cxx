@@ -178,8 +178,8 @@ void ShowLines(const std::vector<std::string>& lines)
 
 //------------------------------------------------------------------------------
 /**
- * Tell of what VTK said while it drew, and of what in the picture is probably not meant. Returns whether there
- * was an error.
+ * Tell of what VTK said while it drew, and of what in the picture is probably not meant. Returns whether
+ * there was an error.
  */
 bool TellMessages(const Messages& messages, const std::string& advice)
 {

@@ -3,6 +3,7 @@
 #include "vtkGodRaysSingleScattering.h"
 
 #include "vtkGodRaysGridRay.h"
+#include "vtkGodRaysKronrod.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysTriangleTree.h"
 #include "vtkPolyData.h"
@@ -299,38 +300,12 @@ double GetLargest(const Vec3& v)
   return std::max({ std::abs(v.x), std::abs(v.y), std::abs(v.z) });
 }
 
-// The points and weights of QUADPACK's QK15: Kronrod's 15 points about Gauss-Legendre's 7.
-const double KronrodPoints[8] = { 0.991455371120812639206854697526329,
-  0.949107912342758524526189684047851, 0.864864423359769072789712788640926,
-  0.741531185599394439863864773280788, 0.586087235467691130294144691693013,
-  0.405845151377397166906606412076961, 0.207784955007898467600689403773245, 0.0 };
-const double KronrodWeights[8] = { 0.022935322010529224963732008058970,
-  0.063092092629978553290700663189204, 0.104790010322250183839876322541518,
-  0.140653259715525918745189590510238, 0.169004726639267902826583426598550,
-  0.190350578064785409913256402421014, 0.204432940075298892414161999234649,
-  0.209482141084727828012999174891714 };
-const double GaussWeights[4] = { 0.129484966168869693270611432679082,
-  0.279705391489276667901467771423780, 0.381830050505118944950369775488975,
-  0.417959183673469387755102040816327 };
-
 // The integral by one application of the rules, and whether it is as exact as that.
 bool Estimate(const Scatter& f, double a, double b, double error, Vec3& integral)
 {
   const double middle = 0.5 * (a + b);
   const double half = 0.5 * (b - a);
-  const Vec3 centre = f(middle);
-  Vec3 kronrod = KronrodWeights[7] * centre;
-  Vec3 gauss = GaussWeights[3] * centre;
-  for (int i = 0; i < 7; ++i)
-  {
-    const double away = half * KronrodPoints[i];
-    const Vec3 sum = f(middle - away) + f(middle + away);
-    kronrod += KronrodWeights[i] * sum;
-    if (i % 2 == 1)
-    {
-      gauss += GaussWeights[i / 2] * sum;
-    }
-  }
+  const auto [kronrod, gauss] = vtkGodRays::SumByKronrod(f, middle, half);
   // Below this there is only rounding.
   const double rounding = 2e-14 * GetLargest(kronrod);
   integral = kronrod * half;
@@ -680,7 +655,8 @@ void vtkGodRaysSingleScattering::Evaluate(double x, double y, Result& result, do
   f.Ray = { directional ? 1 : 0, slice.Foot, 0.0, begin.x, begin.y,
     directional ? start(origin, self.Light).y : start(self.Light, self.Light).x,
     medium.PlanetRadius, vtkGodRays::dot(self.SpotAxis, origin - self.Light),
-    vtkGodRays::dot(self.SpotAxis, along), self.Spot.CosCone, self.Spot.Exponent };
+    vtkGodRays::dot(self.SpotAxis, along), 0.0, 0.0 };
+  self.Spot.SetShape(f.Ray);
   const double end = vtkGodRays::MediumEnd(f.Ray, std::min(sight, farthest));
   if (!directional)
   {
