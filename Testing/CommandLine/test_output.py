@@ -171,11 +171,13 @@ class Output(OutputTest):
         for quiet in [], ["--quiet"]:
             master, slave = os.openpty()
             done = subprocess.run(
-                [os.environ["GODRAYS_PROGRAM"], path, "--size", "900x700", *quiet, "--output",
+                [os.environ["GODRAYS_PROGRAM"], path, "--size", "700x500", *quiet, "--output",
                  self.folder / "large.png"],
                 stderr=slave)
             os.write(slave, b"end")
-            told = os.read(master, 100000).decode()
+            told = ""
+            while not told.endswith("end"):
+                told += os.read(master, 100000).decode()
             os.close(slave)
             os.close(master)
             self.assertEqual(done.returncode, 0)
