@@ -12,6 +12,9 @@
 #   --on <suite>   do all this in that Debian: bookworm, trixie or forky. Where this one is another, it
 #                  is in build-<suite>/root, and its build trees beside it: see CMake/debian-root.sh
 #   --vtk-only     leave ParaView out
+#   --sanitizers   instead: compile with AddressSanitizer and UndefinedBehaviorSanitizer into
+#                  build-sanitizers/, and run a short form of the tests in C++. With GODRAYS_LONG=1 all of
+#                  them, and those of filters with ThreadSanitizer, in build-threads/
 #   -L <label>     only tests with this label: see Testing/CMakeLists.txt
 
 set -euo pipefail
@@ -21,6 +24,7 @@ die() { echo "Testing/run.sh: $*" >&2; exit 1; }
 
 on=
 paraview=true
+sanitizers=false
 options=()
 selection=()
 while [ $# -gt 0 ]; do
@@ -28,9 +32,10 @@ while [ $# -gt 0 ]; do
     --on) [ $# -gt 1 ] || die "--on needs a suite: bookworm, trixie or forky."
           on=$2; shift ;;
     --vtk-only) paraview=false; options+=("$1") ;;
+    --sanitizers) sanitizers=true; options+=("$1") ;;
     -L) [ $# -gt 1 ] || die "-L needs a label, such as: -L math"
         selection+=(-L "$2"); shift ;;
-    *) die "unknown option $1; there are --on <suite>, --vtk-only and -L <label>." ;;
+    *) die "unknown option $1; there are --on <suite>, --vtk-only, --sanitizers and -L <label>." ;;
   esac
   shift
 done
@@ -57,11 +62,52 @@ begun=$SECONDS
 # Packages
 
 packages=("${build_packages[@]}" "${configure_packages[@]}" "${test_packages[@]}")
-if $paraview; then
+if $paraview && ! $sanitizers; then
   packages+=("${paraview_packages[@]}")
 fi
 install_packages "${packages[@]}"
 took packages
+
+# ---------------------------------------------------------------------------------------------
+# With sanitizers: a fault ends a program, which has run all tests otherwise.
+
+sanitize() # <preset> <program>=<tests>...
+{
+  local preset=$1 each targets=() files=
+  shift
+  for each in "$@"; do
+    targets+=("${each%%=*}")
+  done
+  if [ -z "${GODRAYS_LONG:-}" ]; then
+    files="TestGodRaysFaults;TestGodRaysReadBack;TestGodRaysResources"
+  fi
+  echo "== Building: $preset"
+  cmake --preset "$preset" -DGODRAYS_BUILD_TESTING=ON -DGODRAYS_BUILD_EXAMPLES=OFF \
+    -DGODRAYS_RENDERING_TESTS="$files"
+  cmake --build --preset "$preset" --target "${targets[@]}"
+  took "building $preset"
+  for each in "$@"; do
+    echo "== Testing: $preset, ${each%%=*}"
+    xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "build-$preset/bin/${each%%=*}" \
+      --gtest_brief=1 --gtest_filter="${each#*=}" >"build-$preset/tests.log" 2>&1 &&
+      tail -n 1 "build-$preset/tests.log" || { cat "build-$preset/tests.log"; status=1; }
+  done
+  took "tests of $preset"
+}
+
+if $sanitizers; then
+  status=0
+  if [ -n "${GODRAYS_LONG:-}" ]; then
+    sanitize sanitizers "godrays_math_tests=*" "godrays_filters_tests=*" "godrays_rendering_tests=*"
+    sanitize threads "godrays_filters_tests=*"
+  else
+    sanitize sanitizers "godrays_math_tests=*" "godrays_filters_tests=*Source.*:HDRWriter.*:Sun*:PowerSum.*" \
+      "godrays_rendering_tests=*"
+  fi
+  echo
+  echo "== $suite, sanitizers: $times"
+  exit "$status"
+fi
 
 # ---------------------------------------------------------------------------------------------
 # Build. What is to be tested is named: CMake would leave out what it does not find.
