@@ -529,3 +529,64 @@ TEST(GridFilter, IsTheReferenceWithTheMediumsLight)
   EXPECT_NE(errors.Texts[0].find("picture of depths"), std::string::npos);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
 }
+
+//------------------------------------------------------------------------------
+// A spotlight, air of two components that thin out, a planet's ground, three colours, both projections.
+TEST(GridFilter, KnowsAllLightsAndMedia)
+{
+  auto plume = MakePlume(40);
+  for (const bool parallel : { false, true })
+  {
+    for (const bool spot : { false, true })
+    {
+      vtkNew<vtkGodRaysGridFilter> filter;
+      vtkNew<vtkGodRaysSingleScatteringReference> reference;
+      filter->SetInputData(0, plume);
+      filter->SetSize(20, 14);
+      reference->SetSize(20, 14);
+      for (vtkGodRaysGridMediumFilter* each :
+        std::initializer_list<vtkGodRaysGridMediumFilter*>{ filter, reference })
+      {
+        each->SetCameraPosition(2.0, 0.8, -2.5);
+        each->SetCameraFocalPoint(0.0, 0.2, -6.0);
+        each->SetViewAngle(45.0);
+        each->SetParallelProjection(parallel);
+        each->SetParallelScale(1.8);
+        each->SetFarLimit(10.0);
+        each->SetScatteringCoefficient(0.02, 0.03, 0.05);
+        each->SetScaleHeight(2.0);
+        each->SetGasScatteringCoefficient(0.01, 0.02, 0.04);
+        each->SetGasScaleHeight(5.0);
+        each->SetGroundLevel(-1.5);
+        each->SetPlanetRadius(5000.0);
+        each->SetLight(spot ? 1.5 : 0.6, spot ? 3.0 : 1.0, spot ? -5.0 : 0.4, spot ? 1.0 : 0.0);
+        each->SetConeAngle(25.0);
+        each->SetSpotDirection(-1.4, -3.0, -0.8);
+        each->SetSpotExponent(2.0);
+        each->SetDataAlbedo(0.9, 0.8, 0.7);
+      }
+      reference->SetTolerance(1e-5);
+      reference->Update();
+      const Picture alone = FromImage(reference->GetOutput());
+      reference->SetInputData(2, plume);
+      reference->Update();
+      const Picture expected = FromImage(reference->GetOutput());
+      filter->Update();
+      const Picture actual = FromImage(filter->GetOutput());
+      double squares = 0.0;
+      double effect = 0.0;
+      for (std::size_t i = 0; i < actual.Values.size(); ++i)
+      {
+        const double change = expected.Values[i] - alone.Values[i];
+        squares += (actual.Values[i] - change) * (actual.Values[i] - change);
+        effect += change * change;
+      }
+      const double scale = 1.0 / std::sqrt(actual.Values.size()) / expected.GetMaximum();
+      std::cout << (parallel ? "parallel" : "perspective") << (spot ? ", spotlight" : ", sun")
+                << ": RMSE " << scale * std::sqrt(squares) << ", effect of data "
+                << scale * std::sqrt(effect) << "\n";
+      EXPECT_LE(scale * std::sqrt(squares), 1.0 / 255.0);
+      EXPECT_GT(scale * std::sqrt(effect), 5.0 / 255.0); // the control
+    }
+  }
+}
