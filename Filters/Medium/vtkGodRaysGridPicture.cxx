@@ -598,8 +598,30 @@ void vtkGodRaysGridPicture::Draw(
         vtkGodRays::abs(middle.Radiance - mean(a.Radiance, b.Radiance, c.Radiance, d.Radiance));
       const Vec3 left3 = vtkGodRays::abs(middle.Transmittance -
         mean(a.Transmittance, b.Transmittance, c.Transmittance, d.Transmittance));
-      return std::max({ light.x, light.y, light.z }) <= accepted * brightest &&
-        std::max({ left3.x, left3.y, left3.z }) <= accepted;
+      if (!(std::max({ light.x, light.y, light.z }) <= accepted * brightest) ||
+        !(std::max({ left3.x, left3.y, left3.z }) <= accepted))
+      {
+        return false;
+      }
+      // The middle may be the mean of the corners by chance: sides have middles, too.
+      const auto differ = [&](const Result& p, const Result& q)
+      {
+        const Vec3 difference = vtkGodRays::abs(p.Radiance - q.Radiance);
+        return std::max({ difference.x, difference.y, difference.z }) > accepted * brightest;
+      };
+      if (x1 - x0 < 2 || y1 - y0 < 2)
+      {
+        return true;
+      }
+      const auto between = [](const Result& p, const Result& q, double t) -> Result
+      {
+        return { (1.0 - t) * p.Radiance + t * q.Radiance,
+          (1.0 - t) * p.Transmittance + t * q.Transmittance };
+      };
+      const int x = (x0 + x1) / 2;
+      const int y = (y0 + y1) / 2;
+      return !differ(get(x, y0), between(a, b, u)) && !differ(get(x, y1), between(c, d, u)) &&
+        !differ(get(x0, y), between(a, c, v)) && !differ(get(x1, y), between(b, d, v));
     };
     struct Square
     {

@@ -542,8 +542,8 @@ TEST(GridFilter, KnowsAllLightsAndMedia)
       vtkNew<vtkGodRaysGridFilter> filter;
       vtkNew<vtkGodRaysSingleScatteringReference> reference;
       filter->SetInputData(0, plume);
-      filter->SetSize(20, 14);
-      reference->SetSize(20, 14);
+      filter->SetSize(13, 9);
+      reference->SetSize(13, 9);
       for (vtkGodRaysGridMediumFilter* each :
         std::initializer_list<vtkGodRaysGridMediumFilter*>{ filter, reference })
       {
