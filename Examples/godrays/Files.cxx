@@ -432,6 +432,37 @@ void ReadNrrd(const std::string& path, FileContents& contents)
 }
 
 //------------------------------------------------------------------------------
+void ReadByu(const std::string& path, FileContents& contents)
+{
+  // VTK reads for ever where polygons do not end: each does so with a point whose number is negative.
+  std::ifstream file(path);
+  std::int64_t parts = 0;
+  std::int64_t points = 0;
+  std::int64_t polygons = 0;
+  std::int64_t edges = 0;
+  constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max(); // as VTK has it
+  if (!(file >> parts >> points >> polygons >> edges) ||
+    std::min({ parts, points, polygons }) < 0 || std::max({ parts, points, polygons }) > most)
+  {
+    throw Failure(path + ": says no number of points; it is damaged, or not what its name says");
+  }
+  double number = 0.0;
+  for (std::int64_t i = 0; i < 2 * parts + 3 * points && file; ++i)
+  {
+    file >> number;
+  }
+  for (std::int64_t point = 0; polygons > 0 && file >> point;)
+  {
+    polygons -= point < 0 ? 1 : 0;
+  }
+  if (!file)
+  {
+    throw Failure(path + ": ends before its data; copy it again");
+  }
+  ReadData<vtkBYUReader>(path, contents);
+}
+
+//------------------------------------------------------------------------------
 void ReadPnm(const std::string& path, FileContents& contents)
 {
   // VTK reads for ever in a header that ends.
@@ -563,7 +594,7 @@ const std::map<std::string, ReadFunction>& Types()
   static const std::map<std::string, ReadFunction> types = {
     { ".3ds", Import<vtk3DSImporter> },
     { ".bmp", ReadData<vtkBMPReader> },
-    { ".byu", ReadData<vtkBYUReader> },
+    { ".byu", ReadByu },
     { ".dem", ReadDem },
     { ".e", ReadExodus },
     { ".ex2", ReadExodus },

@@ -344,6 +344,18 @@ class DamagedFiles(ProgramTest):
         path.write_text("NRRD0004\ntype: float\nsizes: 2 2 2\nencoding: raw\ndata file: values.raw\n")
         self.fails(path, "--output", self.folder / "p.png", says=[path.name, "no dimension"])
 
+    def test_polygons_that_do_not_end(self):
+        whole = (self.folder / "a.byu").read_text()
+        path = self.folder / "polygons.byu"
+        for text, words in (
+            (whole.rsplit("-", 1)[0], "ends before its data"),
+            (whole[:len(whole) // 2], "ends before its data"),
+            ("1 many 240 720\n", "no number of points"),
+        ):
+            with self.subTest(words):
+                path.write_text(text)
+                self.fails(path, "--output", self.folder / "p.png", says=[path.name, words])
+
     def test_sizes_that_cannot_be(self):
         image = (self.folder / "a.vti").read_bytes()
         many = (self.folder / "a.pvtu").read_text()
