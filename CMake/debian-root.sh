@@ -86,11 +86,11 @@ fi
 cp --dereference --remove-destination /etc/resolv.conf /etc/hosts "$root/etc/"
 
 cache=$(ccache --get-config cache_dir 2>/dev/null) || cache=${XDG_CACHE_HOME:-$HOME/.cache}/ccache
-trees=(build build-paraview build-release) # those of CMakePresets.json
+trees=(build build-paraview build-release build-sanitizers build-threads) # those of CMakePresets.json
 mkdir -p "$cache" "$root/godrays" "$root/ccache" "${trees[@]}" "${trees[@]/#/$folder/}"
 
 environment=(HOME=/root CCACHE_DIR=/ccache PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8)
-for name in CI TERM CCACHE_DISABLE http_proxy https_proxy no_proxy; do
+for name in CI TERM GODRAYS_LONG GODRAYS_SEED CCACHE_DISABLE http_proxy https_proxy no_proxy; do
   [ -z "${!name:-}" ] || environment+=("$name=${!name}")
 done
 

@@ -133,11 +133,6 @@ Frames::~Frames()
     pclose(this->Encoder);
   }
   this->Writer = nullptr;
-  if (!this->Part.empty())
-  {
-    std::error_code error;
-    fs::remove(this->Part, error);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -147,6 +142,7 @@ void Frames::StartFilm(vtkRenderWindow* window)
   this->Part =
     (film.parent_path() / ("." + std::to_string(getpid()) + "-" + film.filename().string()))
       .string();
+  this->Kept.emplace(this->Part);
   if (IsOgv(film.string()))
   {
     auto writer = vtkSmartPointer<vtkOggTheoraWriter>::New();

@@ -8,6 +8,7 @@
 #define Frames_h
 
 #include "Options.h"
+#include "Temporary.h"
 
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
@@ -53,7 +54,8 @@ private:
   void StartFilm(vtkRenderWindow* window);
 
   const Options& Settings;
-  std::string Part; ///< the film until it is whole
+  std::string Part;              ///< the film until it is whole
+  std::optional<Temporary> Kept; ///< so that it goes with the program
   std::FILE* Encoder = nullptr;
   vtkSmartPointer<vtkGenericMovieWriter> Writer;
   std::size_t Count = 0;

@@ -499,6 +499,24 @@ void CheckSeries(const Options& options)
   {
     throw Failure("--interactive opens a window; leave out --animate, --turntable and --film");
   }
+  if (options.Animate && options.Time)
+  {
+    throw Failure("--animate shows all time steps, and --time one; leave out one of them");
+  }
+  const auto has = [&options](const char* word)
+  { return options.Output.find(word) != std::string::npos; };
+  if (!options.Output.empty() &&
+    ((options.Turntable > 1 && !has("{frame}")) ||
+      (options.Animate && !has("{frame}") && !has("{time}"))))
+  {
+    throw Failure("--output: " + Quoted(options.Output) +
+      " is one name for several pictures; put {frame} in it");
+  }
+  if (options.Output == "-" && (options.Stats || (!options.Reference.empty() && !options.Quiet)))
+  {
+    throw Failure("--output - is a picture on the standard output; leave out --stats, and give "
+                  "--quiet with --reference");
+  }
   if (options.Quiet && options.Verbose)
   {
     throw Failure("--quiet and --verbose are the reverse of each other; give one of them");

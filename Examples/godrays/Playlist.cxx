@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -77,7 +78,7 @@ std::unique_ptr<Stage> Playlist::Open(std::size_t item, std::size_t step, const 
   }
   std::vector<FileContents> files;
   std::vector<std::string> notes;
-  this->Times.clear();
+  std::vector<double> times; // those of before stay where a file cannot be read
   for (const std::string& path : this->Items[item])
   {
     try
@@ -89,10 +90,16 @@ std::unique_ptr<Stage> Playlist::Open(std::size_t item, std::size_t step, const 
       throw Failure(failure.what(), Failure::File);
     }
     notes.insert(notes.end(), files.back().Notes.begin(), files.back().Notes.end());
-    this->Times.insert(this->Times.end(), files.back().Times.begin(), files.back().Times.end());
+    times.insert(times.end(), files.back().Times.begin(), files.back().Times.end());
   }
-  std::sort(this->Times.begin(), this->Times.end());
-  this->Times.erase(std::unique(this->Times.begin(), this->Times.end()), this->Times.end());
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  this->Step = 0;
+  for (std::size_t i = 1; time && i < times.size(); ++i)
+  {
+    this->Step = std::abs(times[i] - *time) < std::abs(times[this->Step] - *time) ? i : this->Step;
+  }
+  this->Times = std::move(times);
   if (!this->Settings.Up && !files.front().UpNote.empty())
   {
     notes.push_back(files.front().UpNote);

@@ -48,6 +48,7 @@ public:
    * The times of the scene that was opened last; none if it does not change in time.
    */
   const std::vector<double>& GetTimes() const { return this->Times; }
+  std::size_t GetStep() const { return this->Step; } ///< that it was opened at
   const OpeningTimes& GetOpeningTimes() const { return this->Took; }
 
   /**
@@ -68,6 +69,7 @@ private:
   const Options& Settings;
   std::vector<std::vector<std::string>> Items;
   std::vector<double> Times;
+  std::size_t Step = 0;
   OpeningTimes Took;
   FileTime Opened;
   bool HasAdvised = false;

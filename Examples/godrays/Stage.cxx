@@ -18,7 +18,7 @@ namespace
 {
 // [degrees] a look: larger than the real sun, which vtkGodRaysSun and the sky of --sky have, to be seen
 constexpr double SunRadius = 0.6;
-// brighter and narrower than the pass has it: shafts with more contrast
+// narrower than the pass has it: shafts with more contrast
 constexpr double Glow = 0.6;
 constexpr double GlowRadius = 1.0;
 constexpr double SunGlowAngle = 5.0;
@@ -308,7 +308,7 @@ std::string Stage::GetOptions() const
   }
   if (this->Settings.Background != "sky")
   {
-    text << " --background " << this->Settings.Background;
+    text << " --background '" << this->Settings.Background << "'"; // # begins a comment of shells
   }
   return text.str();
 }

@@ -75,23 +75,16 @@ StandardInput::StandardInput(std::vector<std::string>& files)
   {
     throw Failure("-: there is no folder for temporary files; set TMPDIR to one", Failure::File);
   }
-  this->Folder = name;
   *place = name + "/stdin" + type;
+  this->Folder.emplace(name);
+  this->File.emplace(*place);
   std::ofstream file(*place, std::ios::binary);
   file << data;
   if (!file.flush())
   {
-    fs::remove_all(this->Folder, error);
     throw Failure("-: " + name + " could not be written; is the disk full?", Failure::File);
   }
 }
 
 //------------------------------------------------------------------------------
-StandardInput::~StandardInput()
-{
-  std::error_code error;
-  if (!this->Folder.empty())
-  {
-    fs::remove_all(this->Folder, error);
-  }
-}
+StandardInput::~StandardInput() = default;

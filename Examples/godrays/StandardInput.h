@@ -7,6 +7,9 @@
 #ifndef StandardInput_h
 #define StandardInput_h
 
+#include "Temporary.h"
+
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,7 +32,8 @@ public:
   void operator=(const StandardInput&) = delete;
 
 private:
-  std::string Folder;
+  std::optional<Temporary> Folder;
+  std::optional<Temporary> File; // goes before its folder
 };
 
 #endif

@@ -63,6 +63,7 @@ Viewer::Viewer(
   , List(list)
   , Settings(options)
   , Home(stage->GetView())
+  , Step(list.GetStep())
 {
   this->Interactor->SetRenderWindow(window);
   this->Interactor->EnableRenderOff(); // Render() is called for RenderEvent
@@ -459,7 +460,7 @@ void Viewer::Open(std::size_t item, std::size_t step, bool keepView)
   this->Window->AddRenderer(next->GetRenderer());
   this->Shown = std::move(next);
   this->Item = item;
-  this->Step = step;
+  this->Step = this->List.GetStep();
   this->SetGrid(hasGrid);
   if (this->Over->IsScalarBarShown())
   {

@@ -181,9 +181,12 @@ void ShowLines(const std::vector<std::string>& lines)
  * Tell of what VTK said while it drew, and of what in the picture is probably not meant. Returns whether
  * there was an error.
  */
-bool TellMessages(const Messages& messages, const std::string& advice)
+bool TellMessages(const Messages& messages, const std::string& advice, bool quiet)
 {
-  ShowLines(messages.GetWarnings());
+  if (!quiet)
+  {
+    ShowLines(messages.GetWarnings());
+  }
   if (messages.GetWarnings().empty())
   {
     std::istringstream lines(advice);
@@ -263,7 +266,8 @@ bool DrawFrames(vtkRenderWindow* window, std::unique_ptr<Stage>& stage, Playlist
   window->AddRenderer(renderer);
   renderer->ResetCameraClippingRange();
   const auto& times = list.GetTimes();
-  const auto time = at.Step < times.size() ? std::optional<double>(times[at.Step]) : std::nullopt;
+  const auto time =
+    list.GetStep() < times.size() ? std::optional<double>(times[list.GetStep()]) : std::nullopt;
   const int views = std::max(options.Turntable, 1);
   for (int i = 0; i < views; ++i)
   {
@@ -304,7 +308,7 @@ bool DrawFrames(vtkRenderWindow* window, std::unique_ptr<Stage>& stage, Playlist
   const std::string advice =
     options.Quiet || list.WasAdvised() ? "" : stage->GetRays()->GetAdvice();
   stage.reset();
-  return !TellMessages(messages, advice);
+  return !TellMessages(messages, advice, options.Quiet);
 }
 
 //------------------------------------------------------------------------------

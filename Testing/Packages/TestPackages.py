@@ -153,7 +153,7 @@ print(godrays.__file__, picture.shape, picture.std() > 5)"
             "picture = godrays.render(vtkConeSource(), (80, 60))\n"
             "print(godrays.__file__, importlib.metadata.version('godrays'), picture.shape, picture.std() > 5)")
         said = run(sys.executable, "-c", code, cwd="/", PYTHONPATH=str(python))
-        self.assertRegex(said, rf"{TREE}\S* [\d.]+ \(60, 80, 3\) True")
+        self.assertRegex(said, rf"{re.escape(str(TREE))}\S* [\d.]+ \(60, 80, 3\) True")
         self.assertIn("0.1", run(sys.executable, "-m", "godrays", "--version", cwd="/", PYTHONPATH=str(python)))
 
     def test_a_project_is_built_with_them(self):

@@ -56,7 +56,7 @@ class Wheel(unittest.TestCase):
             "maps = {line.split()[-1] for line in open('/proc/self/maps') if 'GodRays' in line}\n"
             "print(godrays.__file__, importlib.metadata.version('godrays'), picture.shape, picture.std() > 5,\n"
             "    all(each.startswith(__import__('sys').prefix) for each in maps), len(maps) >= 5)")
-        self.assertRegex(run(python, "-c", code), rf"{FOLDER}\S* [\d.]+ \(60, 80, 3\) True True True")
+        self.assertRegex(run(python, "-c", code), rf"{re.escape(str(FOLDER))}\S* [\d.]+ \(60, 80, 3\) True True True")
         if any(name == "godrays/godrays" for name in names):
             for program in ((python, "-m", "godrays"), (FOLDER / "bin" / "godrays",)):
                 self.assertRegex(run(*program, "--version"), r"godrays \d")

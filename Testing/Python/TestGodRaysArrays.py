@@ -224,6 +224,14 @@ class Render(unittest.TestCase):
             self.assertTrue(window.HasRenderer(renderer))
             window.Render()
 
+    def test_rays_that_a_scene_has_are_left_out_on_request(self):
+        _, renderer = make_scene()
+        without = godrays.render(renderer, (80, 60), rays=False)
+        rays = godrays.enable(renderer, BEHIND)
+        self.assertFalse((godrays.render(renderer, (80, 60), light=BEHIND) == without).all())
+        self.assertTrue((godrays.render(renderer, (80, 60), rays=False) == without).all())
+        self.assertIs(godrays.vtkGodRaysPass.Find(renderer), rays)
+
     def test_it_shows_itself(self):
         picture = godrays.render(vtkSphereSource(), SIZE)
         png = picture._repr_png_()

@@ -57,7 +57,8 @@ def render(
 
     data: a data set of VTK or PyVista; a vtkAlgorithm that makes one; a file (.vtk, .vtp, .vtu, .vti, .vtr,
         .vts, .vtm, .ply, .stl, .obj); a vtkProp; a list of these; or a vtkRenderer, or a plotter, whose scene
-        is drawn with its own camera, lights and background, and is left as it was.
+        is drawn with its own camera, lights and background, and is left as it was; rays that it has
+        keep what they are given here.
     size: width and height [pixels].
     preset: as of enable(); see presets().
     camera: from where the data are seen, (azimuth, elevation) [degrees]. All data are in the picture. Or a
@@ -98,14 +99,18 @@ def render(
     if former is not None:
         former.RemoveRenderer(scene)
     window.AddRenderer(scene)
-    known = godrays.vtkGodRaysPass.Find(scene) is not None
+    found = godrays.vtkGodRaysPass.Find(scene)
     try:
         if rays:
             godrays.enable(scene, preset=preset, **parameters)
+        elif found is not None:
+            found.Detach(scene)
         return _read(window, transparent)
     finally:
-        if rays and not known:
+        if rays and found is None:
             godrays.disable(scene)
+        elif not rays and found is not None:
+            found.Attach(scene)
         window.RemoveRenderer(scene)
         window.Finalize()
         if former is not None:
