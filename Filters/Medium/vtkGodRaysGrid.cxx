@@ -75,6 +75,12 @@ std::string vtkGodRaysGrid::Read(
   }
   for (int i = 0; i < 2 && arrays[i]; ++i)
   {
+    if (arrays[i]->GetNumberOfTuples() != image->GetNumberOfPoints())
+    {
+      return "an array of a medium has " + std::to_string(arrays[i]->GetNumberOfTuples()) +
+        " values for an image of " + std::to_string(image->GetNumberOfPoints()) +
+        " points. Give one value, or three, for each point.";
+    }
     const int bands = arrays[i]->GetNumberOfComponents();
     if (bands != 1 && bands != 3)
     {

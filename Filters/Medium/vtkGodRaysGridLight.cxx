@@ -65,7 +65,7 @@ void vtkGodRaysGridLight::Build(const vtkGodRaysGrid& grid, const Vec3& light, b
       }
       for (int band = 0; band < this->Bands; ++band)
       {
-        result[band] = static_cast<float>(depth[band]);
+        result[band] = static_cast<float>(std::min(depth[band], 1e30)); // differences are finite
       }
       if (before < 0 || before >= this->Size[0])
       {
@@ -79,7 +79,7 @@ void vtkGodRaysGridLight::Build(const vtkGodRaysGrid& grid, const Vec3& light, b
           this->Depths.data() + before * slice + there[1] * row + there[0] * this->Bands;
         for (int band = 0; band < this->Bands; ++band)
         {
-          result[band] += other[band];
+          result[band] = std::min(result[band] + other[band], 1e30f);
         }
       }
     }

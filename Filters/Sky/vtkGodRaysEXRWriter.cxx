@@ -113,7 +113,8 @@ struct File
     for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
     {
       vtkDataArray* array = fields->GetArray(i);
-      if (array && array->GetName() && array->GetNumberOfValues() == 1)
+      if (array && array->GetName() && array->GetNumberOfValues() == 1 &&
+        this->Header.find(array->GetName()) == this->Header.end()) // else it is the format's own
       {
         this->Header.insert(
           array->GetName(), Imf::FloatAttribute(static_cast<float>(array->GetComponent(0, 0))));

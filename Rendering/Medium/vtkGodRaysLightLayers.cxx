@@ -168,8 +168,8 @@ bool vtkGodRaysLightLayers::PreReplaceShaderValues(
     "//VTK::DepthPeeling::Dec");
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::PreColor",
     "//VTK::DepthPeeling::PreColor\n"
-    "  if (gl_FragCoord.z >= texelFetch(lightOpaque, ivec2(gl_FragCoord.xy), 0).r ||\n"
-    "    (lightFirst == 0 && gl_FragCoord.z <=\n"
+    "  if (gl_FragDepth >= texelFetch(lightOpaque, ivec2(gl_FragCoord.xy), 0).r ||\n"
+    "    (lightFirst == 0 && gl_FragDepth <=\n"
     "      texelFetch(lightLast, ivec2(gl_FragCoord.xy), 0).r))\n"
     "  {\n"
     "    discard;\n"
@@ -184,6 +184,16 @@ bool vtkGodRaysLightLayers::PreReplaceShaderValues(
     "  lightHue = lightMost > 0.0 ? lightHue / lightMost : vec3(1.0);\n"
     "  float lightThrough = clamp(1.0 - gl_FragData[0].a, 0.0, 1.0);\n"
     "  gl_FragData[0] = vec4(pow(vec3(lightThrough), vec3(3.0) - 2.0 * lightHue), 1.0);\n");
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Depth is compared as it is stored; where the mapper does not set it, this does.
+bool vtkGodRaysLightLayers::PostReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+{
+  vtkShaderProgram::Substitute(
+    fragmentShader, "//VTK::Depth::Impl", "gl_FragDepth = gl_FragCoord.z;");
   return true;
 }
 

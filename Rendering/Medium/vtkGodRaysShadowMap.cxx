@@ -516,6 +516,9 @@ const vtkGodRaysShadowGrids& vtkGodRaysShadowMap::GetGrids()
   if (this->NumberOfFaces == 0)
   {
     this->Grids.Levels = 0;
+    this->Grids.Layers = nullptr;
+    this->Grids.NumberOfLayers = 0;
+    this->Grids.Colored = false;
     return this->Grids;
   }
   if (this->Depths.empty())

@@ -51,6 +51,7 @@ struct Field
   double ToData[16];  // of the volume's own coordinates
   int Dimensions[3];
   vtkDataArray* Scalars;
+  const void* Values; // found once: arrays of other layouts make a copy for it
   int Components;
   int Component; // that has the opacity
   bool OfCells;
@@ -70,6 +71,7 @@ struct Field
     vtkImageData* image = GetImage(mapper);
     int ofCells = 0;
     this->Scalars = GetScalars(mapper, ofCells);
+    this->Values = this->Scalars->GetVoidPointer(0);
     double toWorld[16];
     vtkMatrix4x4::Invert(view.WorldToView, toWorld);
     double fromWorld[16];
@@ -333,10 +335,16 @@ vtkVolume* vtkGodRaysVolumeHaze::GetVolume(vtkProp* prop)
   auto volume = vtkVolume::SafeDownCast(prop);
   auto mapper = volume ? vtkVolumeMapper::SafeDownCast(volume->GetMapper()) : nullptr;
   int ofCells = 0;
-  const bool fits = GetImage(mapper) && GetScalars(mapper, ofCells) && volume->GetProperty() &&
-    mapper->GetBlendMode() == vtkVolumeMapper::COMPOSITE_BLEND &&
-    volume->GetProperty()->GetTransferFunctionMode() == vtkVolumeProperty::TF_1D &&
-    !volume->GetProperty()->HasGradientOpacity(0);
+  // A vtkMultiVolume has a property of its own, and places several images.
+  vtkImageData* image = prop->IsA("vtkMultiVolume") ? nullptr : GetImage(mapper);
+  vtkDataArray* scalars = image ? GetScalars(mapper, ofCells) : nullptr;
+  vtkVolumeProperty* property = volume ? volume->GetProperty() : nullptr;
+  const bool fits = scalars && ofCells < 2 && scalars->GetDataType() != VTK_BIT &&
+    scalars->GetNumberOfTuples() ==
+      (ofCells ? image->GetNumberOfCells() : image->GetNumberOfPoints()) &&
+    property && mapper->GetBlendMode() == vtkVolumeMapper::COMPOSITE_BLEND &&
+    property->GetTransferFunctionMode() == vtkVolumeProperty::TF_1D &&
+    (!property->HasGradientOpacity(0) || property->GetDisableGradientOpacity(0));
   return fits ? volume : nullptr;
 }
 
@@ -419,9 +427,8 @@ void vtkGodRaysVolumeHaze::Make(const vtkGodRaysMediumIntegrator::Request& reque
           {
             switch (field.Scalars->GetDataType())
             {
-              vtkTemplateMacro(
-                March(field, static_cast<const VTK_TT*>(field.Scalars->GetVoidPointer(0)), rays,
-                  grid, i, j, range, most, depths));
+              vtkTemplateMacro(March(field, static_cast<const VTK_TT*>(field.Values), rays, grid, i,
+                j, range, most, depths));
             }
           }
           float* through = haze.Dark.data() + (row * haze.Size + x) * values;

@@ -15,6 +15,15 @@ MediumTest::MediumTest()
 }
 
 //------------------------------------------------------------------------------
+void MediumTest::TearDown()
+{
+  for (const std::string& text : this->VTKMessages.Take())
+  {
+    EXPECT_TRUE(Says(text, "its optical depth across it is")) << text;
+  }
+}
+
+//------------------------------------------------------------------------------
 void MediumTest::AddPillars(double depth)
 {
   for (int i = -3; i <= 3; ++i)

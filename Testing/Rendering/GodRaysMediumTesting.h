@@ -26,6 +26,9 @@ public:
 protected:
   MediumTest();
 
+  /// Media of tests are as deep as they are: that this is told does not count, other messages do.
+  void TearDown() override;
+
   /// A row of them, as deep as this, from -3.6 to 3.6.
   void AddPillars(double depth = 0.5);
 
