@@ -16,7 +16,7 @@ defaults.SIZE = (300, 210)
 
 # thin, thick, grey, coloured, translucent and volumes
 SCENES = (
-    "cones", "streamlines", "molecule", "volume", "spider", "gyroid", "translucent-contours", "lettering",
+    "cones", "streamlines", "molecule", "volume", "lattice", "gyroid", "translucent-contours", "lettering",
 )
 
 MOST_LOST = 0.1  # of the chroma
