@@ -14,6 +14,7 @@ ELSEWHERE = {
     "vtkGodRaysHomogeneousModel": {"Visibility", "OpticalDepth"},
     "vtkGodRaysReferenceFilter": set(),
     "vtkGodRaysScatteringFilter": set(),
+    "vtkGodRaysAtmosphereModel": {"Atmosphere"},
     "vtkGodRaysSkySource": {"Atmosphere", "Sun"},
     # a group of the view's own has the sun; one unit is for the sky and for media
     "vtkGodRaysSkyPass": {

@@ -91,7 +91,7 @@ class Properties(unittest.TestCase):
         for function in (godrays.enable, godrays.sky, godrays.scatter, godrays.tone_map):
             for keyword, parameter in inspect.signature(function).parameters.items():
                 if parameter.kind != parameter.VAR_KEYWORD:
-                    self.assertRegex(function.__doc__, rf"(?m)^ +([a-z_]+, )*{keyword}(, [a-z_]+)*: \w",
+                    self.assertRegex(function.__doc__, rf"(?m)^ *([a-z_]+, )*{keyword}(, [a-z_]+)*: \w",
                         function.__name__)
 
     def test_explicit_parameters_are_those_of_the_classes(self):

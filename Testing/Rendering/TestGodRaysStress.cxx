@@ -18,6 +18,9 @@
 #include <cstdlib>
 #include <fstream>
 #include <functional>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <string>
 #include <unistd.h>
 #include <utility>
@@ -55,7 +58,13 @@ const Kind Kinds[] = {
     } },
   { "Taps", [](Stage& scene) { SumTaps(scene.Rays); } },
   { "Margin", [](Stage& scene) { scene.Rays->SetLayerMargin(0.25); } },
-  { "Medium", AddFog },
+  { "Medium",
+    [](Stage& scene)
+    {
+      AddFog(scene);
+      scene.Rays->SetErrorTolerance(
+        0.05); // one map, 1.05 MB, is kept by a driver for a while or not
+    } },
   { "Layers",
     [](Stage& scene)
     {
@@ -84,9 +93,12 @@ class GodRaysStress : public ::testing::TestWithParam<Kind>
 {
 };
 
-/// Memory that the process has, in MB.
+/// Memory that the process uses, in MB: without what is freed, which the C library keeps for the next time.
 double GetMemory()
 {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
   std::ifstream file("/proc/self/statm");
   long all = 0;
   long resident = 0;
@@ -243,18 +255,26 @@ TEST_P(GodRaysStress, MemoryStaysAsItIs)
     {
       const bool isFrame = change.first == std::string("frame");
       const int number = !counts ? 40 : !isLong ? 40 : isFrame ? 5000 : 2000;
-      const double before = GetMemory();
+      // Drivers free textures some frames later: the least of the second and of the last quarter do not depend
+      // on when.
+      double least[4] = { 1e30, 1e30, 1e30, 1e30 };
       for (int i = 0; i < number; ++i)
       {
         change.second(i);
         scene.Window->Render();
+        if (i % (number / 20) == 0)
+        {
+          scene.Window->WaitForCompletion();
+          double& quarter = least[4 * i / number];
+          quarter = std::min(quarter, GetMemory());
+        }
       }
-      const double growth = GetMemory() - before;
+      const double growth = least[3] - least[1];
       if (counts)
       {
         std::cout << number << " times " << change.first << ": " << growth << " MB more, of "
-                  << before << "\n";
-        EXPECT_TRUE(KeepsWhatIsFreed || growth < 2.0) << change.first << ": " << growth;
+                  << least[1] << "\n";
+        EXPECT_TRUE(KeepsWhatIsFreed || growth < 1.5) << change.first << ": " << growth;
       }
     }
   }

@@ -423,7 +423,8 @@ def measure(
         raise ValueError("this godrays was built without OpenEXR; write a .vti")
     asked: tuple[Any, ...] = ()
     if irradiance is not None:
-        values = [irradiance] * 3 if isinstance(irradiance, numbers.Real) else list(irradiance)
+        each = [irradiance] * 3 if isinstance(irradiance, (int, float)) else irradiance
+        values = [float(value) for value in each]
         if len(values) != 3 or not all(0 <= value <= 1e30 for value in values):
             raise ValueError(f"irradiance={irradiance} should be one number or three, in [0, 1e30]")
         asked = (values,)
