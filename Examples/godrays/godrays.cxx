@@ -24,6 +24,7 @@
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 #include "vtkTransform.h"
 
 #include <algorithm>
@@ -312,6 +313,17 @@ bool DrawFrames(vtkRenderWindow* window, std::unique_ptr<Stage>& stage, Playlist
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkRenderWindow> MakeWindow(const Options& options)
+{
+  auto window = vtkSmartPointer<vtkRenderWindow>::New();
+  window->SetOffScreenRendering(!IsWindow(options));
+  window->SetSize(options.Size[0], options.Size[1]);
+  window->SetWindowName("godrays");
+  window->SetAlphaBitPlanes(options.Transparent);
+  return window;
+}
+
+//------------------------------------------------------------------------------
 /**
  * Draw all scenes in all times to where the options say. Returns whether all went well.
  */
@@ -319,11 +331,8 @@ bool DrawAll(const Options& options)
 {
   Playlist list(options);
   Frames frames(options);
-  vtkNew<vtkRenderWindow> window;
-  window->SetOffScreenRendering(!IsWindow(options));
-  window->SetSize(options.Size[0], options.Size[1]);
-  window->SetWindowName("godrays");
-  window->SetAlphaBitPlanes(options.Transparent);
+  vtkSmartPointer<vtkRenderWindow>
+    window; // since VTK 9.6 a window looks for the display as it is made
   bool isGood = true;
   const std::size_t items = IsWindow(options) ? 1 : list.GetSize();
   for (std::size_t item = 0; item < items; ++item)
@@ -342,7 +351,11 @@ bool DrawAll(const Options& options)
       }
       if (!view)
       {
-        CheckDisplay();
+        if (!window)
+        {
+          CheckDisplay();
+          window = MakeWindow(options);
+        }
         view = stage->GetView();
       }
       if (options.Animate)

@@ -255,8 +255,8 @@ TEST_P(GodRaysStress, MemoryStaysAsItIs)
     {
       const bool isFrame = change.first == std::string("frame");
       const int number = !counts ? 40 : !isLong ? 40 : isFrame ? 5000 : 2000;
-      // Drivers free textures some frames later: the least of the second and of the last quarter do not depend
-      // on when.
+      // Drivers free textures some frames later: the least of the second and of the last quarter do not
+      // depend on when.
       double least[4] = { 1e30, 1e30, 1e30, 1e30 };
       for (int i = 0; i < number; ++i)
       {
