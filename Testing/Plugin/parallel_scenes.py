@@ -6,8 +6,8 @@ Usage: pvbatch parallel_scenes.py <folder> [<scene>...], under mpirun with as ma
 wanted; or with Python, as a client of the server at GODRAYS_SERVER_PORT, which renders if
 GODRAYS_REMOTE_RENDERING is 1, and does not if it is 0.
 
-Each <scene>.png has rays, each <scene>-plain.png none; as a client, each <scene>-dragged.png is what
-the window shows of <scene>.png while the camera is dragged, reduced by REDUCTION. If GODRAYS_FRAMES
+Each <scene>.png has rays, each <scene>-plain.png none; as a client, each <scene>-dragged.png and
+<scene>-plain-dragged.png is what the window shows while the camera is dragged, reduced by REDUCTION. If GODRAYS_FRAMES
 says how many frames to time, pictures are larger, and times.json has of each scene: the seconds of
 each frame with rays and without, and of the pass's stages where the pictures are joined.
 """
@@ -210,6 +210,8 @@ for name in sys.argv[2:] or SCENES:
         times[name] = dict(zip(("frames", "stages"), time_frames(view)))
     view.UseGodRays = 0
     simple.SaveScreenshot(path + "-plain.png", view)
+    if "GODRAYS_REMOTE_RENDERING" in os.environ:
+        save_dragged(view, path + "-plain-dragged.png")
     if FRAMES:
         times[name]["plain"], _ = time_frames(view)
     simple.Delete(view)
