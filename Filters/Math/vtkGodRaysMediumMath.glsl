@@ -53,6 +53,13 @@ struct MediumComponent
   Real SecondWeight; // see PhaseMix()
 };
 
+// How much of a point light's intensity leaves it which way, about its axis: a cone, as vtkLight has it.
+struct SpotShape
+{
+  Real CosCone;  // cosine of half the cone's angle; 0: the light shines everywhere alike
+  Real Exponent; // at least 0; how it fades towards the cone's edge
+};
+
 // A view ray and a light, which is infinitely far or a point. Distances are from the eye.
 struct LitRay
 {
@@ -65,8 +72,7 @@ struct LitRay
   Real PlanetRadius; // whose ground densities are 1 at; 0: that is a plane [length]
   Real AxisStart;    // of a spotlight: how far along its axis from it the ray starts [length]
   Real AxisSlope;    // and how far along it each unit of the ray's length leads
-  Real CosCone;      // cosine of half its cone's angle; 0: the light shines everywhere
-  Real SpotExponent; // at least 0; how it fades towards the cone's edge
+  SpotShape Shape;   // and which way it shines
 };
 
 // The part of a ray, from x to y, that is within a spotlight's cone, at most from 0 to end; y is 0 if
@@ -76,11 +82,11 @@ struct LitRay
 FUNCTION Vec2 SpotPart(IN(LitRay) ray, IN(Real) end)
 {
   GODRAYS_EXPECT(end >= 0.0);
-  if (ray.CosCone <= 0.0)
+  if (ray.Shape.CosCone <= 0.0)
   {
     return Vec2(0.0, end);
   }
-  Real square = ray.CosCone * ray.CosCone;
+  Real square = ray.Shape.CosCone * ray.Shape.CosCone;
   Real a = ray.AxisSlope * ray.AxisSlope - square;
   a = abs(a) < 1e-7 ? -1e-7 : a;
   Real b = ray.AxisStart * ray.AxisSlope + square * ray.Foot;
@@ -107,14 +113,22 @@ FUNCTION Vec2 SpotPart(IN(LitRay) ray, IN(Real) end)
   return part.y > part.x ? part : Vec2(0.0);
 }
 
+// Whether a spotlight shines towards a point of the ray, r from it: the test of SpotPart() for one place.
+// Formula: AxisStart + AxisSlope s >= CosCone r.
+FUNCTION bool IsInSpot(IN(LitRay) ray, IN(Real) s, IN(Real) r)
+{
+  GODRAYS_EXPECT(r > 0.0);
+  return ray.Shape.CosCone <= 0.0 || ray.AxisStart + ray.AxisSlope * s >= ray.Shape.CosCone * r;
+}
+
 // How much of a spotlight's intensity leaves it towards a point of the ray, r from it, in its cone.
-// Formula: cos(angle to the axis)^SpotExponent. [no unit]
+// Formula: cos(angle to the axis)^Exponent. [no unit]
 FUNCTION Real SpotFactor(IN(LitRay) ray, IN(Real) s, IN(Real) r)
 {
   GODRAYS_EXPECT(r > 0.0);
   Real cosine = (ray.AxisStart + ray.AxisSlope * s) / r;
-  return ray.CosCone > 0.0 && ray.SpotExponent > 0.0
-    ? pow(clamp(cosine, 1e-30, 1.0), ray.SpotExponent)
+  return ray.Shape.CosCone > 0.0 && ray.Shape.Exponent > 0.0
+    ? pow(clamp(cosine, 1e-30, 1.0), ray.Shape.Exponent)
     : 1.0;
 }
 

@@ -30,7 +30,7 @@ constexpr int MostColumns = 1024;
 constexpr int FewestColumns = 8;
 constexpr double ReachOfSlices =
   4.0; // beyond, layers count as they do there [distances of the light]
-constexpr double SlicesOfSpot = 16.0; // that fades, times the root of its exponent and 1
+constexpr double SlicesOfSpot = 16.0; // that fades, times its fineness
 constexpr int FewestSlices = 6;
 constexpr int MostSlices = 48;
 constexpr int MostRowsOfSlices = 512;
@@ -302,8 +302,7 @@ void SetSlices(const CoverageSettings& settings, const CoverageImage& image, dou
   const double reach = std::min(longest, ReachOfSlices * table.Distance);
   table.Slices = 1;
   table.FirstSlice = table.SlicesPerUnit = table.InverseSide = 0.0f;
-  const bool fades = settings.Spot.Fades();
-  if (scale <= 0.0 && !fades)
+  if (scale <= 0.0 && !settings.Spot.Fades())
   {
     return;
   }
@@ -332,7 +331,7 @@ void SetSlices(const CoverageSettings& settings, const CoverageImage& image, dou
   const double size = range.High - range.Low;
   const double steps =
     std::max(scale > 0.0 ? size * side * widest / scale / SliceStepOfHeight : 0.0,
-      fades ? SlicesOfSpot * std::sqrt(1.0 + settings.Spot.Exponent) : 0.0);
+      SlicesOfSpot * settings.Spot.GetFineness());
   const double room = MostPlaces / (static_cast<double>(table.Rows) * table.Columns);
   table.Slices = CountSteps(std::min(steps, room), FewestSlices, MostSlices);
   table.FirstSlice = static_cast<float>(range.Low);
@@ -403,7 +402,7 @@ void MakePointTable(const CoverageSettings& settings, const CoverageImage& image
   }
   const int brightest = static_cast<int>(std::max_element(wholes, wholes + 3) - wholes);
   table.Change = static_cast<float>(GetChange(settings, medium, longest));
-  const bool sliced = scale > 0.0 || settings.Spot.Exponent > 0.0;
+  const bool sliced = scale > 0.0 || settings.Spot.Fades();
   SetPointRows(settings, image, sliced ? MostRowsOfSlices : MostRows, table);
   double end = 0.0;
   for (int row = 0; row < table.Rows; ++row)

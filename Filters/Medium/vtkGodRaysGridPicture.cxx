@@ -187,8 +187,7 @@ vtkGodRaysGridPicture::vtkInternals::Air vtkGodRaysGridPicture::vtkInternals::Ge
   air.Cosine = this->Directional ? ray.Foot : -beyond / r;
   if (!this->Directional)
   {
-    const double along = (lit.AxisStart + lit.AxisSlope * s) / r;
-    air.Visible = lit.CosCone <= 0.0 || along >= lit.CosCone;
+    air.Visible = vtkGodRays::IsInSpot(lit, s, r);
     air.Strength = vtkGodRays::SpotFactor(lit, s, r) / (r * r);
   }
   if (!this->Haze)
@@ -415,7 +414,8 @@ Result vtkGodRaysGridPicture::vtkInternals::Evaluate(double x, double y, double 
   ray.Lit = { this->Directional ? 1 : 0, ray.Foot, 0.0, begin.x, begin.y,
     this->Directional ? start(ray.Origin, this->Light).y : start(this->Light, this->Light).x,
     this->Medium.PlanetRadius, vtkGodRays::dot(this->SpotAxis, ray.Origin - this->Light),
-    vtkGodRays::dot(this->SpotAxis, ray.Along), this->Spot.CosCone, this->Spot.Exponent };
+    vtkGodRays::dot(this->SpotAxis, ray.Along), {} };
+  this->Spot.SetShape(ray.Lit);
   end = vtkGodRays::MediumEnd(ray.Lit, end);
   if (!this->Directional)
   {

@@ -30,9 +30,13 @@ struct vtkGodRaysSpot
   template <typename LitRay>
   void SetShape(LitRay& ray) const
   {
-    ray.CosCone = this->CosCone;
-    ray.SpotExponent = this->Exponent;
+    ray.Shape.CosCone = this->CosCone;
+    ray.Shape.Exponent = this->Exponent;
   }
+
+  /// How finely tables must divide what depends on the angle to the axis, in units of an exponent of 0;
+  /// 0 if nothing does.
+  double GetFineness() const { return this->Fades() ? std::sqrt(1.0 + this->Exponent) : 0.0; }
 
   /// Add all numbers to those that something depends on.
   void AddTo(std::vector<double>& key) const

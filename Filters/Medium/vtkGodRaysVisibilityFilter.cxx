@@ -243,12 +243,11 @@ public:
     ray.LightHeight = this->Infinite ? here.y : start(this->Light, way / r).x;
     ray.PlanetRadius = this->PlanetRadius;
     ray.AxisStart = this->Infinite ? 0.0 : -vtkGodRays::dot(this->SpotAxis, way);
-    ray.CosCone = this->Spot.CosCone;
-    ray.SpotExponent = this->Spot.Exponent;
+    this->Spot.SetShape(ray);
     double factor = 1.0;
     if (!this->Infinite)
     {
-      if (ray.CosCone > 0.0 && ray.AxisStart < ray.CosCone * r)
+      if (!vtkGodRays::IsInSpot(ray, 0.0, r))
       {
         return irradiance;
       }

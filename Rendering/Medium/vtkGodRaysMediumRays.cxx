@@ -102,8 +102,8 @@ void vtkGodRaysMediumRays::Set(vtkShaderProgram* program) const
     vtkGodRays::MediumStart(medium.PlanetRadius, medium.EyeHeight, up, place, up).x);
   SetNumber(program, "planetRadius", medium.PlanetRadius);
   vtkGodRaysQuad::SetVector(program, "spotAxis", light.Spot.Axis);
-  SetNumber(program, "cosCone", light.Spot.CosCone);
-  SetNumber(program, "spotExponent", light.Spot.Exponent);
+  SetNumber(program, "spotShape.CosCone", light.IsInfinite() ? 0.0 : light.Spot.CosCone);
+  SetNumber(program, "spotShape.Exponent", light.Spot.Exponent);
   vtkGodRaysQuad::SetVector(program, "mediumUp", medium.Up);
   SetNumber(program, "eyeHeight", medium.EyeHeight);
   const bool closed = this->IsInfinite() &&

@@ -13,8 +13,7 @@ uniform vec4 light;       // (x, y, z)/w, or with w = 0 the direction to it
 uniform vec3 lightColor;  // irradiance or intensity
 uniform float lightHeight; // of a point light
 uniform vec3 spotAxis;    // of a spotlight
-uniform float cosCone;    // 0: it is none
-uniform float spotExponent;
+uniform SpotShape spotShape;
 uniform vec3 mediumUp;
 uniform float eyeHeight;
 uniform float planetRadius; // 0: the ground is a plane
@@ -61,8 +60,7 @@ LitRay GetLitRay(vec2 place)
   ray.PlanetRadius = planetRadius;
   ray.AxisStart = -dot(spotAxis, to);
   ray.AxisSlope = dot(spotAxis, direction);
-  ray.CosCone = infinite ? 0.0 : cosCone;
-  ray.SpotExponent = spotExponent;
+  ray.Shape = spotShape;
   return ray;
 }
 
