@@ -38,6 +38,7 @@ void vtkGodRaysGridRay::Cast(const std::vector<vtkGodRaysGrid>& grids, const Vec
 {
   this->Passages.clear();
   this->Knots.clear();
+  this->Ends.clear();
   this->Directional = directional;
   for (const vtkGodRaysGrid& grid : grids)
   {
@@ -62,9 +63,13 @@ void vtkGodRaysGridRay::Cast(const std::vector<vtkGodRaysGrid>& grids, const Vec
     {
       this->Knots.push_back(passage.Shadow[0] + length * i / pieces);
     }
+    const double first = passage.Parts.empty() ? 0.0 : passage.Parts.front().Begin;
+    this->Ends.insert(
+      this->Ends.end(), { first, passage.End, passage.Shadow[0], passage.Shadow[1] });
     this->Passages.push_back(std::move(passage));
   }
   std::sort(this->Knots.begin(), this->Knots.end());
+  std::sort(this->Ends.begin(), this->Ends.end());
 }
 
 //------------------------------------------------------------------------------

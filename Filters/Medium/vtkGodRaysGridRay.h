@@ -39,6 +39,12 @@ public:
    */
   const std::vector<double>& GetKnots() const { return this->Knots; }
 
+  /**
+   * Where the ray or the light's way to it enters or leaves a grid, in their order. Between two of these,
+   * knots are a cell apart or there are none.
+   */
+  const std::vector<double>& GetEnds() const { return this->Ends; }
+
 private:
   struct Part
   {
@@ -62,6 +68,7 @@ private:
 
   std::vector<Passage> Passages;
   std::vector<double> Knots;
+  std::vector<double> Ends;
   bool Directional = true;
 };
 

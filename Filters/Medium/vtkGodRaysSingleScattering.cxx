@@ -355,7 +355,7 @@ Vec3 IntegrateWay(const Scatter& f, double from, double to, double end, double e
   Vec3 sum(0.0);
   std::vector<double> places;
   double begin = from;
-  const auto add = [&](double place)
+  const auto addPart = [&](double place)
   {
     const double next = std::min(place, to);
     if (!(next > begin))
@@ -373,6 +373,20 @@ Vec3 IntegrateWay(const Scatter& f, double from, double to, double end, double e
     places.push_back(next);
     sum += IntegrateGaps(f, places.data(), places.size() - 1, error / parts, depth);
     begin = next;
+  };
+  // No gap beside data, which may be many times as long as a cell, is looked at together with cells.
+  const auto add = [&](double place)
+  {
+    if (f.Data)
+    {
+      const std::vector<double>& ends = f.Data->GetEnds();
+      for (auto i = std::upper_bound(ends.begin(), ends.end(), begin);
+           i != ends.end() && *i < place; ++i)
+      {
+        addPart(*i);
+      }
+    }
+    addPart(place);
   };
   for (int i = parts - 1; i >= 0; --i)
   {

@@ -360,6 +360,48 @@ TEST(Grid, AgreesWithAMarch)
 }
 
 //------------------------------------------------------------------------------
+// Nothing scatters behind data: how far rays go on there changes nothing, by however many times a cell.
+TEST(Grid, EmptySpaceBesideDataCountsNothing)
+{
+  auto plume = MakePlume(48);
+  vtkNew<Reference> reference;
+  reference->SetInputDataObject(2, plume);
+  reference->SetSize(40, 23);
+  reference->SetCameraFocalPoint(0.0, 0.0, -1.0);
+  reference->SetViewAngle(57.3);
+  reference->SetScatteringCoefficient(0.0, 0.0, 0.0);
+  reference->SetLight(-0.78, 0.3, -0.55, 0.0);
+  reference->SetTolerance(1e-5);
+  const auto draw = [&](double farLimit)
+  {
+    reference->SetFarLimit(farLimit);
+    std::vector<double> light;
+    for (int y = 0; y < 23; ++y)
+    {
+      for (int x = 0; x < 40; ++x)
+      {
+        light.push_back(GetNumber(reference, "Radiance", x, y));
+      }
+    }
+    return light;
+  };
+  const std::vector<double> shortest = draw(7.6);
+  const double peak = *std::max_element(shortest.begin(), shortest.end());
+  EXPECT_GT(peak, 0.01);
+  for (const double farLimit : { 30.0, 5000.0 })
+  {
+    const std::vector<double> light = draw(farLimit);
+    double worst = 0.0;
+    for (std::size_t i = 0; i < light.size(); ++i)
+    {
+      worst = std::max(worst, std::abs(light[i] - shortest[i]) / peak);
+    }
+    std::cout << "to " << farLimit << ": largest difference " << worst << " of the peak\n";
+    EXPECT_LE(worst, 3e-5);
+  }
+}
+
+//------------------------------------------------------------------------------
 // Two media in the same place are one of their sum; two in a row dim as one through both.
 TEST(Grid, SeveralMediaAddUp)
 {
