@@ -6,6 +6,7 @@
 
 #include "Charts.h"
 #include "Counters.h"
+#include "DataErrors.h"
 #include "Device.h"
 #include "EffectScene.h"
 #include "GodRaysPictures.h"
@@ -59,6 +60,7 @@ Prints tables, and each figure that is asked for as met or missed.
   --model-error          measure something else: how far models are from single scattering, on twelve
                          scenes; FOLDER/ModelError.md, its chart and pictures. Names for --filter:
                          SCENE/LIGHT. Some 4 minutes
+  --data-error           measure something else: media of data; FOLDER/DataError.md, its chart and picture
   --list                 list pictures, lights and integrators, and measure nothing
   --help                 this text
 
@@ -74,6 +76,7 @@ struct Options
   bool Quick = false;
   bool List = false;
   bool ModelError = false;
+  bool DataError = false;
   std::string Filter = ".";
   std::string Methods = ".";
   std::string CSV;
@@ -894,6 +897,10 @@ Options ReadOptions(int count, char* arguments[])
     {
       options.ModelError = true;
     }
+    else if (name == "--data-error")
+    {
+      options.DataError = true;
+    }
     else if (name == "--full")
     {
       options.Quick = false;
@@ -935,6 +942,7 @@ Options ReadOptions(int count, char* arguments[])
     }
   }
   options.Command += options.ModelError ? " --model-error" : "";
+  options.Command += options.DataError ? " --data-error" : "";
   options.Command += options.Quick ? " --quick" : "";
   for (const auto& option : { std::make_pair(" --filter '", options.Filter),
          std::make_pair(" --methods '", options.Methods) })
@@ -984,6 +992,13 @@ int main(int count, char* arguments[])
     if (!fault.empty())
     {
       throw std::runtime_error(fault);
+    }
+    if (options.DataError)
+    {
+      Device device;
+      const bool kept =
+        MeasureDataErrors(device, { options.Quick, options.Documentation, options.Command });
+      return kept ? EXIT_SUCCESS : EXIT_FAILURE;
     }
     if (options.ModelError)
     {
