@@ -29,6 +29,7 @@ with godrays.enable(renderer, light=(0, 0, 1), intensity=0.5, model="homogeneous
 picture = godrays.render(actor, (320, 240), preset="low-sun", camera=(-60, 15), sun_at=(0.3, 0.8))
 picture.save("picture.png")
 names: dict[str, str] = godrays.presets()
+godrays.enable(renderer, **godrays.from_pmndrs({"density": 0.9}))
 shafts = godrays.scatter([[0.0, 1.0]], (0.5, 0.5), density=1.0)
 version: str = godrays.__version__
 try:

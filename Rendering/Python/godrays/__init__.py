@@ -53,6 +53,13 @@ from ._arrays import tone_map as tone_map
 from ._errors import Error as Error
 from ._errors import GodRaysWarning as GodRaysWarning
 from ._errors import raising as raising
+from ._migration import from_babylon as from_babylon
+from ._migration import from_blender as from_blender
+from ._migration import from_good_godrays as from_good_godrays
+from ._migration import from_pmndrs as from_pmndrs
+from ._migration import from_threejs as from_threejs
+from ._migration import from_unity as from_unity
+from ._migration import from_unreal as from_unreal
 from ._properties import constant as _constant
 from ._properties import set_value as _set_value
 from ._properties import snake as _snake
@@ -702,7 +709,8 @@ _arrays.document(enable, vtkGodRaysPass, *_MODELS.values())
 _arrays.document(sky, vtkGodRaysSkyPass)
 if not TYPE_CHECKING:
     __all__ = [
-        "Error", "GodRaysWarning", "apply", "disable", "enable", "measure", "presets", "raising", "render",
-        "scatter", "sky", "sun", "tag", "to_array", "to_image", "tone_map",
+        "Error", "GodRaysWarning", "apply", "disable", "enable", "from_babylon", "from_blender",
+        "from_good_godrays", "from_pmndrs", "from_threejs", "from_unity", "from_unreal", "measure", "presets",
+        "raising", "render", "scatter", "sky", "sun", "tag", "to_array", "to_image", "tone_map",
         *(each.__name__ for each in _classes),
     ]
