@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The recipes of Documentation/Cookbook.md run as they stand there: shafts are seen, and so are data.
 
-Usage: TestCookbook.py [--pictures <folder>]   also writes the pages' pictures, 400 x 300 pixels
+Usage: TestCookbook.py [--pictures <folder>]   writes the page's pictures instead, 400 x 300 pixels
 """
 
 import contextlib
