@@ -242,6 +242,11 @@ void vtkGodRaysGridPicture::vtkInternals::March(
 {
   const int colours = this->Grey ? 1 : 3;
   const int count = static_cast<int>(this->Grids.size());
+  double cell = end; // the shortest one
+  for (const Passage& passage : ray.Passages)
+  {
+    cell = passage.Begin < passage.End ? std::min(cell, 1.0 / passage.Speed) : cell;
+  }
   for (double s = begin; s < end;)
   {
     // How far everything is in one block, and into how many steps that is divided.
@@ -249,7 +254,7 @@ void vtkGodRaysGridPicture::vtkInternals::March(
     double parts = 1.0;
     double fastest = 0.0;
     bool empty = true;
-    const double ahead = s + 1e-9 * (1.0 + s);
+    const double ahead = s + 1e-9 * (cell + s);
     const double left = std::exp(-std::min({ depth.x, depth.y, depth.z }));
     for (int i = 0; i < count; ++i)
     {

@@ -43,7 +43,8 @@ void vtkGodRaysGridRay::Cast(const std::vector<vtkGodRaysGrid>& grids, const Vec
   for (const vtkGodRaysGrid& grid : grids)
   {
     Passage passage = { &grid, grid.GetPlace(origin), grid.GetSteps(along),
-      directional ? grid.GetSteps(light) : grid.GetPlace(light), 0.0, Vec3(0.0), {}, { 0.0, 0.0 } };
+      directional ? grid.GetSteps(light) : grid.GetPlace(light), 0.0, Vec3(0.0), {}, { 0.0, 0.0 },
+      0.0 };
     const auto visit = [&](std::size_t point, const Vec3& corner, double from, double to)
     {
       passage.Parts.push_back({ from, point, corner, passage.Depth });
@@ -57,6 +58,7 @@ void vtkGodRaysGridRay::Cast(const std::vector<vtkGodRaysGrid>& grids, const Vec
     this->FindShadow(passage, end);
     const double fastest = std::max(
       { std::abs(passage.Steps.x), std::abs(passage.Steps.y), std::abs(passage.Steps.z), 1e-300 });
+    passage.Cell = 1.0 / fastest;
     const double length = passage.Shadow[1] - passage.Shadow[0];
     const int pieces = static_cast<int>(std::clamp(std::ceil(length * fastest), 1.0, 65536.0));
     for (int i = 0; i <= pieces && length > 0.0; ++i)
@@ -137,7 +139,7 @@ void vtkGodRaysGridRay::Add(double s, double cosAngle, bool lit, Vec3& scattered
         grid.GetScattering(part.Point, place - part.Corner);
     }
     // Rounding moves the shadow's ends a little.
-    const double slack = 1e-9 * (1.0 + s);
+    const double slack = 1e-9 * (passage.Cell + s);
     if (lit && s >= passage.Shadow[0] - slack && s <= passage.Shadow[1] + slack)
     {
       // Lengths along the light's way are those of the scene in the first case, the way's in the second.

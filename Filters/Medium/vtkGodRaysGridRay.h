@@ -63,6 +63,7 @@ private:
     Vec3 Depth; // of all
     std::vector<Part> Parts;
     double Shadow[2]; // where the light comes through the grid
+    double Cell;      // length of the ray in the shortest cell that it could cross
   };
   void FindShadow(Passage& passage, double end) const;
 

@@ -254,6 +254,52 @@ TEST(GridPicture, IsTheTruthToItsTolerance)
 }
 
 //------------------------------------------------------------------------------
+// In another unit of length the picture is the same to its tolerance, and the ground truth to 1e-4: also
+// where a cell is shorter than any length that is short in the usual one.
+TEST(GridPicture, IsTheSameInAnyUnit)
+{
+  std::vector<float> usual;
+  double truth = 0.0;
+  for (const double unit : { 1.0, 1e-12, 1e-9, 1e9 })
+  {
+    const double bounds[6] = { -1.5 * unit, 1.5 * unit, -1.5 * unit, 1.5 * unit, -7.5 * unit,
+      -4.5 * unit };
+    const int points[3] = { 24, 24, 24 };
+    const auto image = MakeImage(bounds, points,
+      [unit](double x, double y, double z) { return Plume(x / unit, y / unit, z / unit) / unit; });
+    const auto grids = ReadGrids({ image });
+    Parameters parameters = MakeParameters(Vec3(0.8, 0.6, 0.3), 0.0);
+    parameters.Medium.FarLimit = 20.0 * unit;
+    vtkGodRaysGridPicture drawer;
+    drawer.SetGrids(grids);
+    Drawing drawing;
+    drawing.Draw(drawer, parameters);
+    vtkGodRaysSingleScattering reference;
+    Parameters fine = parameters;
+    fine.Tolerance = 1e-5;
+    reference.SetParameters(fine);
+    reference.SetGrids(grids);
+    vtkGodRaysSingleScattering::Result result;
+    reference.Evaluate(0.01, -0.02, result);
+    if (usual.empty())
+    {
+      usual = drawing.Radiance;
+      truth = result.Radiance[0];
+      EXPECT_GT(truth, 0.005);
+    }
+    double largest = 0.0;
+    double peak = 0.0;
+    for (std::size_t i = 0; i < usual.size(); ++i)
+    {
+      largest = std::max<double>(largest, std::abs(drawing.Radiance[i] - usual[i]));
+      peak = std::max<double>(peak, usual[i]);
+    }
+    EXPECT_LE(largest, parameters.Tolerance * peak) << unit;
+    EXPECT_NEAR(result.Radiance[0], truth, 1e-4 * truth) << unit;
+  }
+}
+
+//------------------------------------------------------------------------------
 // A roof that stands between the sun and half of the plume, as a shadow map of it tells: the tolerance and
 // half of it for the map's pixels.
 TEST(GridPicture, SurfacesThrowShadowsOnData)
