@@ -14,7 +14,7 @@ build_packages=(
   xvfb xauth libgl1-mesa-dri)
 configure_packages=(libgtest-dev libbenchmark-dev) # CMake asks for them, even if no test is built
 example_packages=(python-matplotlib-data assimp-testmodels) # elevations and a mesh
-test_packages=(python3-vedo mypy dpkg-dev file python3-venv)
+test_packages=(python3-vedo mypy dpkg-dev file python3-venv python3-myst-parser python3-sphinx-rtd-theme)
 paraview_packages=(paraview paraview-dev openmpi-bin)
 
 # Where ParaView has a VTK of its own, python3-paraview and python3-vtk9 exclude each other: the trailing
