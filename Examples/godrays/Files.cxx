@@ -308,6 +308,23 @@ void ReadGltf(const std::string& path, FileContents& contents)
 }
 
 //------------------------------------------------------------------------------
+/**
+ * Of types in which one axis usually points up, Y or Z, and the other one does in some files.
+ */
+void GuessUp(FileContents& contents, char usual)
+{
+  const char other = usual == 'Y' ? 'Z' : 'Y';
+  const std::string reason =
+    GetReasonForUp(vtkPolyData::SafeDownCast(contents.DataSets.front()), other);
+  contents.Up = reason.empty() ? usual : other;
+  if (!reason.empty())
+  {
+    contents.UpNote = contents.Path + ": taken for one in which " + other + " points up, as " +
+      reason + "; --up " + usual + " if it is not so";
+  }
+}
+
+//------------------------------------------------------------------------------
 void ReadStl(const std::string& path, FileContents& contents)
 {
   // VTK reads what there is of a binary file that was cut off.
@@ -321,21 +338,7 @@ void ReadStl(const std::string& path, FileContents& contents)
     throw Failure(path + ": is shorter than it says; copy it again");
   }
   ReadData<vtkSTLReader>(path, contents);
-}
-
-//------------------------------------------------------------------------------
-/**
- * Of types in which Y usually points up, and Z does in some files.
- */
-void GuessUp(FileContents& contents)
-{
-  const std::string reason = GetReasonForZUp(vtkPolyData::SafeDownCast(contents.DataSets.front()));
-  contents.Up = reason.empty() ? 'Y' : 'Z';
-  if (!reason.empty())
-  {
-    contents.UpNote = contents.Path + ": taken for one in which Z points up, as " + reason +
-      "; --up Y if it is not so";
-  }
+  GuessUp(contents, 'Z');
 }
 
 //------------------------------------------------------------------------------
@@ -350,7 +353,7 @@ void ReadObj(const std::string& path, FileContents& contents)
   {
     data->GetCellData()->SetScalars(colors);
   }
-  GuessUp(contents);
+  GuessUp(contents, 'Y');
 }
 
 //------------------------------------------------------------------------------
@@ -365,7 +368,7 @@ void ReadPly(const std::string& path, FileContents& contents)
     data->SetStrips(strips);
     CheckCells(path, data);
   }
-  GuessUp(contents);
+  GuessUp(contents, 'Y');
 }
 
 //------------------------------------------------------------------------------

@@ -245,7 +245,7 @@ void AddCameraOptions(Parser& parser, Options& options)
     "Height of the view with --parallel, in world units");
   parser.AddCall("--up", "AXIS",
     "Axis of the data that points up: X, Y or Z. Y for .gltf and .glb, guessed from the extents of "
-    ".obj and .ply, else Z",
+    ".obj, .ply and .stl, else Z",
     [&options](const std::string& text)
     {
       const std::string axes = "XYZ";

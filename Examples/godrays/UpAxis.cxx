@@ -51,10 +51,10 @@ double GetFootShare(vtkPolyData* surface, int axis)
 
 //------------------------------------------------------------------------------
 /**
- * The area that a surface covers from above less what it covers from below, along Z. It is 0 of closed
- * ones.
+ * The area that a surface covers from above less what it covers from below, along an axis. It is 0 of
+ * closed ones.
  */
-double GetOpenArea(vtkPolyData* surface)
+double GetOpenArea(vtkPolyData* surface, int axis)
 {
   double sum = 0.0;
   auto cell = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
@@ -71,7 +71,7 @@ double GetOpenArea(vtkPolyData* surface)
       surface->GetPoint(ids[i], corners[2]);
       double normal[3];
       vtkTriangle::ComputeNormalDirection(corners[0], corners[1], corners[2], normal);
-      sum += 0.5 * normal[2];
+      sum += 0.5 * normal[axis];
     }
   }
   return std::abs(sum);
@@ -79,23 +79,25 @@ double GetOpenArea(vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
-std::string GetReasonForZUp(vtkPolyData* surface)
+std::string GetReasonForUp(vtkPolyData* surface, char axis)
 {
+  const int up = axis == 'Z' ? 2 : 1;
+  const int other = 3 - up; // the one that usually points up, and is ground if the axis does
   if (surface->GetNumberOfPoints() == 0)
   {
     return "";
   }
   double lengths[3];
   vtkBoundingBox(surface->GetBounds()).GetLengths(lengths);
-  if (lengths[2] > ClearlyLonger * std::max(lengths[0], lengths[1]) &&
-    GetFootShare(surface, 2) > ClearlyBroader * GetFootShare(surface, 1))
+  if (lengths[up] > ClearlyLonger * std::max(lengths[0], lengths[other]) &&
+    GetFootShare(surface, up) > ClearlyBroader * GetFootShare(surface, other))
   {
-    return "it stands along Z";
+    return std::string("it stands along ") + axis;
   }
-  if (lengths[2] < Scene::LowestOfShapes * std::min(lengths[0], lengths[1]) &&
-    GetOpenArea(surface) > OpenShare * lengths[0] * lengths[1])
+  if (lengths[up] < Scene::LowestOfShapes * std::min(lengths[0], lengths[other]) &&
+    GetOpenArea(surface, up) > OpenShare * lengths[0] * lengths[other])
   {
-    return "it lies flat over X and Y";
+    return std::string("it lies flat over X and ") + (axis == 'Z' ? 'Y' : 'Z');
   }
   return "";
 }

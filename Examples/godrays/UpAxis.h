@@ -12,10 +12,11 @@
 class vtkPolyData;
 
 /**
- * Why Z seems to point up in a surface of a type in which Y usually does; empty when it does not.
- * It does where the surface stands: clearly longest along Z, and on a clearly broader foot than if Y
- * pointed up; and where it lies, open and low, over the plane of X and Y, as terrain does.
+ * Why an axis, Y or Z, seems to point up in a surface of a type in which the other one usually does; empty
+ * when it does not. It does where the surface stands: clearly longest along the axis, and on a clearly
+ * broader foot than if the other one pointed up; and where it lies, open and low, over the plane of the
+ * other two, as terrain does.
  */
-std::string GetReasonForZUp(vtkPolyData* surface);
+std::string GetReasonForUp(vtkPolyData* surface, char axis);
 
 #endif

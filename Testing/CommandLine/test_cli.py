@@ -129,6 +129,20 @@ class Files(ProgramTest):
             for ids in cells))
         return path
 
+    def write_stl(self, name, data, turn):
+        """Write the same as triangles."""
+        points = [turn(*data.GetPoint(i)) for i in range(data.GetNumberOfPoints())]
+        lines = ["solid x"]
+        for i in range(data.GetNumberOfCells()):
+            ids = [data.GetCell(i).GetPointId(j) for j in range(data.GetCell(i).GetNumberOfPoints())]
+            for b, c in zip(ids[1:], ids[2:]):
+                lines += ["facet normal 0 0 0", "outer loop"]
+                lines += ["vertex {} {} {}".format(*points[id]) for id in (ids[0], b, c)]
+                lines += ["endloop", "endfacet"]
+        path = self.folder / name
+        path.write_text("\n".join([*lines, "endsolid x", ""]))
+        return path
+
     def test_the_axis_that_points_up_is_guessed_of_files_that_do_not_say_it(self):
         tower = vtkConeSource()  # along Z, with its foot at -1
         tower.SetResolution(16)
@@ -159,17 +173,27 @@ class Files(ProgramTest):
         def y_up(x, y, z):
             return x, z, -y
 
+        def z_up(x, y, z):
+            return x, -z, y
+
         for name, data, turn, says in (
             ("tower.obj", tower.GetOutput(), as_it_is, "it stands along Z"),
             ("tower-y.obj", tower.GetOutput(), y_up, ""),
             ("car.obj", parts.GetOutput(), as_it_is, ""),
             ("hills.obj", hills.GetOutput(), bent, "it lies flat over X and Y"),
             ("hills-y.obj", hills.GetOutput(), lambda *p: y_up(*bent(*p)), ""),
+            ("tower.stl", tower.GetOutput(), as_it_is, ""),
+            ("tower-y.stl", tower.GetOutput(), y_up, "it stands along Y"),
+            ("car.stl", parts.GetOutput(), z_up, ""),
+            ("hills.stl", hills.GetOutput(), bent, ""),
+            ("hills-y.stl", hills.GetOutput(), lambda *p: y_up(*bent(*p)), "it lies flat over X and Z"),
         ):
             with self.subTest(name):
-                path = self.write_obj(name, data, turn)
-                guess = self.draw(path, told=[name, says, "--up Y"] if says else [])
-                right = self.draw(path, "--up", "Z" if says else "Y")
+                write, usual = (self.write_obj, "Y") if name.endswith("obj") else (self.write_stl, "Z")
+                path = write(name, data, turn)
+                other = "Z" if usual == "Y" else "Y"
+                guess = self.draw(path, told=[name, says, "--up " + usual] if says else [])
+                right = self.draw(path, "--up", other if says else usual)
                 self.assertTrue((guess == right).all())
 
     def test_points_are_drawn_as_spheres_of_the_size_of_their_gaps(self):
