@@ -46,16 +46,16 @@ public:
   TiffTags(const TiffTags&) = delete;
   void operator=(const TiffTags&) = delete;
 
-  /// The values of a tag of GeoTIFF; empty when the tag is missing, or has values of another size.
+  /// The values of a tag of GeoTIFF; empty when the tag is missing, or has values of another type. Of
+  /// fractions the library has floats, whatever it says of their size.
   template <typename T>
-  std::vector<T> Get(int tag) const
+  std::vector<T> Get(int tag, TIFFDataType type) const
   {
     const TIFFField* field = this->File ? TIFFFindField(this->File, tag, TIFF_ANY) : nullptr;
     std::uint32_t count = 0;
     const T* values = nullptr;
     const bool isList = field && TIFFFieldPassCount(field) &&
-      TIFFFieldReadCount(field) == TIFF_VARIABLE2 &&
-      TIFFDataWidth(TIFFFieldDataType(field)) == sizeof(T);
+      TIFFFieldReadCount(field) == TIFF_VARIABLE2 && TIFFFieldDataType(field) == type;
     return isList && TIFFGetField(this->File, tag, &count, &values)
       ? std::vector<T>(values, values + count)
       : std::vector<T>();
@@ -79,6 +79,12 @@ constexpr int GeoKeysTag = 34735;
 constexpr int NoDataTag = 42113;
 constexpr int ModelTypeKey = 1024;
 constexpr int GeographicModel = 2;
+
+//------------------------------------------------------------------------------
+bool IsLength(double value)
+{
+  return value > 0.0 && value < 1e15;
+}
 
 //------------------------------------------------------------------------------
 bool IsGeographic(const std::vector<std::uint16_t>& keys)
@@ -203,7 +209,7 @@ Georeference ReadGeoTiffTags(const std::string& path)
 {
   Georeference place;
   TiffTags tags(path);
-  const auto noData = tags.Get<char>(NoDataTag);
+  const auto noData = tags.Get<char>(NoDataTag, TIFF_ASCII);
   if (!noData.empty())
   {
     const std::string text(noData.begin(), noData.end());
@@ -214,22 +220,28 @@ Georeference ReadGeoTiffTags(const std::string& path)
       place.NoData = value;
     }
   }
-  const auto scale = tags.Get<double>(PixelScaleTag);
-  if (scale.size() < 2 || !(scale[0] > 0.0) || !(scale[1] > 0.0))
+  const auto scale = tags.Get<double>(PixelScaleTag, TIFF_DOUBLE);
+  if (scale.size() < 2 || !IsLength(scale[0]) || !IsLength(scale[1]))
   {
     return place;
   }
-  place.Known = true;
-  std::copy_n(scale.begin(), 2, place.Spacing);
-  if (IsGeographic(tags.Get<std::uint16_t>(GeoKeysTag)))
+  double spacing[2] = { scale[0], scale[1] };
+  if (IsGeographic(tags.Get<std::uint16_t>(GeoKeysTag, TIFF_SHORT)))
   {
-    const auto tiepoint = tags.Get<double>(TiepointTag);
+    const auto tiepoint = tags.Get<double>(TiepointTag, TIFF_DOUBLE);
     const double north = tiepoint.size() >= 6 ? tiepoint[4] + tiepoint[1] * scale[1] : 0.0;
+    const double latitude = north - 0.5 * scale[1] * tags.GetRows();
+    if (!(std::fabs(latitude) < 90.0))
+    {
+      return place; // these are no degrees
+    }
     double lengths[2];
-    GetDegreeLengths(north - 0.5 * scale[1] * tags.GetRows(), lengths);
-    place.Spacing[0] *= lengths[0];
-    place.Spacing[1] *= lengths[1];
+    GetDegreeLengths(latitude, lengths);
+    spacing[0] *= lengths[0];
+    spacing[1] *= lengths[1];
   }
+  place.Known = true;
+  std::copy_n(spacing, 2, place.Spacing);
   return place;
 }
 

@@ -3,6 +3,7 @@
 #include "Files.h"
 
 #include "Failure.h"
+#include "FileChecks.h"
 #include "GltfFile.h"
 #include "Messages.h"
 #include "ObjMaterials.h"
@@ -66,13 +67,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <limits>
 #include <map>
 #include <unistd.h>
 
@@ -198,28 +195,10 @@ void Update(Reader* reader, const std::string& path, FileContents& contents)
 }
 
 //------------------------------------------------------------------------------
-/**
- * VTK's XML readers give a name to each number of a tuple, and take hours for as many as a damaged file
- * may say.
- */
 template <typename Reader>
 void ReadXml(const std::string& path, FileContents& contents)
 {
-  constexpr long most = 100000;
-  constexpr std::size_t enough = 1
-    << 20; // of the file: what it says of its arrays stands before their values
-  std::string start(enough, ' ');
-  std::ifstream file(path, std::ios::binary);
-  file.read(start.data(), enough);
-  start.resize(static_cast<std::size_t>(file.gcount()));
-  const std::string word = "NumberOfComponents=\"";
-  for (auto at = start.find(word); at != std::string::npos; at = start.find(word, at + 1))
-  {
-    if (std::strtol(start.c_str() + at + word.size(), nullptr, 10) > most)
-    {
-      throw Failure(path + ": says a size that cannot be; write it again");
-    }
-  }
+  CheckXml(path);
   vtkNew<Reader> reader;
   Update(reader.Get(), path, contents);
 }
@@ -285,16 +264,6 @@ void Import(const std::string& path, FileContents& contents)
 }
 
 //------------------------------------------------------------------------------
-std::uint32_t ReadLittleEndian(const std::string& path, std::streamoff position)
-{
-  std::ifstream file(path, std::ios::binary);
-  file.seekg(position);
-  unsigned char bytes[4] = {};
-  file.read(reinterpret_cast<char*>(bytes), 4);
-  return bytes[0] | bytes[1] << 8 | bytes[2] << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
-}
-
-//------------------------------------------------------------------------------
 void ReadGltf(const std::string& path, FileContents& contents)
 {
   const GltfFile file(path);
@@ -327,16 +296,7 @@ void GuessUp(FileContents& contents, char usual)
 //------------------------------------------------------------------------------
 void ReadStl(const std::string& path, FileContents& contents)
 {
-  // VTK reads what there is of a binary file that was cut off.
-  constexpr std::uintmax_t header = 84;
-  constexpr std::uintmax_t facet = 50;
-  std::string start(5, ' ');
-  std::ifstream(path, std::ios::binary).read(start.data(), 5);
-  const std::uintmax_t needed = header + facet * ReadLittleEndian(path, 80);
-  if (start != "solid" && needed > fs::file_size(path))
-  {
-    throw Failure(path + ": is shorter than it says; copy it again");
-  }
+  CheckStl(path);
   ReadData<vtkSTLReader>(path, contents);
   GuessUp(contents, 'Z');
 }
@@ -413,113 +373,28 @@ void ReadDem(const std::string& path, FileContents& contents)
 //------------------------------------------------------------------------------
 void ReadNrrd(const std::string& path, FileContents& contents)
 {
-  // VTK reads for ever in a header that has no end, or that does not say how many sizes it has.
-  std::ifstream file(path);
-  bool ends = false;
-  int dimension = 0;
-  for (std::string line; !ends && std::getline(file, line);)
-  {
-    std::sscanf(line.c_str(), "dimension: %d", &dimension);
-    ends = line.empty() || line == "\r" || line.rfind("data file:", 0) == 0 ||
-      line.rfind("datafile:", 0) == 0;
-  }
-  if (!ends)
-  {
-    throw Failure(path + ": ends before its data; copy it again");
-  }
-  if (dimension < 1)
-  {
-    throw Failure(path + ": says no dimension; it is damaged, or not what its name says");
-  }
+  CheckNrrd(path);
   ReadData<vtkNrrdReader>(path, contents);
 }
 
 //------------------------------------------------------------------------------
 void ReadByu(const std::string& path, FileContents& contents)
 {
-  // VTK reads for ever where polygons do not end: each does so with a point whose number is negative.
-  std::ifstream file(path);
-  std::int64_t parts = 0;
-  std::int64_t points = 0;
-  std::int64_t polygons = 0;
-  std::int64_t edges = 0;
-  constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max(); // as VTK has it
-  if (!(file >> parts >> points >> polygons >> edges) ||
-    std::min({ parts, points, polygons }) < 0 || std::max({ parts, points, polygons }) > most)
-  {
-    throw Failure(path + ": says no number of points; it is damaged, or not what its name says");
-  }
-  double number = 0.0;
-  for (std::int64_t i = 0; i < 2 * parts + 3 * points && file; ++i)
-  {
-    file >> number;
-  }
-  for (std::int64_t point = 0; polygons > 0 && file >> point;)
-  {
-    polygons -= point < 0 ? 1 : 0;
-  }
-  if (!file)
-  {
-    throw Failure(path + ": ends before its data; copy it again");
-  }
+  CheckByu(path);
   ReadData<vtkBYUReader>(path, contents);
 }
 
 //------------------------------------------------------------------------------
 void ReadPnm(const std::string& path, FileContents& contents)
 {
-  // VTK reads for ever in a header that ends.
-  std::ifstream file(path, std::ios::binary);
-  std::string word;
-  file >> word;
-  const bool isPnm = word.size() == 2 && word[0] == 'P' && word[1] >= '1' && word[1] <= '6';
-  int numbers =
-    isPnm && (word[1] == '1' || word[1] == '4') ? 2 : 3; // one of two colours has no range
-  while (isPnm && numbers > 0 && file >> word)
-  {
-    if (word[0] == '#')
-    {
-      file.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
-    }
-    else if (word.find_first_not_of("0123456789") == std::string::npos)
-    {
-      --numbers;
-    }
-    else
-    {
-      break;
-    }
-  }
-  if (!isPnm || numbers > 0)
-  {
-    throw Failure(path + ": says no size of a picture; it is damaged, or not what its name says");
-  }
+  CheckPnm(path);
   ReadData<vtkPNMReader>(path, contents);
 }
 
 //------------------------------------------------------------------------------
 void ReadHdr(const std::string& path, FileContents& contents)
 {
-  // VTK takes memory for a size that is not there.
-  std::ifstream file(path);
-  std::string line;
-  bool hasSize = std::getline(file, line) && line.rfind("#?", 0) == 0;
-  if (hasSize)
-  {
-    do
-    {
-      char sign[2];
-      char axis[2];
-      int size[2];
-      hasSize = std::sscanf(line.c_str(), "%c%c %d %c%c %d", &sign[0], &axis[0], &size[0], &sign[1],
-                  &axis[1], &size[1]) == 6 &&
-        size[0] > 0 && size[1] > 0;
-    } while (!hasSize && std::getline(file, line));
-  }
-  if (!hasSize)
-  {
-    throw Failure(path + ": says no size of a picture; it is damaged, or not what its name says");
-  }
+  CheckHdr(path);
   ReadData<vtkHDRReader>(path, contents);
 }
 

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What of a file is looked at before a reader of VTK's, which would not end, or crash. Each throws Failure,
+ * with what to do, where the file is not good for that reader.
+ */
+
+#ifndef FileChecks_h
+#define FileChecks_h
+
+#include <string> // For std::string
+
+/**
+ * VTK's XML readers give a name to each number of a tuple, and take hours for as many as a damaged file
+ * may say.
+ */
+void CheckXml(const std::string& path);
+
+/// Of .stl, VTK reads what there is of a binary file that was cut off.
+void CheckStl(const std::string& path);
+
+/// Of .nrrd, VTK reads for ever in a header without an end, or without the number of its sizes.
+void CheckNrrd(const std::string& path);
+
+/// Of .byu, VTK reads for ever where polygons do not end.
+void CheckByu(const std::string& path);
+
+/// Of .pnm and its like, VTK reads for ever in a header that ends.
+void CheckPnm(const std::string& path);
+
+/// Of .hdr, VTK takes memory for a size that is not there.
+void CheckHdr(const std::string& path);
+
+#endif
