@@ -10,6 +10,7 @@ import pathlib
 import subprocess
 import unittest
 
+import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
@@ -76,6 +77,29 @@ class Examples(unittest.TestCase):
 
     def test_built_in(self):
         self.check("built_in", "Plugin-View")
+
+    def test_contours(self):
+        """Shafts beside the data, and the state that the script writes gives its picture again."""
+        plugin = os.environ["GODRAYS_PLUGIN"]
+        state, again = TEMPORARY / "contours.pvsm", TEMPORARY / "contours-again.py"
+        pictures = []
+        for disabled in ("0", "1"):
+            picture = TEMPORARY / f"contours-{disabled}.png"
+            run(EXAMPLES / "contours.py", plugin, picture, state, GODRAYS_DISABLE=disabled)
+            pictures.append(read(picture)[1])
+        lit, plain = pictures
+        background = plain.max(1) < 30
+        self.assertGreater(background.mean(), 0.5)
+        low, high = numpy.percentile((lit - plain)[background].mean(1), (10, 90))
+        self.assertGreater(high - low, 25)
+        hues = [(each - each.mean(1, keepdims=True))[~background].ravel() for each in pictures]
+        self.assertGreater(numpy.corrcoef(*hues)[0, 1], 0.7)
+        again.write_text(
+            "import sys\nfrom paraview.simple import *\nLoadPlugin(sys.argv[1], remote=False, ns=globals())\n"
+            "LoadState(sys.argv[2])\nSaveScreenshot(sys.argv[3], GetActiveView(), ImageResolution=[800, 600])\n")
+        run(again, plugin, state, TEMPORARY / "contours-again.png", GODRAYS_DISABLE="0")
+        _, restored = read(TEMPORARY / "contours-again.png")
+        self.assertLessEqual(abs(restored - lit).max(), LEVELS)
 
     def test_parallel(self):
         self.check("parallel", "Example-ParaView-parallel")

@@ -79,8 +79,8 @@ def write_png(pixels, file):
 
 
 class Window(unittest.TestCase):
-    def play(self, name, **environment):
-        """The screen after window.xml; its picture is left in GODRAYS_TEMPORARY."""
+    def play(self, name, script=HERE / "window_scene.py", events="window.xml", **environment):
+        """The screen after script and events; its picture is left in GODRAYS_TEMPORARY."""
         with tempfile.TemporaryDirectory() as folder, contextlib.ExitStack() as ends:
             folder = pathlib.Path(folder)
             folder.chmod(0o700)
@@ -102,8 +102,8 @@ class Window(unittest.TestCase):
                     os.environ["GODRAYS_PARAVIEW"],
                     "--dr",  # with the settings of a first start
                     "-qwindowgeometry", f"{WIDTH}x{HEIGHT}+0+0",
-                    f"--script={HERE / 'window_scene.py'}",
-                    f"--test-script={HERE / 'window.xml'}",
+                    f"--script={script}",
+                    f"--test-script={HERE / events}",
                     stdout=ends.enter_context(open(log, "w", encoding="utf-8")),
                     stderr=subprocess.STDOUT,
                     env={
@@ -160,6 +160,18 @@ class Window(unittest.TestCase):
             self.assertGreater(dark.mean(), 0.005)
             self.assertLess(dark.mean(), 0.2)
         self.assertLess(abs(lit - plain)[PANEL].max(), 3, "the panels differ")
+
+    def test_the_tutorial(self):
+        script = HERE.parents[1] / "Examples" / "ParaView" / "contours.py"
+        lit = self.play("tutorial", script, "window_tutorial.xml")[VIEW]
+        plain = self.play("tutorial-plain", script, "window_tutorial.xml", GODRAYS_DISABLE="1")[VIEW]
+        light = (lit - plain).mean(2)
+        dark = plain.max(2) < 30  # the background
+        self.assertGreater(dark.mean(), 0.5)
+        low, high = numpy.percentile(light[dark], (10, 90))
+        self.assertGreater(high - low, 25, "no shafts beside the data")
+        hues = [(each - each.mean(2, keepdims=True))[~dark].ravel() for each in (lit, plain)]
+        self.assertGreater(numpy.corrcoef(*hues)[0, 1], 0.7, "the data's colours are lost")
 
 
 unittest.main(verbosity=2)

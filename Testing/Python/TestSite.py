@@ -43,7 +43,7 @@ class Site(unittest.TestCase):
                 env={**os.environ, "GODRAYS_SOURCES": "file:///sources"})
             print(result.stdout)
             self.assertEqual(result.returncode, 0)
-            self.assertNotIn("reference target not found", result.stdout)
+            self.assertNotIn("target not found", result.stdout)
             self.assertNotIn("toctree contains reference to nonexisting", result.stdout)
             site = pathlib.Path(folder, "site").resolve()
             pages = {path: Page(path.read_text(encoding="utf-8")) for path in site.rglob("*.html")}
