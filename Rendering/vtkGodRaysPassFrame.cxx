@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
+#include <utility>
 
 namespace
 {
@@ -127,6 +128,8 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
     self.StagePlan = "rays: none, after an error\n";
   }
   overlays.Draw();
+  lights.clear(); // they name props
+  self.FormerLights = std::move(lights);
   vtkOpenGLCheckErrorMacro("failed after Render");
 }
 
@@ -312,6 +315,7 @@ std::vector<vtkGodRaysLight> vtkGodRaysPass::FindLights(
   finder.Transfer = self.Transfer;
   finder.Tiles = GetTiles(renderer->GetRenderWindow());
   finder.Compositor = self.Compositor;
+  finder.Former = std::move(self.FormerLights);
   self.Effect->SetUp(finder);
   auto lights = finder.Find(view, self.Lights);
   self.LightPlan = finder.GetPlan();
@@ -357,7 +361,7 @@ bool vtkGodRaysPass::FindOccluders(const vtkRenderState* s, const vtkGodRaysView
   occlusion.Compositor = self.Compositor;
   self.Effect->SetUp(occlusion, self.Integrator);
 
-  const bool depthServes = vtkGodRaysOcclusionPass::SceneDepthServes(occlusion);
+  const bool depthServes = self.Occlusion->SceneDepthServes(occlusion);
   const unsigned int buffers = (this->Output == COMPOSITE ? GL_COLOR_BUFFER_BIT : 0) |
     (depthServes || self.Effect->ReadsSceneDepth() || this->MetersPicture() ? GL_DEPTH_BUFFER_BIT
                                                                             : 0);

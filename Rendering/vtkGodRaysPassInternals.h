@@ -13,6 +13,7 @@
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysEffect.h"
 #include "vtkGodRaysIntegrator.h"
+#include "vtkGodRaysLight.h"
 #include "vtkGodRaysLightMeter.h"
 #include "vtkGodRaysModel.h"
 #include "vtkGodRaysOcclusionPass.h"
@@ -41,9 +42,10 @@
 struct vtkGodRaysPass::Internals
 {
   std::vector<vtkSmartPointer<vtkLight>> Lights;
-  vtkSmartPointer<vtkLight> PlacedSun; // by PlaceSun()
-  bool SunIsKept = false;              // it was placed by something to see
-  std::array<double, 33> SunView = {}; // for which view
+  std::vector<vtkGodRaysLight> FormerLights; // empty: memory for those of a frame
+  vtkSmartPointer<vtkLight> PlacedSun;       // by PlaceSun()
+  bool SunIsKept = false;                    // it was placed by something to see
+  std::array<double, 33> SunView = {};       // for which view
   vtkSmartPointer<vtkGodRaysSun> Sun = vtkSmartPointer<vtkGodRaysSun>::New();
   vtkSmartPointer<vtkGodRaysModel> Model;
   std::unique_ptr<vtkGodRaysEffect> Effect; // the model's

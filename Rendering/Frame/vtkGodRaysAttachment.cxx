@@ -68,6 +68,27 @@ std::vector<vtkRenderPass*> GetDelegates(vtkRenderPass* pass)
   return delegates;
 }
 
+/// The first pass of some kind, of this one and those that it has others draw; null if there is none. Nothing
+/// is allocated, as it is looked for in each frame.
+vtkRenderPass* FindFirstOf(
+  vtkRenderPass* pass, const std::function<bool(vtkRenderPass*)>& is, int depth = 0)
+{
+  if (!pass || depth == DeepestNesting || is(pass))
+  {
+    return depth == DeepestNesting ? nullptr : pass;
+  }
+  vtkRenderPass* found = nullptr;
+  WithDelegate(
+    pass, [&](auto* each) { found = FindFirstOf(each->GetDelegatePass(), is, depth + 1); });
+  auto sequence = vtkSequencePass::SafeDownCast(pass);
+  vtkRenderPassCollection* passes = sequence ? sequence->GetPasses() : nullptr;
+  for (int i = 0; passes && !found && i < passes->GetNumberOfItems(); ++i)
+  {
+    found = FindFirstOf(vtkRenderPass::SafeDownCast(passes->GetItemAsObject(i)), is, depth + 1);
+  }
+  return found;
+}
+
 /// Make a path longer, by passes that draw each other, until one is of some kind. False if none is.
 bool Extend(std::vector<vtkRenderPass*>& path, vtkRenderPass* next,
   const std::function<bool(vtkRenderPass*)>& is)
@@ -157,6 +178,13 @@ std::vector<vtkRenderPass*> vtkGodRaysAttachment::FindPath(
 }
 
 //------------------------------------------------------------------------------
+vtkRenderPass* vtkGodRaysAttachment::FindFirst(
+  vtkRenderer* renderer, const std::function<bool(vtkRenderPass*)>& is)
+{
+  return FindFirstOf(renderer->GetPass(), is);
+}
+
+//------------------------------------------------------------------------------
 // Null if there is none: a program may have given the renderer other information.
 vtkRenderPassCollection* vtkGodRaysAttachment::GetPasses(vtkRenderer* renderer)
 {
@@ -168,10 +196,9 @@ vtkRenderPassCollection* vtkGodRaysAttachment::GetPasses(vtkRenderer* renderer)
 vtkRenderPass* vtkGodRaysAttachment::FindPass(
   vtkRenderer* renderer, const std::function<bool(vtkRenderPass*)>& is)
 {
-  const auto path = FindPath(renderer, is);
-  if (!path.empty())
+  if (vtkRenderPass* found = FindFirst(renderer, is))
   {
-    return path.back();
+    return found;
   }
   vtkRenderPassCollection* passes = GetPasses(renderer);
   for (int i = 0; passes && i < passes->GetNumberOfItems(); ++i)
@@ -224,7 +251,7 @@ void vtkGodRaysAttachment::Attach(vtkImageProcessingPass* pass, vtkRenderer* ren
 // Put the pass among the renderer's, if it is not among them.
 void vtkGodRaysAttachment::Insert(vtkImageProcessingPass* pass, vtkRenderer* renderer)
 {
-  if (!FindPath(renderer, [pass](vtkRenderPass* each) { return each == pass; }).empty())
+  if (FindFirst(renderer, [pass](vtkRenderPass* each) { return each == pass; }))
   {
     return;
   }

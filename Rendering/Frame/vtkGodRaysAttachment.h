@@ -62,6 +62,12 @@ public:
     vtkRenderer* renderer, const std::function<bool(vtkRenderPass*)>& is);
 
   /**
+   * The last of FindPath(), the one that is of that kind; null if there is none.
+   */
+  static vtkRenderPass* FindFirst(
+    vtkRenderer* renderer, const std::function<bool(vtkRenderPass*)>& is);
+
+  /**
    * The outermost pass of a type, or one that is attached and will be put among the renderer's passes again.
    */
   template <typename Pass>

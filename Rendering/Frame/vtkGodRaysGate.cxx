@@ -15,9 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <sstream>
-#include <utility>
-#include <vector>
 
 namespace
 {
@@ -33,27 +32,27 @@ bool AreWithin(const double* values, int count, double largest)
     values, values + count, [=](double value) { return std::abs(value) <= largest; }); // not NaN
 }
 
-/// Members of a camera or a light, with their names.
-using Members = std::vector<std::pair<const char*, std::vector<double>>>;
-
-std::string FindMember(const std::string& whose, const Members& members, double largest)
+/// A member of a camera or a light.
+struct Member
 {
-  for (const auto& member : members)
+  const char* Name;
+  const double* Values;
+  int Count;
+};
+
+std::string FindMember(const char* whose, std::initializer_list<Member> members, double largest)
+{
+  for (const Member& member : members)
   {
-    if (!AreWithin(member.second.data(), static_cast<int>(member.second.size()), largest))
+    if (!AreWithin(member.Values, member.Count, largest))
     {
       std::ostringstream text;
-      text << whose << member.first << " is not finite, or beyond " << largest
+      text << whose << member.Name << " is not finite, or beyond " << largest
            << ". Set one that is within that";
       return text.str();
     }
   }
   return "";
-}
-
-std::vector<double> ToVector(const double* values, int count = 3)
-{
-  return { values, values + count };
 }
 
 /// Whether a world has three directions in a view, and a picture a width and a height.
@@ -97,14 +96,14 @@ std::string vtkGodRaysGate::FindFault(vtkRenderer* renderer, const vtkGodRaysVie
   }
   vtkCamera* camera = renderer->GetActiveCamera();
   const double* range = camera->GetClippingRange();
+  const double angle = camera->GetViewAngle();
+  const double parallelScale = camera->GetParallelScale();
   const std::string fault = FindMember("the camera's ",
-    { { "Position", ToVector(camera->GetPosition()) },
-      { "FocalPoint", ToVector(camera->GetFocalPoint()) },
-      { "ViewUp", ToVector(camera->GetViewUp()) }, { "ViewAngle", { camera->GetViewAngle() } },
-      { "ClippingRange", ToVector(range, 2) }, { "ParallelScale", { camera->GetParallelScale() } },
-      { "WindowCenter", ToVector(camera->GetWindowCenter(), 2) },
-      { "ViewShear", ToVector(camera->GetViewShear()) },
-      { "ModelTransformMatrix", ToVector(camera->GetModelTransformMatrix()->GetData(), 16) } },
+    { { "Position", camera->GetPosition(), 3 }, { "FocalPoint", camera->GetFocalPoint(), 3 },
+      { "ViewUp", camera->GetViewUp(), 3 }, { "ViewAngle", &angle, 1 },
+      { "ClippingRange", range, 2 }, { "ParallelScale", &parallelScale, 1 },
+      { "WindowCenter", camera->GetWindowCenter(), 2 }, { "ViewShear", camera->GetViewShear(), 3 },
+      { "ModelTransformMatrix", camera->GetModelTransformMatrix()->GetData(), 16 } },
     Largest);
   if (!fault.empty())
   {
@@ -134,16 +133,17 @@ std::string vtkGodRaysGate::FindFault(vtkRenderer* renderer, const vtkGodRaysVie
 std::string vtkGodRaysGate::FindFault(
   vtkLight* light, const double position[3], const double focalPoint[3])
 {
+  const double intensity = light->GetIntensity();
+  const double cone = light->GetConeAngle();
+  const double exponent = light->GetExponent();
   const std::string fault = FindMember("its ",
-    { { "Position", ToVector(position) }, { "FocalPoint", ToVector(focalPoint) },
-      { "Intensity", { light->GetIntensity() } },
-      { "DiffuseColor", ToVector(light->GetDiffuseColor()) },
-      { "ConeAngle", { light->GetConeAngle() } }, { "Exponent", { light->GetExponent() } },
-      { "AttenuationValues", ToVector(light->GetAttenuationValues()) } },
+    { { "Position", position, 3 }, { "FocalPoint", focalPoint, 3 }, { "Intensity", &intensity, 1 },
+      { "DiffuseColor", light->GetDiffuseColor(), 3 }, { "ConeAngle", &cone, 1 },
+      { "Exponent", &exponent, 1 }, { "AttenuationValues", light->GetAttenuationValues(), 3 } },
     VTK_DOUBLE_MAX);
   return !fault.empty() || !light->GetPositional()
     ? fault
-    : FindMember("its ", { { "Position", ToVector(position) } }, Largest);
+    : FindMember("its ", { { "Position", position, 3 } }, Largest);
 }
 
 //------------------------------------------------------------------------------

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace
 {
@@ -81,7 +82,8 @@ void GetWorldPlace(
 std::vector<vtkGodRaysLight> vtkGodRaysLightFinder::Find(
   const vtkGodRaysView& view, const std::vector<vtkSmartPointer<vtkLight>>& lights)
 {
-  std::vector<vtkGodRaysLight> found;
+  std::vector<vtkGodRaysLight> found = std::move(this->Former);
+  found.clear();
   this->Plan.clear();
   this->Faults.clear();
   this->FaultOfScene.clear();
@@ -204,7 +206,7 @@ void vtkGodRaysLightFinder::Add(vtkGodRaysLight& seen, const vtkGodRaysView& vie
     greatest = std::max(greatest, seen.Color[i]);
   }
   vtkGodRaysGate::Limit(seen);
-  this->Plan += "light: " + seen.Name;
+  this->Plan.append("light: ").append(seen.Name);
   if (seen.Fade <= 0.0)
   {
     this->Plan += ", skipped: behind the camera\n";
@@ -220,7 +222,7 @@ void vtkGodRaysLightFinder::Add(vtkGodRaysLight& seen, const vtkGodRaysView& vie
   else
   {
     this->Plan += seen.Fade < 1.0 ? ", fading behind the camera\n" : "\n";
-    found.push_back(seen);
+    found.push_back(std::move(seen));
   }
 }
 

@@ -34,6 +34,7 @@ public:
   double Tiles = 1.0;        ///< of which the view is one, across or up the whole picture
   bool LightsMedium = false; ///< all emitters count, wherever it is
   vtkGodRaysCompositor* Compositor = nullptr; ///< of a scene on several processes
+  std::vector<vtkGodRaysLight> Former;        ///< lights of another frame, whose memory is taken
 
   /**
    * The lights, and the props tagged LIGHT, of which any light may fall into the layer.

@@ -16,8 +16,7 @@ vtkGodRaysTransfer vtkGodRaysFindTransfer(
   {
     return type == power ? vtkGodRaysTransfer::POWER : vtkGodRaysTransfer::SRGB;
   }
-  const auto path = vtkGodRaysAttachment::FindPath(renderer,
+  vtkRenderPass* const first = vtkGodRaysAttachment::FindFirst(renderer,
     [pass](vtkRenderPass* each) { return each == pass || vtkToneMappingPass::SafeDownCast(each); });
-  return !path.empty() && path.back() != pass ? vtkGodRaysTransfer::POWER
-                                              : vtkGodRaysTransfer::SRGB;
+  return first && first != pass ? vtkGodRaysTransfer::POWER : vtkGodRaysTransfer::SRGB;
 }

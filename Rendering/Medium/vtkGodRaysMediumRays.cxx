@@ -13,15 +13,16 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 namespace
 {
 /// Into which a ray is divided whose airlight has no closed form.
 constexpr int TotalParts = 32;
 
-void SetNumber(vtkShaderProgram* program, const std::string& name, double value)
+void SetNumber(vtkShaderProgram* program, const char* name, double value)
 {
-  program->SetUniformf(name.c_str(), static_cast<float>(value));
+  program->SetUniformf(name, static_cast<float>(value));
 }
 
 void SetPair(vtkShaderProgram* program, const char* name, double x, double y)
@@ -30,10 +31,36 @@ void SetPair(vtkShaderProgram* program, const char* name, double x, double y)
   program->SetUniform2f(name, values);
 }
 
-void SetPhase(vtkShaderProgram* program, const std::string& name, int kind, double asymmetry)
+/// The names of a component's uniforms; they are made once, as they are needed in each frame.
+struct ComponentNames
 {
-  program->SetUniformi((name + ".Kind").c_str(), kind);
-  SetNumber(program, name + ".Asymmetry", asymmetry);
+  explicit ComponentNames(int number)
+    : Component("components[" + std::to_string(number) + "].")
+  {
+  }
+
+  const std::string Component;
+  const std::string Scattering = Component + "Scattering";
+  const std::string Extinction = Component + "Extinction";
+  const std::string ScaleHeight = Component + "ScaleHeight";
+  const std::string Kinds[2] = { Component + "First.Kind", Component + "Second.Kind" };
+  const std::string Asymmetries[2] = { Component + "First.Asymmetry",
+    Component + "Second.Asymmetry" };
+  const std::string SecondWeight = Component + "SecondWeight";
+};
+
+const ComponentNames& GetNames(int number)
+{
+  static const std::vector<ComponentNames> all = []
+  {
+    std::vector<ComponentNames> names;
+    for (int i = 0; i < 3 * vtkGodRaysMedium::MaximumComponents; ++i)
+    {
+      names.emplace_back(i);
+    }
+    return names;
+  }();
+  return all[static_cast<std::size_t>(number)];
 }
 }
 
@@ -124,15 +151,16 @@ void vtkGodRaysMediumRays::SetComponents(vtkShaderProgram* program) const
     for (int k = 0; k < vtkGodRaysMedium::MaximumComponents; ++k)
     {
       const auto& component = k < medium.NumberOfComponents ? medium.Components[k] : empty;
-      const std::string name =
-        "components[" + std::to_string(vtkGodRaysMedium::MaximumComponents * channel + k) + "].";
+      const ComponentNames& names = GetNames(vtkGodRaysMedium::MaximumComponents * channel + k);
       const double scattering = component.Scattering[channel];
-      SetNumber(program, name + "Scattering", scattering);
-      SetNumber(program, name + "Extinction", scattering + component.Absorption[channel]);
-      SetNumber(program, name + "ScaleHeight", component.ScaleHeight);
-      SetPhase(program, name + "First", component.PhaseFunction, component.Asymmetry);
-      SetPhase(program, name + "Second", component.SecondPhaseFunction, component.SecondAsymmetry);
-      SetNumber(program, name + "SecondWeight", component.SecondWeight);
+      SetNumber(program, names.Scattering.c_str(), scattering);
+      SetNumber(program, names.Extinction.c_str(), scattering + component.Absorption[channel]);
+      SetNumber(program, names.ScaleHeight.c_str(), component.ScaleHeight);
+      program->SetUniformi(names.Kinds[0].c_str(), component.PhaseFunction);
+      SetNumber(program, names.Asymmetries[0].c_str(), component.Asymmetry);
+      program->SetUniformi(names.Kinds[1].c_str(), component.SecondPhaseFunction);
+      SetNumber(program, names.Asymmetries[1].c_str(), component.SecondAsymmetry);
+      SetNumber(program, names.SecondWeight.c_str(), component.SecondWeight);
     }
   }
 }

@@ -29,6 +29,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <iterator>
 #include <string>
@@ -64,9 +65,9 @@ bool GetBounds(const vtkGodRaysMediumIntegrator::Request& request, double bounds
 bool AddState(vtkProp* prop, std::vector<const void*>& objects, std::vector<double>& numbers)
 {
   auto actor = vtkActor::SafeDownCast(prop);
-  if (!actor || std::string(actor->GetClassName()) != "vtkOpenGLActor" || actor->GetTexture() ||
+  if (!actor || std::strcmp(actor->GetClassName(), "vtkOpenGLActor") != 0 || actor->GetTexture() ||
     !actor->GetMapper() ||
-    std::string(actor->GetMapper()->GetClassName()) != "vtkOpenGLPolyDataMapper")
+    std::strcmp(actor->GetMapper()->GetClassName(), "vtkOpenGLPolyDataMapper") != 0)
   {
     return false;
   }
@@ -181,13 +182,13 @@ bool vtkGodRaysShadowMap::Draw(
   vtkGodRaysTarget& map = this->Maps[this->NumberOfFaces / 6];
   map.Prepare(
     request.Window, columns * this->Size, rows * this->Size, { 0, GL_DEPTH_COMPONENT32F });
-  State state = this->GetState(request);
-  this->Kept = !state.Objects.empty() && state.IsSame(this->Drawn);
+  this->FindState(request, this->Asked);
+  this->Kept = !this->Asked.Objects.empty() && this->Asked.IsSame(this->Drawn);
   if (this->Kept)
   {
     return true;
   }
-  this->Drawn = State();
+  this->Drawn.Clear();
   this->Depths.clear();
   if (!map.Bind())
   {
@@ -198,18 +199,19 @@ bool vtkGodRaysShadowMap::Draw(
   {
     return false;
   }
-  this->Drawn = std::move(state);
+  std::swap(this->Drawn, this->Asked);
   return true;
 }
 
 //------------------------------------------------------------------------------
-vtkGodRaysShadowMap::State vtkGodRaysShadowMap::GetState(
-  const vtkGodRaysMediumIntegrator::Request& request) const
+// Nothing, if another frame cannot be told to be the same.
+void vtkGodRaysShadowMap::FindState(
+  const vtkGodRaysMediumIntegrator::Request& request, State& state) const
 {
-  State state;
+  state.Clear();
   if (request.Compositor && request.Compositor->IsDistributed())
   {
-    return state; // the others would have to agree
+    return; // the others would have to agree
   }
   state.Objects = { request.Window, request.Renderer,
     this->Maps[this->NumberOfFaces / 6].GetDepth() };
@@ -232,10 +234,18 @@ vtkGodRaysShadowMap::State vtkGodRaysShadowMap::GetState(
     }
     else if (!AddState(prop, state.Objects, state.Numbers))
     {
-      return State();
+      state.Clear();
+      return;
     }
   }
-  return state;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysShadowMap::State::Clear()
+{
+  this->Objects.clear();
+  this->Numbers.clear();
+  this->Places.clear();
 }
 
 //------------------------------------------------------------------------------

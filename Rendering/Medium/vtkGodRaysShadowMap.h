@@ -85,8 +85,9 @@ private:
     std::vector<double> Places; // of the occluders' bounds in the faces, the same but for rounding
 
     bool IsSame(const State& other) const;
+    void Clear();
   };
-  State GetState(const vtkGodRaysMediumIntegrator::Request& request) const;
+  void FindState(const vtkGodRaysMediumIntegrator::Request& request, State& state) const;
 
   void Render(const vtkGodRaysMediumIntegrator::Request& request, vtkGodRaysTarget& map);
   void ForFaces(
@@ -107,6 +108,7 @@ private:
   vtkGodRaysShadowGrids Grids;
   std::vector<float> Depths; // that the grids have; empty: not read yet
   State Drawn;               // what is in the map
+  State Asked;               // what is wanted; here to keep its memory
   bool Kept = false;
   bool Translucent = false; // whether it is asked for
   int LeftOut = 0;          // translucent props, if it is not

@@ -15,9 +15,42 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
-#include <memory>
+#include <optional>
+#include <string>
 
 vtkStandardNewMacro(vtkGodRaysSolidLayers);
+
+namespace
+{
+/// What is put into shaders, in each frame: strings that are made once.
+const std::string Declarations = "//VTK::DepthPeeling::Dec";
+const std::string Uniforms = "uniform sampler2D solidLast;\n"
+                             "uniform sampler2D solidBefore;\n"
+                             "uniform int solidBacks;\n"
+                             "//VTK::DepthPeeling::Dec";
+const std::string BeforeColor = "//VTK::DepthPeeling::PreColor";
+const std::string AfterColor = "//VTK::DepthPeeling::Impl";
+const std::string Early = "//GodRays::Solid";
+const std::string EarlyBeforeColor = BeforeColor + "\n" + Early;
+
+/// Leave out what is not beyond the last plane, by this depth, and faces of the other side.
+std::string MakeTest(const std::string& depth)
+{
+  return "  float solidNearer = texelFetch(solidLast, ivec2(gl_FragCoord.xy), 0).r;\n"
+         "  if (solidNearer >= 1.0)\n"
+         "  {\n"
+         "    solidNearer = texelFetch(solidBefore, ivec2(gl_FragCoord.xy), 0).r;\n"
+         "  }\n"
+         "  if (" +
+    depth +
+    " <= solidNearer + 2.4e-7 || gl_FrontFacing == (solidBacks != 0))\n"
+    "  {\n"
+    "    discard;\n"
+    "  }\n";
+}
+const std::string TestOfSurface = MakeTest("gl_FragCoord.z");
+const std::string TestOfWritten = MakeTest("gl_FragDepth");
+}
 
 //------------------------------------------------------------------------------
 bool vtkGodRaysSolidLayers::Draw(const vtkGodRaysMediumIntegrator::Request& request, int planes)
@@ -28,13 +61,14 @@ bool vtkGodRaysSolidLayers::Draw(const vtkGodRaysMediumIntegrator::Request& requ
   state->vtkglDepthFunc(GL_LEQUAL);
   state->vtkglDepthMask(GL_TRUE);
   state->vtkglClearDepth(1.0);
-  const auto camera = request.View->ViewScale < 1.0
-    ? std::make_unique<vtkGodRaysProjection>(
-        request.Renderer, *request.View, request.View->ViewToClip, this->Camera)
-    : nullptr;
-  std::vector<vtkProp*> props = *request.Occluders;
+  std::optional<vtkGodRaysProjection> camera;
+  if (request.View->ViewScale < 1.0)
+  {
+    camera.emplace(request.Renderer, *request.View, request.View->ViewToClip, this->Camera);
+  }
+  this->Props = *request.Occluders;
   vtkRenderState occluders(request.Renderer);
-  occluders.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+  occluders.SetPropArrayAndCount(this->Props.data(), static_cast<int>(this->Props.size()));
   this->Last = first;
   this->PreRender(&occluders);
   bool drawn = true;
@@ -54,6 +88,7 @@ bool vtkGodRaysSolidLayers::Draw(const vtkGodRaysMediumIntegrator::Request& requ
     }
   }
   this->PostRender(&occluders);
+  this->Props.clear();
   return drawn;
 }
 
@@ -77,27 +112,28 @@ void vtkGodRaysSolidLayers::Render(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
-// Numbers are uniforms, so that all planes have one shader. The first surface is that of the scene,
-// in whose format depths may be rounded to 24 bits.
+// Numbers are uniforms, so that all planes have one shader.
 bool vtkGodRaysSolidLayers::PreReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
-  vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Dec",
-    "uniform sampler2D solidLast;\n"
-    "uniform sampler2D solidBefore;\n"
-    "uniform int solidBacks;\n"
-    "//VTK::DepthPeeling::Dec");
-  vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::PreColor",
-    "//VTK::DepthPeeling::PreColor\n"
-    "  float solidNearer = texelFetch(solidLast, ivec2(gl_FragCoord.xy), 0).r;\n"
-    "  if (solidNearer >= 1.0)\n"
-    "  {\n"
-    "    solidNearer = texelFetch(solidBefore, ivec2(gl_FragCoord.xy), 0).r;\n"
-    "  }\n"
-    "  if (gl_FragCoord.z <= solidNearer + 2.4e-7 || gl_FrontFacing == (solidBacks != 0))\n"
-    "  {\n"
-    "    discard;\n"
-    "  }\n");
+  vtkShaderProgram::Substitute(fragmentShader, Declarations, Uniforms);
+  vtkShaderProgram::Substitute(fragmentShader, BeforeColor, EarlyBeforeColor);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// What is known of the mapper now: mappers of impostors, as of spheres, write the depth. The first surface is
+// that of the scene, in whose format depths may be rounded to 24 bits.
+bool vtkGodRaysSolidLayers::PostReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+{
+  const auto early = fragmentShader.find(Early);
+  const auto offset = fragmentShader.find("gl_FragDepth = gl_FragCoord.z"); // of coincident things
+  auto written = fragmentShader.find("gl_FragDepth =");
+  written = written == offset ? std::string::npos : written;
+  const bool isWritten = written != std::string::npos;
+  vtkShaderProgram::Substitute(fragmentShader, isWritten && written > early ? AfterColor : Early,
+    isWritten ? TestOfWritten : TestOfSurface);
   return true;
 }
 

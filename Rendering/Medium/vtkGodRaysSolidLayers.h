@@ -45,6 +45,8 @@ public:
   void Render(const vtkRenderState* s) override;
   bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
   bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
     vtkOpenGLVertexArrayObject* VAO = nullptr) override;
   ///@}
@@ -62,6 +64,7 @@ private:
   vtkGodRaysTarget Planes[MaximumPlanes];
   vtkGodRaysViewDepths Depths[MaximumPlanes];
   vtkSmartPointer<vtkCamera> Camera;
+  std::vector<vtkProp*> Props;        // that are drawn; its memory serves from frame to frame
   vtkTextureObject* Last = nullptr;   // what is nearer than the plane that is drawn
   vtkTextureObject* Before = nullptr; // or this, where the last plane is empty
   bool Backs = false;                 // whether the plane is of back faces

@@ -27,6 +27,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -50,9 +51,13 @@ bool HasVolume(vtkProp* prop)
   return volumes->GetNumberOfItems() > 0;
 }
 
-Sorted Sort(const vtkGodRaysOcclusionPass::Request& request)
+/// Into what was sorted before, whose memory serves.
+void Sort(const vtkGodRaysOcclusionPass::Request& request, Sorted& sorted)
 {
-  Sorted sorted;
+  sorted.OccludingProps.clear();
+  sorted.Dimming.clear();
+  sorted.NotOccluding = 0;
+  sorted.Emitters = 0;
   vtkRenderer* renderer = request.Renderer;
   vtkCollectionSimpleIterator iterator;
   vtkPropCollection* props = renderer->GetViewProps();
@@ -79,16 +84,30 @@ Sorted Sort(const vtkGodRaysOcclusionPass::Request& request)
       sorted.Dimming.push_back(prop);
     }
   }
-  return sorted;
+}
+
+/// Whether the scene's own depth is that of its occluders.
+bool SceneDepthServesFor(const vtkGodRaysOcclusionPass::Request& request, const Sorted& sorted)
+{
+  vtkGodRaysCompositor* compositor = request.Compositor;
+  if (compositor && compositor->IsDistributed())
+  {
+    // It does on one process alone; translucent parts and emitters need it on all of them.
+    const bool own = sorted.NotOccluding > 0 || sorted.Emitters > 0 || !sorted.Dimming.empty();
+    return !vtkGodRaysCompositor::Any(compositor, own || !compositor->HasDepth()) &&
+      request.Margin == 0.0;
+  }
+  return request.Margin == 0.0 && sorted.NotOccluding == 0;
 }
 
 /// While it lives, the renderer looks through a camera whose picture includes the margin, if any.
-std::unique_ptr<vtkGodRaysProjection> IncludeMargin(
-  vtkRenderer* renderer, const vtkGodRaysView& view, vtkSmartPointer<vtkCamera>& wide)
+void IncludeMargin(vtkRenderer* renderer, const vtkGodRaysView& view,
+  vtkSmartPointer<vtkCamera>& wide, std::optional<vtkGodRaysProjection>& projection)
 {
-  return view.ViewScale < 1.0
-    ? std::make_unique<vtkGodRaysProjection>(renderer, view, view.ViewToClip, wide)
-    : nullptr;
+  if (view.ViewScale < 1.0)
+  {
+    projection.emplace(renderer, view, view.ViewToClip, wide);
+  }
 }
 
 /// Join translucent parts of all processes: what they let through, in alpha, is multiplied, and
@@ -129,7 +148,7 @@ struct vtkGodRaysOcclusionPass::Internals
   vtkGodRaysTarget* Composed = nullptr;
   vtkSmartPointer<vtkCamera> WideCamera;
   Request Frame{};
-  std::vector<vtkProp*> OccludingProps;
+  Sorted SortedProps;
   vtkTextureObject* Depth = nullptr; // of the occluders
   bool Dimmed = false;
   int Width = 0; // of the layer [pixels]
@@ -150,16 +169,8 @@ vtkGodRaysOcclusionPass::~vtkGodRaysOcclusionPass() = default;
 //------------------------------------------------------------------------------
 bool vtkGodRaysOcclusionPass::SceneDepthServes(const Request& request)
 {
-  const Sorted sorted = Sort(request);
-  vtkGodRaysCompositor* compositor = request.Compositor;
-  if (compositor && compositor->IsDistributed())
-  {
-    // It does on one process alone; translucent parts and emitters need it on all of them.
-    const bool own = sorted.NotOccluding > 0 || sorted.Emitters > 0 || !sorted.Dimming.empty();
-    return !vtkGodRaysCompositor::Any(compositor, own || !compositor->HasDepth()) &&
-      request.Margin == 0.0;
-  }
-  return request.Margin == 0.0 && sorted.NotOccluding == 0;
+  Sort(request, this->Internal->SortedProps);
+  return SceneDepthServesFor(request, this->Internal->SortedProps);
 }
 
 //------------------------------------------------------------------------------
@@ -167,8 +178,8 @@ bool vtkGodRaysOcclusionPass::Begin(const Request& request)
 {
   Internals& self = *this->Internal;
   self.Frame = request;
-  const Sorted sorted = Sort(request);
-  self.OccludingProps = sorted.OccludingProps;
+  const Sorted& sorted = self.SortedProps;
+  Sort(request, self.SortedProps);
   const auto enlarged = [&request](unsigned int size)
   { return static_cast<int>(std::lround(size * (1.0 + 2.0 * request.Margin))); };
   const int width = self.Width = enlarged(request.SceneDepth->GetWidth());
@@ -182,12 +193,13 @@ bool vtkGodRaysOcclusionPass::Begin(const Request& request)
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(
     GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  const auto camera = IncludeMargin(request.Renderer, *request.View, self.WideCamera);
+  std::optional<vtkGodRaysProjection> camera;
+  IncludeMargin(request.Renderer, *request.View, self.WideCamera, camera);
 
   vtkGodRaysCompositor* compositor = request.Compositor;
   self.Distributed = compositor && compositor->IsDistributed();
   self.Depth = request.SceneDepth;
-  this->RenderedOccluders = !SceneDepthServes(request);
+  this->RenderedOccluders = !SceneDepthServesFor(request, sorted);
   if (this->RenderedOccluders)
   {
     self.Occluders.Prepare(request.Window, width, height, { GL_RGBA8, request.DepthFormat });
@@ -236,7 +248,8 @@ bool vtkGodRaysOcclusionPass::Begin(const Request& request)
 void vtkGodRaysOcclusionPass::End()
 {
   this->Internal->Frame = Request();
-  this->Internal->OccludingProps.clear();
+  this->Internal->SortedProps.OccludingProps.clear();
+  this->Internal->SortedProps.Dimming.clear();
   this->Internal->Depth = nullptr;
 }
 
@@ -295,7 +308,8 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysLight& light)
     state->vtkglEnable(GL_BLEND);
     state->vtkglBlendFuncSeparate(
       GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    const auto camera = IncludeMargin(frame.Renderer, *frame.View, self.WideCamera);
+    std::optional<vtkGodRaysProjection> camera;
+    IncludeMargin(frame.Renderer, *frame.View, self.WideCamera, camera);
     light.Prop->RenderOpaqueGeometry(frame.Renderer);
     if (self.Distributed)
     {
@@ -447,7 +461,7 @@ vtkTextureObject* vtkGodRaysOcclusionPass::GetDepth()
 //------------------------------------------------------------------------------
 const std::vector<vtkProp*>& vtkGodRaysOcclusionPass::GetOccludingProps() const
 {
-  return this->Internal->OccludingProps;
+  return this->Internal->SortedProps.OccludingProps;
 }
 
 //------------------------------------------------------------------------------

@@ -71,7 +71,7 @@ public:
   /**
    * Whether the scene's own depth holds just the props that block light.
    */
-  VTK_WRAPEXCLUDE static bool SceneDepthServes(const Request& request);
+  VTK_WRAPEXCLUDE bool SceneDepthServes(const Request& request);
 
   /**
    * Find and, where need be, render the occluders. Returns false if the driver refuses.

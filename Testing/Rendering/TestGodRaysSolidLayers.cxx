@@ -6,11 +6,21 @@
 #include "GodRaysMediumTesting.h"
 
 #include "vtkGodRaysEpipolarCoverageIntegrator.h"
+#include "vtkGodRaysHomogeneousModel.h"
 
+#include "vtkCellArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkOpenGLRenderPass.h"
+#include "vtkOpenGLSphereMapper.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
+#include "vtkSphereSource.h"
+
+#include <algorithm>
+#include <cmath>
 
 using namespace GodRaysTesting;
 
@@ -96,4 +106,81 @@ TEST_F(GodRaysSolidLayers, LeaveTheSceneAlone)
     vtkInformation* keys = prop->GetPropertyKeys();
     EXPECT_FALSE(keys && keys->Has(vtkOpenGLRenderPass::RenderPasses()));
   }
+}
+
+// Mappers of impostors write the depth of a sphere, which is not that of the square that they draw. They have
+// no back faces: the second layer begins with the next front. The reference is the light of meshes.
+TEST(GodRaysSolidImpostors, AreBehindEachOtherAsMeshesAre)
+{
+  Messages messages;
+  const std::array<double, 3> centers[] = { { 0.0, 0.0, 0.0 }, { 0.4, 0.3, -2.2 } };
+  double errors[3] = { 0.0, 0.0, 0.0 };
+  for (int layers = 1; layers < 3; ++layers)
+  {
+    vtkNew<vtkImageData> lights[2];
+    for (int impostors = 0; impostors < 2; ++impostors)
+    {
+      Stage scene(160, 120);
+      // The medium ends with what is seen, of which an impostor says its centre alone.
+      scene.Renderer->AddActor(MakeBox({ -3.0, -2.0, -5.0 }, { 0.05, 0.05, 0.05 }));
+      scene.Renderer->AddActor(MakeBox({ 3.0, 2.0, 2.0 }, { 0.05, 0.05, 0.05 }));
+      vtkNew<vtkPoints> points;
+      vtkNew<vtkCellArray> cells;
+      for (const auto& center : centers)
+      {
+        const vtkIdType point = points->InsertNextPoint(center.data());
+        cells->InsertNextCell(1, &point);
+        if (!impostors)
+        {
+          vtkNew<vtkSphereSource> source;
+          source->SetCenter(center[0], center[1], center[2]);
+          source->SetRadius(1.0);
+          source->SetThetaResolution(96);
+          source->SetPhiResolution(96);
+          vtkNew<vtkPolyDataMapper> mapper;
+          mapper->SetInputConnection(source->GetOutputPort());
+          vtkNew<vtkActor> actor;
+          actor->SetMapper(mapper);
+          scene.Renderer->AddActor(actor);
+        }
+      }
+      vtkNew<vtkPolyData> data;
+      data->SetPoints(points);
+      data->SetVerts(cells);
+      vtkNew<vtkOpenGLSphereMapper> mapper;
+      mapper->SetInputData(data);
+      mapper->SetRadius(1.0f);
+      vtkNew<vtkActor> actor;
+      actor->SetMapper(mapper);
+      if (impostors)
+      {
+        scene.Renderer->AddActor(actor);
+      }
+      vtkNew<vtkGodRaysHomogeneousModel> fog;
+      fog->ApplyPreset("fog");
+      scene.Rays->SetModel(fog);
+      vtkNew<vtkGodRaysEpipolarCoverageIntegrator> integrator;
+      integrator->SetNumberOfLayers(layers);
+      scene.Rays->SetIntegrator(integrator);
+      scene.Rays->AddLight(MakeSun({ 1.0, 0.4, -0.3 }));
+      scene.Rays->Attach(scene.Renderer);
+      scene.Window->Render();
+      ASSERT_TRUE(scene.Rays->GetScatteringImage(lights[impostors])) << scene.Rays->GetPlan();
+    }
+    double peak = 0.0;
+    for (int y = 0; y < 120; ++y)
+    {
+      for (int x = 0; x < 160; ++x)
+      {
+        const double mesh = GetValue(lights[0], x, y);
+        const double difference = GetValue(lights[1], x, y) - mesh;
+        errors[layers] += difference * difference / (160.0 * 120.0);
+        peak = std::max(peak, mesh);
+      }
+    }
+    errors[layers] = std::sqrt(errors[layers]) / peak;
+    std::cout << layers << " layers: " << errors[layers] << " of the peak\n";
+    EXPECT_LT(errors[layers], 0.0035);
+  }
+  EXPECT_LT(errors[2], 1.1 * errors[1]);
 }
