@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A sea of wind waves under broken clouds: a random surface of the JONSWAP spectrum [Hasselmann 1973]."""
+"""A sea of wind waves under broken clouds: a random surface of the JONSWAP spectrum [Hasselmann1973]."""
 
 import godrays
 import numpy

@@ -8,7 +8,7 @@ import stage
 import vtkmodules.all as vtk
 from vtkmodules.util.numpy_support import numpy_to_vtk
 
-# v_r = -a r, v_z = 2 a z, v_phi = G/(2 pi r) (1 - e^(-a r^2/(2 nu))) [Burgers 1948]
+# v_r = -a r, v_z = 2 a z, v_phi = G/(2 pi r) (1 - e^(-a r^2/(2 nu))) [Burgers1948]
 strain, circulation, viscosity, count = 0.09, 9.0, 0.03, 48
 axis = numpy.linspace(-3, 3, count)
 z, y, x = numpy.meshgrid(numpy.linspace(0, 6, count), axis, axis, indexing="ij")

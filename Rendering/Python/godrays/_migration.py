@@ -141,8 +141,8 @@ def from_good_godrays(settings: Mapping[str, Any]) -> dict[str, Any]:
         is about steps and blur have no counterpart.
 
     It mixes the light's colour into the picture by 1 - e^(-density s), s being how much of the view ray is
-    lit. Here it is a medium of that scattering coefficient that scatters evenly; intensity 4 makes what is
-    lit all along as bright as there. ValueError: there is no such parameter.
+    lit [ThreeGoodGodrays]. Here it is a medium of that scattering coefficient that scatters evenly; intensity
+    4 makes what is lit all along as bright as there. ValueError: there is no such parameter.
     """
     p = _take("from_good_godrays", settings, {"density": 1 / 128})
     return _medium((p["density"],) * 3, (0.0,) * 3, 0.0, world_unit_in_meters=1.0, intensity=4.0,
@@ -157,7 +157,7 @@ def from_unity(settings: Mapping[str, Any]) -> dict[str, Any]:
         fog is as dense everywhere.
 
     Extinction is 1/meanFreePath at baseHeight and a thousandth of it at maximumHeight, exponential between: a
-    scale height of 0.144765 of their difference. Below baseHeight, Unity's fog is even; this one grows
+    scale height of 0.144765 of their difference [HDRP]. Below baseHeight, Unity's fog is even; this one grows
     denser. Up is the scene's z; the scene's unit is the metre. ValueError: there is no such parameter.
     """
     p = _take("from_unity", settings, {"meanFreePath": 400.0, "albedo": (1.0,) * 3, "anisotropy": 0.0,
@@ -179,8 +179,8 @@ def from_unreal(settings: Mapping[str, Any]) -> dict[str, Any]:
         VolumetricFogExtinctionScale 1 are its defaults. A FogHeightFalloff of 0 makes it as dense everywhere.
 
     Extinction is FogDensity/2000 times its scale at FogHeight [1/cm], and halves with each
-    1000/FogHeightFalloff centimetres of height. The phase function is Henyey and Greenstein's there; with a
-    falloff it is Cornette and Shanks' here. The scene's unit is the centimetre.
+    1000/FogHeightFalloff centimetres of height [UnrealFog]. The phase function is Henyey and Greenstein's
+    there; with a falloff it is Cornette and Shanks' here. The scene's unit is the centimetre.
     ValueError: there is no such parameter.
     """
     p = _take("from_unreal", settings, {"FogDensity": 0.02, "FogHeightFalloff": 0.2, "FogHeight": 0.0,
@@ -200,7 +200,7 @@ def from_blender(settings: Mapping[str, Any]) -> dict[str, Any]:
     settings: by the names of the node's inputs; Color (0.5, 0.5, 0.5), Density 1 [1/m], Anisotropy 0 and
         Absorption Color (0, 0, 0) are its defaults.
 
-    As Cycles has it, scattering is Density Color and absorption
+    As [Cycles] has it, scattering is Density Color and absorption
     Density max(1 - Color, 0) max(1 - sqrt(Absorption Color), 0). The scene's unit is the metre. Cycles
     scatters light many times, this once: dense media are darker. ValueError: there is no such input.
     """
