@@ -136,13 +136,21 @@ void vtkGodRaysShadowLayers::Make(const std::vector<float>& opaque,
 {
   this->Colored = IsColored(surfaces);
   const int channels = this->Colored ? 3 : 1;
+  // Planes are kept for the next map, also those that no texel fills, as zeroing them takes its time.
   this->Room.resize(surfaces.size() + 1 + (haze ? Haze::Layers : 0));
   for (Planes& planes : this->Room)
   {
     planes.Depths.resize(opaque.size());
     for (int c = 0; c < 3; ++c)
     {
-      planes.Dark[c].resize(c < channels ? opaque.size() : 0);
+      if (c < channels)
+      {
+        planes.Dark[c].resize(opaque.size());
+      }
+      else
+      {
+        std::vector<float>().swap(planes.Dark[c]);
+      }
     }
   }
   std::atomic<int> most(0);
@@ -212,9 +220,8 @@ void vtkGodRaysShadowLayers::Make(const std::vector<float>& opaque,
       {
       }
     });
-  this->Room.resize(most);
   this->Layers.resize(most);
-  for (std::size_t k = 0; k < this->Room.size(); ++k)
+  for (std::size_t k = 0; k < this->Layers.size(); ++k)
   {
     this->Layers[k].Depths = this->Room[k].Depths.data();
     for (int c = 0; c < 3; ++c)

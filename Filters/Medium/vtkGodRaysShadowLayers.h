@@ -65,7 +65,7 @@ private:
     std::vector<float> Depths;
     std::vector<float> Dark[3]; // of red alone, if colours are alike
   };
-  std::vector<Planes> Room;
+  std::vector<Planes> Room; // the first ones are the layers
   std::vector<vtkGodRaysShadowGrids::Layer> Layers;
   bool Colored = false;
 };
