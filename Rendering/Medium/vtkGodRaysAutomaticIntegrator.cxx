@@ -47,15 +47,14 @@ vtkGodRaysAutomaticIntegrator::~vtkGodRaysAutomaticIntegrator() = default;
 //------------------------------------------------------------------------------
 void vtkGodRaysAutomaticIntegrator::Choose(const Request& request)
 {
-  double tolerance = this->GetCorrectedTolerance(request);
-  double moves = request.Interactive ? 1.0 : 0.0;
+  double greatest[2] = { this->GetCorrectedTolerance(request), request.Interactive ? 1.0 : 0.0 };
   if (request.Compositor && request.Compositor->IsDistributed())
   {
     // Maps are joined: they are of one size.
-    request.Compositor->Reduce(&tolerance, 1, vtkGodRaysCompositor::GREATEST);
-    request.Compositor->Reduce(&moves, 1, vtkGodRaysCompositor::GREATEST);
+    request.Compositor->Reduce(greatest, 2, vtkGodRaysCompositor::GREATEST);
   }
-  const bool oneServes = moves > 0.0 && tolerance > OneMapTolerance;
+  const double tolerance = greatest[0];
+  const bool oneServes = greatest[1] > 0.0 && tolerance > OneMapTolerance;
   const bool isPoint = !request.Light->IsInfinite();
   this->Shadows->SetMapSize(isPoint || oneServes ? OneMapSize : GetMapSize(tolerance));
   this->Shadows->SetLineSpacing(GetLineSpacing(tolerance));
