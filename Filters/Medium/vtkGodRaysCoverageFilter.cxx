@@ -212,10 +212,10 @@ int vtkGodRaysCoverageFilter::RequestData(
   parameters.Thickness = this->Thickness;
   if (!Sweep::Supports(parameters))
   {
-    return fail("in a medium of exponential density, neither a directional light over a planet nor "
-                "a spotlight "
-                "that fades from an axis that is not vertical is supported. Set PlanetRadius or "
-                "SpotExponent to 0, or take vtkGodRaysSingleScatteringReference.");
+    return fail(
+      "in a medium of exponential density, a spotlight that fades from an axis that is not "
+      "vertical is not supported. Set SpotExponent to 0, or take "
+      "vtkGodRaysSingleScatteringReference.");
   }
 
   const vtkIdType pixels = image->GetNumberOfPoints();

@@ -28,13 +28,14 @@
  *
  * Supported: directional and point lights anywhere (in the picture, beside it, behind the eye, across
  * the view), perspective and parallel projection, one or two components, homogeneous or of a density that
- * falls exponentially with height. In the latter, errors are: a directional light over a planet, and a
- * spotlight that fades from an axis that is not vertical. A planet's ground ends view rays where the depths
+ * falls exponentially with height, over a plane or a planet. In the latter an error is a spotlight that
+ * fades from an axis that is not vertical. A planet's ground ends view rays, of point lights where the depths
  * show it. A view ray nearer to a point light than 0.28 pixels is taken to be so far from it, since that is
  * the mean over its pixel.
  *
  * Point lights and media of exponential density use a table of airlight, made anew when the camera, the
- * light or the medium change; what is read from it differs by less than 0.002 of the picture's peak.
+ * light or the medium change; what is read from it differs by less than 0.002 of the picture's peak, by less
+ * than 0.004 where a planet's shadow is in it.
  *
  * An input or parameter that cannot be used is one error that says what to do, and the output is empty;
  * so it is after AbortExecute, which is looked at whenever progress is told, 4 times, on the calling

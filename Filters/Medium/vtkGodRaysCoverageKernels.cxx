@@ -80,11 +80,10 @@ public:
       };
       const Float low = toDistance(hn::LoadU(d, this->Low + i));
       const Float high = toDistance(hn::LoadU(d, this->High + i));
+      const RayParts<false> parts(settings, here, hn::Min(low, high), hn::Max(low, high));
       for (int p = 0; p < settings.Planes; ++p)
       {
-        hn::StoreU(
-          hn::Abs(MeasureRays(settings, here, high, p) - MeasureRays(settings, here, low, p)), d,
-          this->Measured[p] + i);
+        hn::StoreU(hn::Max(parts.Measure(p), hn::Zero(d)), d, this->Measured[p] + i);
       }
     }
   }
@@ -428,7 +427,7 @@ void RunCoverageInterval(const CoverageSettings& settings, const CoverageImage& 
     const auto measure = [&](float z)
     {
       const Float distance = hn::Set(d, std::max(std::min(z, last), first)) * rays.Length;
-      return hn::GetLane(MeasureRays(settings, rays, distance, p));
+      return hn::GetLane(RayParts<true>(settings, rays, hn::Zero(d), distance).Measure(p));
     };
     // All of the ray is all, whatever rounding makes of its length.
     image.Hidden[p][pixel] = before >= std::min(from, last)
@@ -503,16 +502,22 @@ void RunCoverageRow(const CoverageSettings& settings, const CoverageImage& image
     const Rays<FloatTag> rays = FindRays(settings, column, hn::Set(d, height));
     const Float distance = hn::Min(load(image.Ends), farLimit) * rays.Length;
     Float lit[CoverageMaximumPlanes];
-    for (int p = 0; p < settings.Planes; ++p)
+    const auto shine = [&](const auto& parts) HWY_ATTR
     {
-      const Float hidden = hn::Max(load(image.Hidden[p]), zero);
-      Float whole = MeasureRays(settings, rays, distance, p);
-      if (image.Begins)
+      for (int p = 0; p < settings.Planes; ++p)
       {
-        const Float begin = hn::Min(load(image.Begins) * rays.Length, distance);
-        whole = whole - MeasureRays(settings, rays, begin, p);
+        const Float hidden = hn::Max(load(image.Hidden[p]), zero);
+        lit[p] = hn::Max(parts.Measure(p) - hidden, zero) * rays.Gain;
       }
-      lit[p] = hn::Max(whole - hidden, zero) * rays.Gain;
+    };
+    if (image.Begins)
+    {
+      const Float begin = hn::Min(load(image.Begins) * rays.Length, distance);
+      shine(RayParts<false>(settings, rays, begin, distance));
+    }
+    else
+    {
+      shine(RayParts<true>(settings, rays, zero, distance));
     }
     Float scattered[2] = { hn::Set(d, 1.0f), zero };
     if (!settings.Point)

@@ -48,24 +48,31 @@ constexpr int CoverageMaximumPlanes = 6; // colours and components of the medium
 ///  - a point light, in perspective: ln(1 + tan(a/2)/RowUnit), a being the angle of view ray and light,
 ///  - a point light and parallel rays: ln(1 + the light's distance from the view ray/RowUnit),
 ///  - layers, in perspective: asinh(rise of the view ray/RowUnit),
-///  - layers and parallel rays: the height at which the view ray begins;
+///  - layers and parallel rays: the height at which the view ray begins,
+///  - a planet, in perspective: asinh((rise of the view ray - horizon's)/RowUnit),
+///  - a planet and parallel rays: asinh(least height of the view ray's line/RowUnit);
 /// a slice, cubic between slices, to where a ray lies about a point light in layers: the cosine of the
 /// angle between the slices' axis and the ray's nearest way to the light's axis from the eye, seen along
-/// that axis, or, of parallel rays, seen along the rays;
+/// that axis, or, of parallel rays, seen along the rays; over a planet, the cosine of the angle between
+/// view ray and light, or how much nearer to the light a parallel ray begins than the eye;
 /// a column to ln((1 + d) (1 + Change s)) for point lights, where s is the distance from the eye and
-/// ln(1 + d) = asinh((s - foot)/height) - asinh(-foot/height), and to ln(1 + s/width) for layers.
+/// ln(1 + d) = asinh((s - foot)/height) - asinh(-foot/height), and to ln(1 + s/width) for layers; over a
+/// planet as for point lights, the foot being where the view ray meets the densest of the air, and height
+/// how far from there it falls by 1/e.
 struct CoverageTable
 {
   enum KindType
   {
     NONE, // the closed form
     POINT,
-    LAYERS
+    LAYERS,
+    PLANET
   };
   KindType Kind = NONE;
   int Rows = 0;
   int Columns = 0;
-  int Slices = 1; // or at least 4
+  int Slices = 1; // or at least 4, or, if linear between them, 2
+  bool LinearSlices = false;
   float FirstSlice = 0.0f;
   float SlicesPerUnit = 0.0f;
   float FirstRow = 0.0f;
@@ -79,6 +86,21 @@ struct CoverageTable
   float LightRise = 0.0f;   // of the way to it, for each unit of length
   float InverseSide = 0.0f; // of the sine of the slices' axis and that way, or the view axis
   std::vector<float> InverseWidths; // of rows
+  /// A planet, in distances of the eye from its centre. The table goes on smoothly within its shadow,
+  /// which kernels take away.
+  struct Globe
+  {
+    float Radius = 0.0f; // of the eye [scene units]
+    float Ground = 0.0f; // its radius
+    float Room = 0.0f;   // 1 - Ground^2
+    float Excess = 0.0f; // of a parallel ray's line through the eye: least distance^2 - Ground^2
+    float LightSlope = 0.0f; // cosine of the light and the vertical at the eye
+    float Horizon = 0.0f;    // slope of a row of 0
+    float Longest = 0.0f;    // of the picture's rays
+    float Scale = 0.0f;      // least height in which the air thins by 1/e
+    bool HasShadow = false;  // on the air before the picture's rays end
+  };
+  Globe Planet;
   std::vector<float>
     Values[CoverageMaximumPlanes];            // by slices and rows: value and slope, of each column
   double Largest[CoverageMaximumPlanes] = {}; // light of a whole ray

@@ -126,7 +126,21 @@ struct Rays
   V Way;    // Start - Foot, of which so much is left if they are nearly the same
   V InverseWidth;
   V Gain;
+  V Ground; // of a planet, where the ray meets it
+  V Dusk;   // where it enters and leaves its shadow
+  V Dawn;
 };
+
+//------------------------------------------------------------------------------
+// asinh(x), to 4e-7 of itself.
+HWY_INLINE Float InverseSinh(Float x)
+{
+  const FloatTag d;
+  const Float one = hn::Set(d, 1.0f);
+  const Float size = hn::Abs(x);
+  const Float more = size * size / (one + hn::Sqrt(hn::MulAdd(size, size, one)));
+  return hn::CopySign(LogOfOnePlus(d, size + more), x);
+}
 
 //------------------------------------------------------------------------------
 // s - foot + r, where r is the distance from the light.
@@ -135,6 +149,102 @@ HWY_INLINE hn::Vec<Tag> WayFromFoot(Tag d, hn::Vec<Tag> beyond, hn::Vec<Tag> squ
 {
   const auto sum = hn::Add(r, hn::Abs(beyond));
   return hn::IfThenElse(hn::Gt(beyond, hn::Zero(d)), sum, hn::Div(square, sum));
+}
+
+//------------------------------------------------------------------------------
+// Over a planet, of the rays of pixels. Lengths are in distances of the eye from its centre: at the way t
+// along a ray, (distance from the centre)^2 = Ground^2 + room + 2 rise t + t^2, and what is nearer to the
+// light than the centre is nearer by light + cosine t. Returns the place in rows.
+HWY_INLINE Float FindPlanetRays(
+  const CoverageSettings& settings, Float column, Float row, Rays<FloatTag>& rays)
+{
+  const FloatTag d;
+  const CoverageTable& table = *settings.Table;
+  const CoverageTable::Globe& planet = table.Planet;
+  const Float zero = hn::Zero(d);
+  const auto set = [&](double value) { return hn::Set(d, static_cast<float>(value)); };
+  Float rise = column * set(settings.Up[0]) + row * set(settings.Up[1]);
+  const Float nearer = column * set(settings.Light[0]) + row * set(settings.Light[1]);
+  Float room = set(planet.Room);
+  Float excess; // of the least distance^2 of the ray's line
+  Float light = set(planet.LightSlope);
+  Float cosine;
+  Float place;
+  Float slice;
+  if (settings.Parallel)
+  {
+    const Float perLength = set(1.0 / planet.Radius);
+    const Float more =
+      (rise + rise + hn::MulAdd(column, column, row * row) * perLength) * perLength;
+    room = room + more;
+    excess = set(planet.Excess) + more;
+    rise = set(settings.Up[2]);
+    cosine = set(settings.Light[2]);
+    light = hn::MulAdd(nearer, perLength, light);
+    const Float surface = set(planet.Ground);
+    const auto toUnits = [&](Float more) HWY_ATTR // of a distance^2 than Ground^2
+    {
+      const Float radius = hn::Sqrt(hn::Max(hn::MulAdd(surface, surface, more), zero));
+      return InverseSinh(more / (radius + surface) * set(planet.Radius / table.RowUnit));
+    };
+    place = toUnits(excess) + toUnits(room);
+    slice = nearer;
+  }
+  else
+  {
+    rise = (rise + set(settings.Up[2])) / rays.Length;
+    cosine = (nearer + set(settings.Light[2])) / rays.Length;
+    excess = hn::NegMulAdd(rise, rise, room);
+    place = InverseSinh((rise - set(planet.Horizon)) * set(1.0 / table.RowUnit));
+    slice = cosine;
+  }
+  rays.Slice = (slice - set(table.FirstSlice)) * set(table.SlicesPerUnit);
+  rays.Slice = hn::Min(hn::Max(rays.Slice, zero), set(table.Slices - 1.0));
+  const Float above = hn::Max(room, zero);
+  const auto isMet = hn::And(hn::Lt(rise, zero), hn::Le(excess, zero));
+  const Float toGround =
+    above / (hn::Sqrt(hn::Max(hn::Neg(excess), zero)) - hn::Min(rise, set(-1e-12)));
+  rays.Ground = hn::IfThenElse(isMet, toGround * set(planet.Radius), set(CoverageSky));
+  // Where the air is densest, and how far from there it falls by 1/e: scale = slope s + s^2/2.
+  const Float longest = set(planet.Longest);
+  const Float foot =
+    hn::Min(hn::IfThenElse(isMet, toGround, hn::Max(hn::Neg(rise), zero)), longest);
+  const Float ground = set(planet.Ground);
+  const Float square = hn::MulAdd(foot, foot + rise + rise, hn::MulAdd(ground, ground, room));
+  const Float along = rise + foot;
+  const Float least = set(planet.Scale / planet.Longest);
+  const Float steep = hn::MulAdd(least, least, along * along / hn::Max(square, set(1e-12)));
+  const Float scale = set(2.0 * planet.Scale);
+  const Float height = scale / (hn::Sqrt(steep) + hn::Sqrt(steep + scale));
+  const Float heights = height * height;
+  const Float near = foot * foot / (hn::Sqrt(hn::MulAdd(foot, foot, heights)) + height);
+  rays.Foot = near * set(planet.Radius);
+  rays.Square = heights * set(planet.Radius * planet.Radius);
+  rays.Start = hn::Sqrt(hn::MulAdd(rays.Foot, rays.Foot, rays.Square));
+  rays.Way = WayFromFoot(d, hn::Neg(rays.Foot), rays.Square, rays.Start);
+  rays.Dusk = rays.Dawn = zero;
+  if (planet.HasShadow)
+  {
+    // A cylinder, a t^2 + 2 b t + c <= 0, where light + cosine t <= 0.
+    const Float a = hn::Max(hn::NegMulAdd(cosine, cosine, set(1.0)), set(1e-7));
+    const Float b = hn::NegMulAdd(light, cosine, rise);
+    const Float c = hn::NegMulAdd(light, light, room);
+    const Float root = hn::NegMulAdd(a, c, b * b);
+    const Float q = hn::Neg(b + hn::CopySign(hn::Sqrt(hn::Max(root, zero)), b));
+    const Float one = q / a;
+    const Float other = c / hn::IfThenElse(hn::Eq(q, zero), set(1e-30), q);
+    const Float middle =
+      hn::Neg(light) / hn::IfThenElse(hn::Lt(hn::Abs(cosine), set(1e-12)), set(1e-12), cosine);
+    const auto isTowards = hn::Gt(cosine, zero);
+    Float begin = hn::Max(hn::Min(one, other), zero);
+    Float end = hn::Max(one, other);
+    begin = hn::IfThenElse(isTowards, begin, hn::Max(begin, middle));
+    end = hn::IfThenElse(isTowards, hn::Min(end, middle), end);
+    const auto isDark = hn::And(hn::Gt(root, zero), hn::Gt(end, begin));
+    rays.Dusk = hn::IfThenElseZero(isDark, begin * set(planet.Radius));
+    rays.Dawn = hn::IfThenElseZero(isDark, end * set(planet.Radius));
+  }
+  return place;
 }
 
 //------------------------------------------------------------------------------
@@ -152,6 +262,7 @@ HWY_INLINE Rays<FloatTag> FindRays(const CoverageSettings& settings, Float colum
   rays.Row = rays.Slice = rays.Foot = rays.Square = rays.Start = rays.Way = rays.InverseWidth =
     zero;
   rays.Gain = one;
+  rays.Ground = rays.Dusk = rays.Dawn = zero;
   if (table.Kind == CoverageTable::NONE)
   {
     return rays;
@@ -205,6 +316,10 @@ HWY_INLINE Rays<FloatTag> FindRays(const CoverageSettings& settings, Float colum
     rays.Way = WayFromFoot(d, hn::Neg(rays.Foot), rays.Square, rays.Start);
     rays.Gain = one / height;
   }
+  else if (table.Kind == CoverageTable::PLANET)
+  {
+    place = FindPlanetRays(settings, column, row, rays);
+  }
   else
   {
     const Float rise = column * set(settings.Up[0]) + row * set(settings.Up[1]);
@@ -215,9 +330,7 @@ HWY_INLINE Rays<FloatTag> FindRays(const CoverageSettings& settings, Float colum
     else
     {
       const Float x = (rise + set(settings.Up[2])) / (rays.Length * hn::Set(d, table.RowUnit));
-      const Float size = hn::Abs(x);
-      const Float more = size * size / (one + hn::Sqrt(one + size * size));
-      place = hn::CopySign(LogOfOnePlus(d, size + more), x);
+      place = InverseSinh(x);
     }
   }
   rays.Row = (place - hn::Set(d, table.FirstRow)) * hn::Set(d, table.RowsPerUnit);
@@ -241,7 +354,7 @@ HWY_INLINE Rays<FloatTag> Select(const Rays<FloatTag>& rays, hn::Vec<IntTag> num
   const auto select = [&](Float field) HWY_ATTR { return hn::TableLookupLanes(field, indices); };
   return { select(rays.Length), select(rays.Row), select(rays.Slice), select(rays.Foot),
     select(rays.Square), select(rays.Start), select(rays.Way), select(rays.InverseWidth),
-    select(rays.Gain) };
+    select(rays.Gain), select(rays.Ground), select(rays.Dusk), select(rays.Dawn) };
 }
 
 //------------------------------------------------------------------------------
@@ -261,7 +374,7 @@ HWY_INLINE Place<Tag> Find(
 {
   const hn::RebindToSigned<Tag> di;
   hn::Vec<Tag> x;
-  if (table.Kind == CoverageTable::POINT)
+  if (table.Kind != CoverageTable::LAYERS)
   {
     const auto beyond = hn::Sub(distance, rays.Foot);
     const auto r = hn::Sqrt(hn::MulAdd(beyond, beyond, rays.Square));
@@ -284,9 +397,10 @@ HWY_INLINE Place<Tag> Find(
   if (table.Slices > 1)
   {
     // Of the four slices about it, the place is between the second and the third, if that can be.
+    const auto before = hn::Set(di, table.LinearSlices ? 0 : 1);
     const auto first =
-      hn::Min(hn::Max(hn::Sub(hn::ConvertTo(di, rays.Slice), hn::Set(di, 1)), hn::Zero(di)),
-        hn::Set(di, table.Slices - 4));
+      hn::Min(hn::Max(hn::Sub(hn::ConvertTo(di, rays.Slice), before), hn::Zero(di)),
+        hn::Set(di, table.Slices - (table.LinearSlices ? 2 : 4)));
     place.Index = hn::Add(place.Index, hn::Mul(first, hn::Set(di, 2 * table.Rows * table.Columns)));
     place.Slice = hn::Sub(rays.Slice, hn::ConvertTo(d, first));
   }
@@ -329,6 +443,12 @@ HWY_INLINE hn::Vec<Tag> Read(
   {
     return ReadSlice(d, table, values, place);
   }
+  const std::ptrdiff_t slice = static_cast<std::ptrdiff_t>(2) * table.Rows * table.Columns;
+  if (table.LinearSlices)
+  {
+    const auto low = ReadSlice(d, table, values, place);
+    return hn::MulAdd(place.Slice, hn::Sub(ReadSlice(d, table, values + slice, place), low), low);
+  }
   // Lagrange's cubic through four slices.
   const auto set = [&](float value) { return hn::Set(d, value); };
   const auto a = place.Slice;
@@ -341,25 +461,77 @@ HWY_INLINE hn::Vec<Tag> Read(
   auto sum = hn::Zero(d);
   for (int i = 0; i < 4; ++i)
   {
-    sum = hn::MulAdd(weights[i],
-      ReadSlice(
-        d, table, values + static_cast<std::ptrdiff_t>(2) * i * table.Rows * table.Columns, place),
-      sum);
+    sum = hn::MulAdd(weights[i], ReadSlice(d, table, values + i * slice, place), sum);
   }
   return sum;
 }
 
 //------------------------------------------------------------------------------
-// The light from the first parts of rays, to a distance of the eye each.
-HWY_INLINE Float MeasureRays(
-  const CoverageSettings& settings, const Rays<FloatTag>& rays, Float distance, int plane)
+// Parts of rays, from one distance of the eye to another one each; or, FromEye, all before it.
+template <bool FromEye>
+class RayParts
 {
-  const FloatTag d;
-  const CoverageTable& table = *settings.Table;
-  return table.Kind == CoverageTable::NONE
-    ? Absorbed(d, distance * hn::Set(d, static_cast<float>(settings.Extinction[plane])))
-    : Read(d, table, table.Values[plane], Find(d, table, rays, distance));
-}
+public:
+  HWY_INLINE RayParts(
+    const CoverageSettings& settings, const Rays<FloatTag>& rays, Float low, Float high)
+    : Settings(settings)
+    , Ends{ low, high }
+  {
+    const FloatTag d;
+    const CoverageTable& table = *settings.Table;
+    if (table.Kind == CoverageTable::NONE)
+    {
+      return;
+    }
+    if (table.Kind == CoverageTable::PLANET)
+    {
+      low = hn::Min(low, rays.Ground);
+      high = hn::Min(high, rays.Ground);
+      const Float begin = hn::Max(hn::Min(low, rays.Dawn), rays.Dusk);
+      const Float end = hn::Max(hn::Min(high, rays.Dawn), rays.Dusk);
+      this->IsDark = table.Planet.HasShadow && !hn::AllFalse(d, hn::Gt(end, begin));
+      if (this->IsDark)
+      {
+        this->Dark[0] = Find(d, table, rays, begin);
+        this->Dark[1] = Find(d, table, rays, end);
+      }
+    }
+    this->Places[1] = Find(d, table, rays, high);
+    if (!FromEye)
+    {
+      this->Places[0] = Find(d, table, rays, low);
+    }
+  }
+
+  // The light from them.
+  HWY_INLINE Float Measure(int plane) const
+  {
+    const FloatTag d;
+    const CoverageTable& table = *this->Settings.Table;
+    if (table.Kind == CoverageTable::NONE)
+    {
+      const Float extinction = hn::Set(d, static_cast<float>(this->Settings.Extinction[plane]));
+      const Float before = Absorbed(d, this->Ends[1] * extinction);
+      return FromEye ? before : before - Absorbed(d, this->Ends[0] * extinction);
+    }
+    const std::vector<float>& values = table.Values[plane];
+    Float light = Read(d, table, values, this->Places[1]);
+    if (!FromEye)
+    {
+      light = light - Read(d, table, values, this->Places[0]);
+    }
+    return this->IsDark
+      ? light - (Read(d, table, values, this->Dark[1]) - Read(d, table, values, this->Dark[0]))
+      : light;
+  }
+
+private:
+  const CoverageSettings& Settings;
+  const Float Ends[2];
+  bool IsDark = false;
+  Place<FloatTag> Places[2];
+  Place<FloatTag> Dark[2];
+};
 
 //------------------------------------------------------------------------------
 // The lines of a band.

@@ -153,7 +153,8 @@ public:
       ", " + std::to_string(this->Settings.Channels) + " extinction(s), " +
       std::to_string(this->Shade.Components) + " component(s), " +
       (this->Settings.Point ? "point light, " : "directional light, ") +
-      (this->Layered ? "layered" : "homogeneous") + " medium, " +
+      (this->Layered ? "layered" : "homogeneous") + " medium" +
+      (this->Layered && this->Settings.PlanetRadius > 0.0 ? " over a planet, " : ", ") +
       (this->Settings.Parallel ? "parallel projection, " : "perspective, ") +
       (this->Table.Kind == CoverageTable::NONE ? std::string()
                                                : "table of " + std::to_string(this->Table.Rows) +
@@ -674,13 +675,9 @@ bool vtkGodRaysCoverageSweep::Execute(const Parameters& parameters, const Monito
 bool vtkGodRaysCoverageSweep::Supports(const Parameters& parameters)
 {
   const vtkGodRaysMedium& medium = parameters.Medium;
-  if (!medium.HasExponentialDensity())
+  if (!medium.HasExponentialDensity() || parameters.Light[3] == 0.0)
   {
     return true;
-  }
-  if (parameters.Light[3] == 0.0)
-  {
-    return medium.PlanetRadius == 0.0;
   }
   const vtkGodRaysSpot& spot = parameters.Spot;
   const double level = std::hypot(spot.Axis[1] * medium.Up[2] - spot.Axis[2] * medium.Up[1],

@@ -107,8 +107,8 @@ public:
   bool Execute(const Parameters& parameters, const Monitor& monitor = nullptr);
 
   /**
-   * Whether it can be computed: all but a directional light in a medium of exponential density over a
-   * planet, and a spotlight that fades from its axis, which is not vertical, in such a medium.
+   * Whether it can be computed: all but a spotlight that fades from its axis, which is not vertical, in a
+   * medium of exponential density.
    */
   static bool Supports(const Parameters& parameters);
 

@@ -5,11 +5,12 @@
 #include "vtkGodRaysCoverageKernels.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysMedium.h"
+#include "vtkGodRaysPlanetTable.h"
+#include "vtkGodRaysTableRays.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace
 {
@@ -24,10 +25,8 @@ constexpr double SliceStepOfHeight = 0.5; // [scale heights]
 constexpr double LayerRowStep = 0.025;
 constexpr double LayerColumnStep = 0.12;
 constexpr double LayerColumnStepOfHeight = 0.3; // [scale heights]
-constexpr int FewestRows = 96;
 constexpr int MostRows = 1024;
 constexpr int MostColumns = 1024;
-constexpr int FewestColumns = 8;
 constexpr double ReachOfSlices =
   4.0; // beyond, layers count as they do there [distances of the light]
 constexpr double SlicesOfSpot = 16.0; // that fades, times its fineness
@@ -39,148 +38,6 @@ constexpr double MostPlaces = 500e3; // of all slices, unless there are few
 
 // The mean of 1/distance over a pixel is that at this distance from its centre [pixels].
 constexpr double NearestOfPixel = 0.28;
-
-struct Range
-{
-  double Low = 1e300;
-  double High = -1e300;
-  void Add(double value)
-  {
-    this->Low = std::min(this->Low, value);
-    this->High = std::max(this->High, value);
-  }
-};
-
-//------------------------------------------------------------------------------
-// The view ray, for each unit of depth, of a place in pixels.
-Vec3 GetRay(const CoverageSettings& settings, const CoverageImage& image, double x, double y)
-{
-  return Vec3(
-    (x - image.Center[0]) * settings.PixelSize, (y - image.Center[1]) * settings.PixelSize, 1.0);
-}
-
-//------------------------------------------------------------------------------
-// What visits the pixels at the picture's edge finds the ends of what has none inside.
-void VisitEdge(const CoverageImage& image, const std::function<void(double, double)>& visit)
-{
-  for (int x = 0; x < image.Width; ++x)
-  {
-    visit(x, 0.0);
-    visit(x, image.Height - 1.0);
-  }
-  for (int y = 0; y < image.Height; ++y)
-  {
-    visit(0.0, y);
-    visit(image.Width - 1.0, y);
-  }
-}
-
-//------------------------------------------------------------------------------
-// Whether the picture shows what is in a direction or its opposite, or, of parallel rays, at a place.
-bool Shows(const CoverageSettings& settings, const CoverageImage& image, const Vec3& direction)
-{
-  const double z = settings.Parallel ? 1.0 : direction.z;
-  const double x = direction.x / (z * settings.PixelSize) + image.Center[0];
-  const double y = direction.y / (z * settings.PixelSize) + image.Center[1];
-  return x > -1.0 && y > -1.0 && x < image.Width && y < image.Height; // false for NaN
-}
-
-//------------------------------------------------------------------------------
-double GetLongest(const CoverageSettings& settings, const CoverageImage& image)
-{
-  double longest = 1.0;
-  if (!settings.Parallel)
-  {
-    VisitEdge(image,
-      [&](double x, double y)
-      { longest = std::max(longest, length(GetRay(settings, image, x, y))); });
-  }
-  return longest * settings.FarLimit;
-}
-
-//------------------------------------------------------------------------------
-// Of steps, which may be any number.
-int CountSteps(double steps, int fewest, int most)
-{
-  return static_cast<int>(std::ceil(std::min(std::max<double>(steps, fewest), most + 0.0)));
-}
-
-//------------------------------------------------------------------------------
-// steps: so many at least, unless that is too many.
-void SetRows(const Range& range, double steps, int most, CoverageTable& table)
-{
-  table.FirstRow = static_cast<float>(range.Low);
-  const double size = range.High - range.Low;
-  table.Rows = CountSteps(steps, FewestRows, most);
-  table.RowsPerUnit = static_cast<float>((table.Rows - 1.0) / std::max(size, 1e-6));
-}
-
-//------------------------------------------------------------------------------
-void SetColumns(double end, double step, int most, CoverageTable& table)
-{
-  table.Columns = CountSteps(end / step + 1.0, FewestColumns, most);
-  table.ColumnsPerUnit = static_cast<float>((table.Columns - 1.0) / end);
-}
-
-//------------------------------------------------------------------------------
-void MakeRoom(int planes, CoverageTable& table)
-{
-  for (int p = 0; p < planes; ++p)
-  {
-    table.Values[p].resize(static_cast<std::size_t>(2 * table.Columns) * table.Rows * table.Slices);
-  }
-}
-
-//------------------------------------------------------------------------------
-// Of a row, as the kernels have it.
-double GetRowUnits(const CoverageTable& table, vtkIdType row)
-{
-  return table.FirstRow + row / static_cast<double>(table.RowsPerUnit);
-}
-
-//------------------------------------------------------------------------------
-// A view ray beside a point light.
-struct PointRay
-{
-  double Foot;
-  double Height;
-  double Change;
-
-  double GetDistance(double s) const { return std::hypot(this->Height, s - this->Foot); }
-
-  // The units of columns.
-  double ToUnits(double s) const
-  {
-    const double start = PointLightWay(-this->Foot, this->Height);
-    const double way = PointLightWay(s - this->Foot, this->Height);
-    return std::log1p(
-             s * (way + start) / ((this->GetDistance(s) + this->GetDistance(0.0)) * start)) +
-      std::log1p(this->Change * s);
-  }
-
-  double GetUnitsPerLength(double s) const
-  {
-    return 1.0 / this->GetDistance(s) + this->Change / (1.0 + this->Change * s);
-  }
-
-  // From there to so many units, by Newton's method with steps that are exact where nothing is dimmed.
-  double Invert(double s, double units) const
-  {
-    for (int i = 0; i < 20; ++i)
-    {
-      const double missing = units - this->ToUnits(s);
-      const double r = this->GetDistance(s);
-      const double step = missing / (r * this->GetUnitsPerLength(s));
-      s = std::max(
-        s + r * std::sinh(step) + (s - this->Foot) * 2.0 * std::pow(std::sinh(0.5 * step), 2), 0.0);
-      if (std::abs(missing) < 1e-9)
-      {
-        break;
-      }
-    }
-    return s;
-  }
-};
 
 //------------------------------------------------------------------------------
 // Of a row.
@@ -339,19 +196,6 @@ void SetSlices(const CoverageSettings& settings, const CoverageImage& image, dou
 }
 
 //------------------------------------------------------------------------------
-// The least scale height; 0 if there is none.
-double GetLeastScale(const vtkGodRaysMedium& medium)
-{
-  double scale = 0.0;
-  for (int k = 0; k < medium.NumberOfComponents; ++k)
-  {
-    const double height = medium.Components[k].ScaleHeight;
-    scale = height > 0.0 && !(scale > 0.0 && scale < height) ? height : scale;
-  }
-  return scale;
-}
-
-//------------------------------------------------------------------------------
 // How fast light changes along rays where it is brightest, at the eye or at a point light: what of it
 // is extinguished for each unit of length, and how fast their density falls.
 double GetChange(const CoverageSettings& settings, const vtkGodRaysMedium& medium, double longest)
@@ -363,14 +207,7 @@ double GetChange(const CoverageSettings& settings, const vtkGodRaysMedium& mediu
   double extinction = 0.0;
   for (int c = 0; c < 3; ++c)
   {
-    double sum = 0.0;
-    for (int k = 0; k < medium.NumberOfComponents; ++k)
-    {
-      const Component& component = medium.Components[k];
-      sum += (component.Scattering[c] + component.Absorption[c]) *
-        (component.ScaleHeight > 0.0 ? ExponentialDensity(lower, component.ScaleHeight) : 1.0);
-    }
-    extinction = std::max(extinction, sum);
+    extinction = std::max(extinction, GetExtinction(medium, c, lower));
   }
   const double scale = GetLeastScale(medium);
   return std::min(extinction + (scale > 0.0 ? 1.0 / scale : 0.0), 1e6 / longest);
@@ -552,17 +389,12 @@ void MakeLayeredTable(const CoverageSettings& settings, const CoverageImage& ima
     double ground = 0.0;
     for (int c = 0; c < 3; ++c)
     {
-      double extinction = 0.0;
       for (int k = 0; k < medium.NumberOfComponents; ++k)
       {
         const Component& component = medium.Components[k];
-        const double most = component.Scattering[c] + component.Absorption[c];
-        extinction += most *
-          (component.ScaleHeight > 0.0 ? ExponentialDensity(ray.Height, component.ScaleHeight)
-                                       : 1.0);
-        ground = std::max(ground, most);
+        ground = std::max(ground, component.Scattering[c] + component.Absorption[c]);
       }
-      rate = std::max(rate, extinction);
+      rate = std::max(rate, GetExtinction(medium, c, ray.Height));
     }
     rate += std::hypot(ray.Slope, table.RowUnit) / scale + 1.0 / longest;
     table.InverseWidths[row] = static_cast<float>(std::min(rate, 1e20));
@@ -624,10 +456,17 @@ namespace vtkGodRays
 void MakeCoverageTable(const CoverageSettings& settings, const CoverageImage& image,
   const vtkGodRaysMedium& medium, CoverageTable& table)
 {
-  table.Kind = settings.Point ? CoverageTable::POINT : CoverageTable::LAYERS;
+  table.LinearSlices = false;
+  table.Kind = settings.Point     ? CoverageTable::POINT
+    : settings.PlanetRadius > 0.0 ? CoverageTable::PLANET
+                                  : CoverageTable::LAYERS;
   if (settings.Point)
   {
     MakePointTable(settings, image, medium, table);
+  }
+  else if (table.Kind == CoverageTable::PLANET)
+  {
+    MakePlanetTable(settings, image, medium, table);
   }
   else
   {

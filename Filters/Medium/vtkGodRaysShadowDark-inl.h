@@ -400,11 +400,10 @@ public:
         continue;
       }
       const Rays<FloatTag> here = Select(rays, seers);
+      const RayParts<false> parts(settings, here, low * here.Length, high * here.Length);
       for (int plane = 0; plane < settings.Planes; ++plane)
       {
-        const Float hidden = MeasureRays(settings, here, high * here.Length, plane) -
-          MeasureRays(settings, here, low * here.Length, plane);
-        hn::StoreU(hn::Max(hidden, hn::Zero(d)), d, m.Hidden[plane].data() + i);
+        hn::StoreU(hn::Max(parts.Measure(plane), hn::Zero(d)), d, m.Hidden[plane].data() + i);
       }
     }
   }

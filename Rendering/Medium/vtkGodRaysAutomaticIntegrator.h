@@ -12,8 +12,8 @@
  *   serves while the camera moves. The maps' size and the number of lines follow from
  *   vtkGodRaysPass::SetErrorTolerance(). While a camera is dragged, to a tolerance above 0.009, there is one
  *   map in the place of nested ones;
- * - for a directional light over a planet, and a spotlight that fades from an axis that is not vertical in
- *   an atmosphere, 32 steps through a shadow map, whatever the tolerance.
+ * - for a spotlight that fades from an axis that is not vertical in an atmosphere, 32 steps through a
+ *   shadow map, whatever the tolerance.
  *
  * Where VerifyPixels has found an error above the tolerance, the next frames take a map for a smaller one,
  * until the tolerance changes.

@@ -134,11 +134,10 @@ void vtkGodRaysEpipolarCoverageIntegrator::TellThatNot(const std::string& light)
     this->Internal->Told = light;
     vtkWarningMacro("The light \""
       << light
-      << "\" scatters nothing: in a medium of exponential density, light that is infinitely far "
-         "over a "
-      << "planet, or that fades from an axis that is not vertical, cannot be evaluated. Set "
-         "PlanetRadius, "
-      << "or the light's Exponent, to 0, or use a vtkGodRaysShadowMapIntegrator.");
+      << "\" scatters nothing: in a medium of exponential density, light that fades from an axis "
+         "that is "
+         "not vertical cannot be evaluated. Set the light's Exponent to 0, or use a "
+         "vtkGodRaysShadowMapIntegrator.");
   }
 }
 

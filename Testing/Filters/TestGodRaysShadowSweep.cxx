@@ -527,6 +527,10 @@ TEST(ShadowSweep, SaysWhatItLacks)
   parameters.Medium.Components[0].ScaleHeight = 1.0;
   EXPECT_TRUE(Sweep::Supports(parameters));
   parameters.Medium.PlanetRadius = 1000.0;
+  EXPECT_TRUE(Sweep::Supports(parameters));
+  parameters.Light[3] = 1.0;
+  parameters.Spot.CosCone = 0.9;
+  parameters.Spot.Exponent = 1.0; // fades from an axis that is level
   EXPECT_FALSE(Sweep::Supports(parameters));
   Sweep sweep;
   sweep.PrepareInput(4, 4, 1);

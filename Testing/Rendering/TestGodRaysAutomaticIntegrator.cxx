@@ -68,7 +68,8 @@ TEST_F(GodRaysAutomaticIntegrator, ChoosesByLightViewAndMedium)
   EXPECT_TRUE(Says(this->GetPlan(), "layered medium")) << this->Rays->GetPlan();
   EXPECT_TRUE(Says(this->GetPlan(), "4 of 768"));
   air->SetPlanetRadius(6.36e6);
-  EXPECT_TRUE(Says(this->GetPlan(), "32 steps a pixel")) << this->Rays->GetPlan();
+  EXPECT_TRUE(Says(this->GetPlan(), "layered medium over a planet")) << this->Rays->GetPlan();
+  EXPECT_TRUE(Says(this->GetPlan(), "4 of 768"));
 }
 
 TEST_F(GodRaysAutomaticIntegrator, TakesMapsByTheTolerance)
