@@ -13,6 +13,7 @@
 #include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
+#include "vtkProperty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,6 +71,11 @@ TEST_F(GodRaysAutomaticIntegrator, ChoosesByLightViewAndMedium)
   air->SetPlanetRadius(6.36e6);
   EXPECT_TRUE(Says(this->GetPlan(), "layered medium over a planet")) << this->Rays->GetPlan();
   EXPECT_TRUE(Says(this->GetPlan(), "4 of 768"));
+  auto pane = MakeBox({ 0.0, 3.0, 0.0 }, { 4.0, 0.1, 4.0 });
+  pane->GetProperty()->SetOpacity(0.5);
+  this->Renderer->AddActor(pane);
+  EXPECT_TRUE(Says(this->GetPlan(), "layers, as some props let light through"))
+    << this->Rays->GetPlan();
 }
 
 TEST_F(GodRaysAutomaticIntegrator, TakesMapsByTheTolerance)
