@@ -82,9 +82,10 @@ struct Sweep
   }
 };
 
-/// A path in so many steps, and in twice as many: what does not jump changes half as much.
-void ExpectNoJump(
-  Stage& scene, int steps, const std::string& name, const std::function<void(double)>& move)
+/// A path in so many steps, and in twice as many: what does not jump changes half as much. If all of it are
+/// so many degrees, one of them changes no pixel by more than a part of the brightest ray.
+void ExpectNoJump(Stage& scene, int steps, const std::string& name,
+  const std::function<void(double)>& move, double degrees = 0.0, double most = 1.0)
 {
   const Sweep coarse(scene, steps, move);
   const Sweep fine(scene, 2 * steps, move);
@@ -92,6 +93,12 @@ void ExpectNoJump(
   EXPECT_GT(coarse.Lit, steps / 20) << name;
   EXPECT_LT(fine.Step, 0.65 * coarse.Step)
     << name << ": " << coarse.Step << ", " << fine.Step << " of " << coarse.Brightest;
+  if (degrees > 0.0)
+  {
+    const double change = fine.Step / (degrees / (2 * steps)) / coarse.Brightest;
+    std::cout << name << ": a degree changes a pixel by " << change << " of the brightest ray\n";
+    EXPECT_LT(change, most) << name;
+  }
 }
 
 /// A pillar in a small picture.
@@ -121,27 +128,33 @@ TEST(GodRaysSweeps, ASunAboutTheCameraDoesNotJump)
   auto sun = MakeSun({ 0.0, 0.0, -1.0 });
   scene.Rays->AddLight(sun);
   // azimuth, with a tilt so that nothing is symmetric
-  ExpectNoJump(scene, 240, "azimuth",
+  ExpectNoJump(
+    scene, 240, "azimuth",
     [&](double t)
     {
       const double angle = 2.0 * vtkMath::Pi() * t;
       Aim(sun, std::sin(angle), 0.1, -std::cos(angle));
-    });
-  ExpectNoJump(scene, 240, "elevation",
+    },
+    360.0, 0.5);
+  ExpectNoJump(
+    scene, 240, "elevation",
     [&](double t)
     {
       const double angle = 2.0 * vtkMath::Pi() * t;
       Aim(sun, 0.07, std::sin(angle), -std::cos(angle));
-    });
+    },
+    360.0, 0.5);
   // a view so wide that the sun is in it, or next to it, as it passes beside the camera
   scene.Renderer->GetActiveCamera()->SetViewAngle(150.0);
   scene.Rays->SetBackgroundGlowFalloff(60.0);
-  ExpectNoJump(scene, 240, "azimuth, wide",
+  ExpectNoJump(
+    scene, 240, "azimuth, wide",
     [&](double t)
     {
       const double angle = 2.0 * vtkMath::Pi() * t;
       Aim(sun, std::sin(angle), 0.1, -std::cos(angle));
-    });
+    },
+    360.0, 0.5);
 }
 
 TEST(GodRaysSweeps, ALampAboutTheCameraDoesNotJump)
