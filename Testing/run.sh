@@ -14,7 +14,8 @@
 #   --vtk-only     leave ParaView out
 #   --sanitizers   instead: compile with AddressSanitizer and UndefinedBehaviorSanitizer into
 #                  build-sanitizers/, and run a short form of the tests in C++. With GODRAYS_LONG=1 all of
-#                  them, and those of filters with ThreadSanitizer, in build-threads/
+#                  them, and those of filters with ThreadSanitizer and VTK's threads of its own, as it does
+#                  not see how TBB's wait, in build-threads/
 #   -L <label>     only tests with this label: see Testing/CMakeLists.txt
 
 set -euo pipefail
@@ -99,6 +100,7 @@ if $sanitizers; then
   status=0
   if [ -n "${GODRAYS_LONG:-}" ]; then
     sanitize sanitizers "godrays_math_tests=*" "godrays_filters_tests=*" "godrays_rendering_tests=*"
+    export VTK_SMP_BACKEND_IN_USE=STDThread VTK_SMP_MAX_THREADS=4
     sanitize threads "godrays_filters_tests=*"
   else
     sanitize sanitizers "godrays_math_tests=*" "godrays_filters_tests=*Source.*:HDRWriter.*:Sun*:PowerSum.*" \

@@ -143,6 +143,12 @@ TEST(ReferenceFilterPipeline, BytesDoNotDependOnThreadsOrOnTheExtentAsked)
   const Picture expected = FromImage(filter->GetOutput());
   for (const char* backend : { "Sequential", "STDThread", "TBB" })
   {
+#ifdef __SANITIZE_THREAD__
+    if (backend == std::string("TBB"))
+    {
+      continue; // Debian's library was not compiled for ThreadSanitizer, which does not see how it waits
+    }
+#endif
     for (int threads : { 1, 2, 3 })
     {
       vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, backend, false },
