@@ -482,6 +482,45 @@ double vtkGodRaysSilhouette::GetScore(int column, int row) const
 }
 
 //------------------------------------------------------------------------------
+double vtkGodRaysSilhouette::GetOpenness(double column, double row) const
+{
+  double light = 0.0;
+  for (const auto& direction : this->Directions)
+  {
+    light += this->Follow(column, row, direction.data()).Light;
+  }
+  return light / static_cast<double>(this->Directions.size());
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Where something hides a place, the one in all of the picture that is least hidden.
+ */
+void vtkGodRaysSilhouette::MoveIntoTheOpen(Place& place, double lowest) const
+{
+  constexpr double open = 0.2;
+  constexpr int step = 4;
+  double most = this->GetOpenness(place.X * this->Columns, place.Y * this->Rows);
+  if (most >= open || this->CoveredCount == 0)
+  {
+    return;
+  }
+  for (int row = static_cast<int>(lowest * this->Rows); row < this->Rows; row += step)
+  {
+    for (int column = 0; column < this->Columns; column += step)
+    {
+      const double light = this->GetOpenness(column + 0.5, row + 0.5);
+      if (light > most)
+      {
+        most = light;
+        place.X = (column + 0.5) / this->Columns;
+        place.Y = (row + 0.5) / this->Rows;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkGodRaysSilhouette::Place vtkGodRaysSilhouette::FindSun(double lowest) const
 {
   Place best;
@@ -522,7 +561,10 @@ vtkGodRaysSilhouette::Place vtkGodRaysSilhouette::FindSun(double lowest) const
   {
     best.X = (bestColumn + 0.5) / this->Columns;
     best.Y = (bestRow + 0.5) / this->Rows;
+    return best;
   }
+  best.Y = std::max(best.Y, lowest);
+  this->MoveIntoTheOpen(best, lowest);
   return best;
 }
 

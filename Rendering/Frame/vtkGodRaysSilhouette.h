@@ -43,7 +43,8 @@ public:
   /**
    * The best place for a sun: with much light and shadow about it that the picture has room for, and
    * with little of the props in its glare. Places below lowest, a Y, are left out. Score is 0 when
-   * there is no place at which something is covered, and something is not.
+   * there is no place at which something is covered, and something is not; then the place is the usual one,
+   * or, where that is hidden, the one that is least so.
    */
   Place FindSun(double lowest) const;
 
@@ -78,6 +79,8 @@ private:
   bool IsCovered(double column, double row) const;
   Way Follow(double column, double row, const double direction[2]) const;
   double GetScore(int column, int row) const;
+  double GetOpenness(double column, double row) const; ///< seen part of the light about it
+  void MoveIntoTheOpen(Place& place, double lowest) const;
 
   int Rows = 128;
   int Columns;

@@ -19,8 +19,6 @@ vtkStandardNewMacro(vtkGodRaysSunPlacer);
 
 namespace
 {
-const double DefaultPlace[2] = { 0.35, 0.75 };
-
 /// Where a place of the picture is on the near and the far plane, in homogeneous world coordinates.
 bool GetSight(vtkCamera* camera, double aspect, double x, double y, double ends[2][4])
 {
@@ -73,13 +71,12 @@ bool vtkGodRaysSunPlacer::Find(vtkPropCollection* props, vtkCamera* camera, doub
 bool vtkGodRaysSunPlacer::Find(const vtkGodRaysSilhouette& silhouette)
 {
   const vtkGodRaysSilhouette::Place best = silhouette.FindSun(this->Lowest);
-  const bool found = best.Score > 0.0;
-  this->Place[0] = found ? best.X : DefaultPlace[0];
-  this->Place[1] = found ? best.Y : std::max(DefaultPlace[1], this->Lowest);
+  this->Place[0] = best.X;
+  this->Place[1] = best.Y;
   this->Score = best.Score;
   this->Coverage = silhouette.GetCoveredFraction();
   silhouette.GetCoveredBounds(this->CoveredBounds);
-  return found;
+  return best.Score > 0.0;
 }
 
 //------------------------------------------------------------------------------

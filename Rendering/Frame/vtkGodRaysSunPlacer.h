@@ -50,8 +50,9 @@ public:
    * Look at a renderer's props with its camera, or at props with a camera in a picture of this ratio of
    * width to height. A renderer whose camera was never set is seen as VTK would set it. With a compositor,
    * the props are those of all processes, each of which makes this call, with the same camera and ratio.
-   * Returns whether there is a place that is partly covered; if not, Place is the default. No renderer, or a
-   * ratio that is not above 0, is an error.
+   * Returns whether there is a place that is partly covered; if not, Place is the default, or, where
+   * something hides that, the place of all the picture that is least hidden. No renderer, or a ratio that is
+   * not above 0, is an error.
    */
   bool Find(vtkRenderer* renderer, vtkGodRaysCompositor* compositor = nullptr);
   bool Find(vtkPropCollection* props, vtkCamera* camera, double aspect);

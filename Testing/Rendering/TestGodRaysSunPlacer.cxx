@@ -291,6 +291,27 @@ TEST_F(GodRaysSunPlacer, HasADefault)
   EXPECT_EQ(this->VTKMessages.Take().size(), 2u);
 }
 
+// A ball that fills nearly all of the picture leaves its corners.
+TEST_F(GodRaysSunPlacer, LooksForAnOpeningIfTheDefaultIsHidden)
+{
+  vtkNew<vtkSphereSource> ball;
+  ball->SetThetaResolution(60);
+  ball->SetPhiResolution(30);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(ball->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  this->Renderer->AddActor(actor);
+  this->Renderer->ResetCamera();
+  this->Renderer->GetActiveCamera()->Zoom(2.6);
+  this->Placer->Find(this->Renderer);
+  EXPECT_GT(this->Placer->GetCoverage(), 0.9);
+  EXPECT_LT(this->Placer->GetCoverage(), 1.0);
+  const double* place = this->Placer->GetPlace();
+  EXPECT_GT(place[1], 0.85);
+  EXPECT_GT(std::abs(place[0] - 0.5), 0.35);
+}
+
 TEST_F(GodRaysSunPlacer, FollowsIfAsked)
 {
   this->AddBoxes();
