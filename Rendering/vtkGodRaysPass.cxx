@@ -437,6 +437,18 @@ double vtkGodRaysPass::GetDataExposure()
 }
 
 //------------------------------------------------------------------------------
+double vtkGodRaysPass::GetDarkDataExposure()
+{
+  return this->Internal->IsMetered ? this->Internal->Exposure.OverDark : 1.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkGodRaysPass::GetDataGain()
+{
+  return this->Internal->IsMetered ? this->Internal->Exposure.DataGain : 1.0;
+}
+
+//------------------------------------------------------------------------------
 void vtkGodRaysPass::GetStageTimes(double seconds[4])
 {
   Internals& self = *this->Internal;

@@ -188,15 +188,15 @@ public:
   ///@{
   /**
    * Set/Get whether the strength of the rays is chosen by the picture, before Intensity, so that data stay
-   * readable: on average, data that are lit change by at most 10 in CIE 1976 L*a*b* and keep 90 % of their
-   * chroma, to which a look adds 10 % at most or, where data are nearly grey, 2; where most are lit, rays
-   * are up to 65 % weaker for the sake of dark ones. The rays' mean is at most 0.12, their 99th
-   * percentile at most 1 [linear light, 1 is white]. A look is weaker over lit data alone, if they ask for
-   * it, and never stronger than its parameters say; light in a medium, whose unit is that of the lights, is
-   * up to fourfold, and one factor holds for all of it. What a medium takes from the scene's light does not
-   * count. While the user drags the camera, the strength changes gradually. Published
-   * sums of shown values are as published. Off, Intensity and the model's parameters are the strength.
-   * Default is on.
+   * readable: on average, data that are lit, and, where most are, all, change by at most 10 in CIE 1976
+   * L*a*b* and keep 90 % of their chroma, to which a look adds 10 % at most or, where data are nearly grey,
+   * 2. The rays' mean is at most 0.12, their 99th percentile at most 1 [linear light, 1 is white]. A look is
+   * weaker over data alone, over lit and dark ones each as they ask for it, and never stronger than its
+   * parameters say. Light in a medium, whose unit is that of the lights, is up to fourfold, and one factor
+   * holds for all of it; what the medium takes of the data's light on average is made up for, up to twofold,
+   * as if their lamps were as much brighter. While the user drags the camera, the strength changes gradually.
+   * Published sums of shown values are as published. Off, Intensity and the model's parameters are the
+   * strength, and a medium dims data by all that it takes. Default is on.
    */
   vtkSetMacro(AutomaticExposure, bool);
   vtkGetMacro(AutomaticExposure, bool);
@@ -205,11 +205,14 @@ public:
 
   ///@{
   /**
-   * The factor on all rays in the last frame, that of AutomaticExposure times Intensity, and the further one
-   * on rays over data that are lit [no unit].
+   * The factor on all rays in the last frame, that of AutomaticExposure times Intensity, and the further ones
+   * on rays over data that are lit, and over dark ones; the factor on data behind a medium, which has at most
+   * what the medium takes of them [no unit].
    */
   double GetExposure();
   double GetDataExposure();
+  double GetDarkDataExposure();
+  double GetDataGain();
   ///@}
 
   ///@{

@@ -260,6 +260,8 @@ bool vtkGodRaysPass::Internals::FindExposure(
         { now = before + 0.25 * (now - before); };
         approach(this->Exposure.Everywhere, former.Everywhere);
         approach(this->Exposure.OverData, former.OverData);
+        approach(this->Exposure.OverDark, former.OverDark);
+        approach(this->Exposure.DataGain, former.DataGain);
       }
     }
     this->Surround = {};
@@ -270,6 +272,8 @@ bool vtkGodRaysPass::Internals::FindExposure(
   }
   request.AlphaShowsData = this->Meter.AlphaShowsData();
   request.DataExposure = this->Exposure.OverData;
+  request.DarkExposure = this->Exposure.OverDark;
+  request.DataGain = this->Exposure.DataGain;
   request.SurroundPart = this->Surround.Part;
   request.SurroundLight = this->Surround.Light;
   if (pass.DataFirst)
@@ -541,6 +545,14 @@ void vtkGodRaysPass::DescribeStages(bool screen)
     if (self.Exposure.OverData < 1.0)
     {
       plan << ", over data " << self.Exposure.OverData << " of that";
+    }
+    if (self.Exposure.OverDark < 1.0)
+    {
+      plan << ", over dark ones " << self.Exposure.OverDark;
+    }
+    if (self.Exposure.DataGain > 1.0)
+    {
+      plan << ", data " << self.Exposure.DataGain << " times as bright as the medium leaves them";
     }
   }
   if (self.IsMetered && self.Surround.Part > 0.0)

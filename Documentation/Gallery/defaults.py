@@ -18,6 +18,7 @@ import vtkmodules.all as vtk
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 import default_scenes
+import default_situations
 import godrays
 
 SIZE = (400, 280)
@@ -30,6 +31,7 @@ PLAIN = {
     "highlight_shoulder": False,
     "darken_light_background": False,
 }
+FIRST = {"data first": {"data_first": True}}
 NEARLY_GREY = 10  # mean chroma, of which 10 % are not seen
 
 
@@ -98,11 +100,14 @@ def get_contrast(change, place):
 
 
 def get_place(renderer, light):
-    """Where a sun stands in the picture, from (0, 0) to (1, 1)."""
+    """Where a lamp or a sun stands in the picture, from (0, 0) to (1, 1)."""
     camera = renderer.GetActiveCamera()
-    direction = numpy.subtract(light.GetTransformedPosition(), light.GetTransformedFocalPoint())
-    far = camera.GetClippingRange()[1] * direction / numpy.linalg.norm(direction)
-    renderer.SetWorldPoint(*(numpy.array(camera.GetPosition()) + far), 1)
+    place = numpy.array(light.GetTransformedPosition())
+    if not light.GetPositional():
+        direction = place - light.GetTransformedFocalPoint()
+        far = camera.GetClippingRange()[1] * direction / numpy.linalg.norm(direction)
+        place = camera.GetPosition() + far
+    renderer.SetWorldPoint(*place, 1)
     renderer.WorldToView()
     return [(each + 1) / 2 for each in renderer.GetViewPoint()[:2]]
 
@@ -121,6 +126,18 @@ def measure(before, after, data, place):
     )
 
 
+def expect_colors(test, numbers, least_chroma=0.9):
+    """Expect what is promised of data's colours, in a unittest.TestCase."""
+    test.assertLess(numbers.difference, 10)
+    test.assertLess(numbers.clipped, 0.5)
+    if numbers.chroma is None:
+        test.assertGreater(numbers.tint, -2.5)
+    else:
+        test.assertGreater(numbers.chroma, least_chroma)
+    if numbers.chroma is None or numbers.chroma > 1.1:
+        test.assertLess(numbers.tint, 2.5)  # just visible
+
+
 def write(pictures, name):
     """Pictures side by side, as a JPEG."""
     joined = numpy.concatenate(pictures, axis=1).astype(numpy.uint8)
@@ -134,14 +151,29 @@ def write(pictures, name):
     writer.Write()
 
 
-def draw(name, background=None, samples=0, columns=None):
+def write_sheet(pictures, name, columns=6):
+    """Pictures in rows, as a JPEG."""
+    pictures = pictures + [numpy.zeros_like(pictures[0])] * (-len(pictures) % columns)
+    rows = [numpy.concatenate(pictures[i : i + columns], axis=1) for i in range(0, len(pictures), columns)]
+    write([numpy.concatenate(rows[::-1], axis=0)], name)
+
+
+def draw(name, background=None, samples=0, columns=None, make=default_scenes.make):
     """Pictures of a scene without rays and with each of some columns, by default COLUMNS; what of them shows
     data; where the sun of each stands."""
-    window, renderer = default_scenes.make(name, SIZE)
+    window, renderer = make(name, SIZE)
     window.SetMultiSamples(samples)
+    overlays = [
+        prop for prop in renderer.GetViewProps() if prop.IsA("vtkActor2D") or prop.IsA("vtkContextActor")
+    ]
+    for prop in overlays:
+        prop.VisibilityOff()
     window.Render()
     # a skybox is drawn at the far end of the depth
     data = (read(window, "depth")[..., 0] < 1) | (read(window, "alpha")[..., 3] > 127)
+    for prop in overlays:
+        prop.VisibilityOn()
+    window.Render()
     if background:
         default_scenes.BACKGROUNDS[background](renderer)
         window.Render()
@@ -156,11 +188,11 @@ def draw(name, background=None, samples=0, columns=None):
     return shown, data, places
 
 
-def measure_all(name, background=None):
-    """The numbers of each of COLUMNS, and of PLAIN, where a pixel shows either data or a background; and how
-    much of the picture data are."""
-    columns = COLUMNS | {"plain": PLAIN}
-    (before, *with_rays), data, places = draw(name, background, columns=columns)
+def measure_all(name, background=None, more=None, make=default_scenes.make):
+    """The numbers of each of COLUMNS, and of more of them, by default PLAIN, where a pixel shows either data
+    or a background; and how much of the picture data are."""
+    columns = COLUMNS | (more or {"plain": PLAIN})
+    (before, *with_rays), data, places = draw(name, background, columns=columns, make=make)
     numbers = [measure(before, after, data, place) for after, place in zip(with_rays, places)]
     print(name, background or "", numbers, flush=True)
     return numbers, 100 * data.mean()
@@ -181,6 +213,13 @@ def main(folder):
         shown, _, _ = draw("cones", background, samples=8)
         write(shown, os.path.join(pictures, file))
         before_others.append((background, file, measure_all("cones", background)[0]))
+    situations = []
+    sheet = []
+    for name in default_situations.SITUATIONS:
+        shown, _, _ = draw(name, make=default_situations.make)
+        sheet.append(shown[1][::2, ::2])
+        situations.append((name, *measure_all(name, more=FIRST, make=default_situations.make)))
+    write_sheet(sheet, os.path.join(pictures, "situations.jpg"))
 
     def format_numbers(numbers):
         is_grey = numbers.chroma is None
@@ -202,11 +241,19 @@ def main(folder):
             for column, each in zip(COLUMNS, numbers):
                 page.write(f"| {column} | {format_numbers(each)} |\n")
         page.write("\n## All of them\n\n")
-        page.write("| | dE of a look | chroma | clipped | contrast | plain | dE of a medium | contrast |\n")
-        page.write("|---|---|---|---|---|---|---|---|\n")
+        page.write("| | dE of a look | chroma | clipped | contrast | plain ")
+        page.write("| dE of a medium | chroma | clipped | contrast |\n")
+        page.write("|---|---|---|---|---|---|---|---|---|---|\n")
         for name, what, fill, (look, medium, plain) in rows:
             page.write(f"| {what} | {format_numbers(look)} | {plain.contrast:.1f} ")
-            page.write(f"| {medium.difference:.1f} | {medium.contrast:.1f} |\n")
+            page.write(f"| {format_numbers(medium)} |\n")
+        page.write(SITUATIONS)
+        page.write("| | dE of a look | chroma | clipped | contrast ")
+        page.write("| dE of a medium | chroma | clipped | contrast | dE, data first | chroma |\n")
+        page.write("|---|---|---|---|---|---|---|---|---|---|---|\n")
+        for name, (look, medium, first), fill in situations:
+            page.write(f"| {name} | {format_numbers(look)} | {format_numbers(medium)} ")
+            page.write("| " + " | ".join(format_numbers(first).split(" | ")[:2]) + " |\n")
 
 
 PAGE = """# What happens by itself
@@ -220,14 +267,27 @@ this is what a first script shows. Made by
 
 The numbers are of pictures without anti-aliasing, in which a pixel shows either data or the background:
 
-- dE: how far data change on average, as a distance in CIE 1976 L\\*a\\*b\\*; 2 to 3 are just visible. A look
-  is to keep below 10. A medium also dims data, which its strength cannot help.
-- chroma: how much of the data's there is with rays; of data that are nearly grey, with a chroma below 10, how
-  much more or less.
+- dE: how far data change on average, as a distance in CIE 1976 L\\*a\\*b\\*; 2 to 3 are just visible. It is
+  to be below 10, in a medium, too, whose data have the light back that it takes of them on average, up to
+  twofold.
+- chroma: how much of the data's there is with rays, 90 to 110 %; of data that are nearly grey, with a chroma
+  below 10, how much more or less, of which 2 are allowed.
 - clipped: data of which a channel became 255, in percent of the data.
 - contrast of the shafts: the root mean square of their lightness along circles about the sun, less its mean
   over 30 degrees [L\\*]; plain, that of the sum as it is, with the wider glow of former versions and no
   choice of a strength, of which at least half is to be kept.
+"""
+
+SITUATIONS = """
+## Other situations
+
+Scenes that are lit, made or seen in other ways, in `default_situations.py`; data first is
+`godrays.enable(renderer, data_first=True)`. Where all of the sun is hidden, there are no shafts, and
+`GetAdvice()` says so. Where most data are dark, as a silhouette is, light before them is what one sees, and is
+not held back for their sake.
+
+![the look of each, in the table's order](defaults/situations.jpg)
+
 """
 
 if __name__ == "__main__":

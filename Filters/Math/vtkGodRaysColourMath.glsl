@@ -103,6 +103,15 @@ FUNCTION Vec3 BlendSurround(IN(Vec3) scene, IN(Vec3) rays, IN(Real) reference, I
   return scene * (1.0 - part * (1.0 - pow(min(Luminance(rays) / reference, 1.0), 1.0 / 3.0)));
 }
 
+// The factor on what a medium lets through of data, whose lamps are taken for as much brighter; data are at
+// most as bright as without the medium. Formula: 1 + p (min(g, 1/max t) - 1). [no unit]
+FUNCTION Real DataGain(IN(Vec3) transmittance, IN(Real) gain, IN(Real) dataPart)
+{
+  GODRAYS_EXPECT(gain >= 1.0 && dataPart >= 0.0 && dataPart <= 1.0);
+  Real most = max(transmittance.x, max(transmittance.y, transmittance.z));
+  return 1.0 + dataPart * (min(gain, 1.0 / max(most, 1e-6)) - 1.0);
+}
+
 // --- Differences of colours ----------------------------------------------------------------------
 
 // A step of CIE 1976 L*a*b*: the cube root, with a line near 0, and the inverse. [no unit]
@@ -148,12 +157,14 @@ FUNCTION Real SeenPart(IN(Vec3) light)
 }
 
 // A scene's colour, as light or dark as it is with rays, by at most some lightness: hue and chroma stay, and
-// where the primaries have no lighter or darker colour of these, lightness goes as far as they have.
+// where the primaries have no lighter or darker colour of these, lightness goes as far as they have, and no
+// channel beyond 0.99 or what it was, as in BlendShoulder().
 // Formula: L* towards that of the joined light, a* and b* as they were. [linear light]
 FUNCTION Vec3 BlendLightness(IN(Vec3) scene, IN(Vec3) joined, IN(Real) mostLightness)
 {
   Vec3 lab = LabOfLight(scene);
   Real change = clamp(LabOfLight(joined).x - lab.x, -mostLightness, mostLightness);
+  Real most = max(0.99, max(scene.x, max(scene.y, scene.z)));
   Real low = 0.0;
   Real high = 1.0;
   for (int i = 0; i < 10; ++i)
@@ -161,7 +172,7 @@ FUNCTION Vec3 BlendLightness(IN(Vec3) scene, IN(Vec3) joined, IN(Real) mostLight
     Real middle = i == 0 ? 1.0 : 0.5 * (low + high);
     Vec3 light = LightOfLab(Vec3(lab.x + middle * change, lab.y, lab.z));
     bool isShown = min(light.x, min(light.y, light.z)) >= -1e-4 &&
-      max(light.x, max(light.y, light.z)) <= 1.0001;
+      max(light.x, max(light.y, light.z)) <= most;
     low = isShown ? middle : low;
     high = isShown ? high : middle;
   }

@@ -29,6 +29,8 @@ uniform float eyeHeight;
 uniform float planetRadius;
 uniform float farLimit;
 uniform float dataExposure;  // of the rays over data that are seen, as a part of that elsewhere
+uniform float darkExposure;  // the same over data that are dark
+uniform float dataGain;      // on data, at most as much as the medium takes of their light
 uniform float surroundLight; // of rays before a light background where they leave it as it is
 uniform float surroundPart;  // by which it is darker where there are none
 uniform float mostLightness; // by which data change, if only their lightness does
@@ -52,6 +54,7 @@ uniform vec2 cells;          // of the pictures that a meter reads
 // shoulder: whether sums stay below white rather than being clipped
 // surround: whether rays darken the background, which is light
 // sparesData: whether rays are weaker over data
+// gainsData: whether data are brighter than what the medium leaves of them
 // lightnessAlone: whether data keep hue and chroma
 // metered: whether a few pixels are drawn for a vtkGodRaysLightMeter, rather than the picture
 
@@ -121,7 +124,12 @@ void main()
   vec3 base = sceneGain * before;
   if (dimmed)
   {
-    base *= SceneTransmittance(pixel, uv);
+    vec3 transmittance = SceneTransmittance(pixel, uv);
+    base *= transmittance;
+    if (gainsData)
+    {
+      base *= DataGain(transmittance, dataGain, DataPart(pixel, shownOver.a));
+    }
   }
   if (metered)
   {
@@ -132,7 +140,7 @@ void main()
   }
   if (sparesData)
   {
-    light *= mix(1.0, dataExposure, DataPart(pixel, shownOver.a) * SeenPart(before));
+    light *= mix(1.0, mix(darkExposure, dataExposure, SeenPart(before)), DataPart(pixel, shownOver.a));
   }
   vec3 sum = screen ? BlendScreen(base, light)
     : shoulder      ? BlendShoulder(base, light)

@@ -13,6 +13,8 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
+
 vtkStandardNewMacro(vtkGodRaysBlendPass);
 
 namespace
@@ -80,7 +82,9 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
     (static_cast<int>(request.Rays->GetWidth()) != request.Viewport[2] ||
       static_cast<int>(request.Rays->GetHeight()) != request.Viewport[3]);
   const bool metered = request.Cells[0] > 0;
-  const bool sparesData = request.DataExposure < 1.0 && !request.ShowRays && !metered;
+  const bool sparesData =
+    std::min(request.DataExposure, request.DarkExposure) < 1.0 && !request.ShowRays && !metered;
+  const bool gainsData = request.Medium && request.DataGain > 1.0 && !request.ShowRays && !metered;
   const bool surround = request.SurroundPart > 0.0 && !request.ShowRays && !metered;
   const bool lightnessAlone = request.MostLightness >= 0.0 && !request.ShowRays && !metered;
   vtkShaderProgram* program = this->Internal->Quad.Begin(request.Window,
@@ -95,7 +99,8 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
       { "hasSecond", request.Medium && request.Medium->NumberOfComponents > 1 },
       { "grey", request.Medium && request.Medium->IsGrey() },
       { "shoulder", request.Shoulder && !request.Screen }, { "lightnessAlone", lightnessAlone },
-      { "surround", surround }, { "sparesData", sparesData }, { "metered", metered } });
+      { "surround", surround }, { "sparesData", sparesData }, { "gainsData", gainsData },
+      { "metered", metered } });
   if (!program)
   {
     return false;
@@ -140,11 +145,13 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
   {
     this->Internal->Quad.SetTexture("depth", request.Depth);
   }
-  if (surround || sparesData || lightnessAlone)
+  if (surround || sparesData || gainsData || lightnessAlone)
   {
     program->SetUniformf("surroundLight", static_cast<float>(request.SurroundLight));
     program->SetUniformf("surroundPart", static_cast<float>(request.SurroundPart));
     program->SetUniformf("dataExposure", static_cast<float>(request.DataExposure));
+    program->SetUniformf("darkExposure", static_cast<float>(request.DarkExposure));
+    program->SetUniformf("dataGain", static_cast<float>(request.DataGain));
     program->SetUniformf("mostLightness", static_cast<float>(request.MostLightness));
     program->SetUniformi("alphaShowsData", request.AlphaShowsData ? 1 : 0);
   }

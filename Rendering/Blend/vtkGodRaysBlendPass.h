@@ -55,6 +55,8 @@ public:
     double SurroundPart = 0.0;   ///< by which a light background is darker where rays are absent
     double SurroundLight = 1.0;  ///< luminance of rays that leave it as it is
     double DataExposure = 1.0;   ///< factor on rays over data that are seen
+    double DarkExposure = 1.0;   ///< factor on rays over data that are dark
+    double DataGain = 1.0;       ///< on data, at most as much as the medium takes of their light
     double MostLightness = -1.0; ///< by which data change, in L*, if only that may; else below 0
     bool AlphaShowsData = false; ///< it is 0 where nothing is drawn
     bool ShowRays = false;

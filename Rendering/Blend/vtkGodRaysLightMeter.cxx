@@ -17,8 +17,8 @@ using vtkGodRays::Vec3;
 constexpr int Columns = 72;
 constexpr int Rows = 48;
 
-constexpr double LeastPart = 0.35;        // that dark data among lit ones leave of rays
-constexpr double LeastPartOfMedium = 0.3; // that data leave of its light
+constexpr double LeastPartOfMedium = 0.1; // that data leave of its light
+constexpr double MostDataGain = 2.0;      // a stop of a camera
 constexpr double FewData = 0.005;         // fraction of the picture; fewer count as less
 
 Vec3 ToVector(const std::array<double, 3>& color)
@@ -36,71 +36,97 @@ double GetChroma(const Vec3& lab)
   return std::hypot(lab.y, lab.z);
 }
 
+/// What a medium leaves of a sample's light; nothing is taken of black.
+Vec3 GetTransmittance(const vtkGodRaysLightMeter::Sample& sample)
+{
+  Vec3 result(1.0);
+  for (int c = 0; c < 3; ++c)
+  {
+    result[c] =
+      sample.Scene[c] > 1e-6 ? glm::clamp(sample.Base[c] / sample.Scene[c], 0.0, 1.0) : 0.0;
+  }
+  return result;
+}
+
+/// The gain with which data are on average as bright as without a medium, which hides what is farther.
+double FindDataGain(const std::vector<vtkGodRaysLightMeter::Sample>& samples)
+{
+  double scene = 0.0;
+  double base = 0.0;
+  for (const auto& sample : samples)
+  {
+    scene += sample.DataPart * vtkGodRays::Luminance(ToVector(sample.Scene));
+    base += sample.DataPart * vtkGodRays::Luminance(ToVector(sample.Base));
+  }
+  return base > 0.0 ? glm::clamp(scene / base, 1.0, MostDataGain) : 1.0;
+}
+
 /**
  * How much the colours of data change with rays of some strength.
  */
 class Fidelity
 {
 public:
-  Fidelity(const std::vector<vtkGodRaysLightMeter::Sample>& samples, bool shoulder, bool limitsTint)
+  Fidelity(const std::vector<vtkGodRaysLightMeter::Sample>& samples, bool shoulder, bool limitsTint,
+    double dataGain)
     : Shoulder(shoulder)
     , LimitsTint(limitsTint)
   {
     for (const auto& sample : samples)
     {
-      const Vec3 base = ToVector(sample.Base);
-      const Vec3 before = ToLab(base);
-      const double lit = sample.DataPart *
-        vtkGodRays::SeenPart(glm::clamp(ToVector(sample.Scene), Vec3(0.0), Vec3(1.0)));
+      const Vec3 scene = glm::clamp(ToVector(sample.Scene), Vec3(0.0), Vec3(1.0));
       if (sample.DataPart > 0.0)
       {
+        const double lit = vtkGodRays::SeenPart(scene);
+        const Vec3 base = ToVector(sample.Base) *
+          vtkGodRays::DataGain(GetTransmittance(sample), dataGain, sample.DataPart);
+        const Vec3 before = ToLab(scene);
         this->Data.push_back({ base, ToVector(sample.Rays), before, lit, sample.DataPart });
-        this->Weight += lit;
-        this->All += sample.DataPart;
-        this->Chroma += lit * GetChroma(before);
-        this->ChromaOfAll += sample.DataPart * GetChroma(before);
+        this->Before[LIT].Add(sample.DataPart * lit, 0.0, GetChroma(before));
+        this->Before[ALL].Add(sample.DataPart, 0.0, GetChroma(before));
       }
     }
-    const double few = FewData * static_cast<double>(samples.size());
-    this->MostlyLit = glm::smoothstep(0.3, 0.6, this->Weight / std::max(this->All, few));
-    this->Weight = std::max(this->Weight, few);
-    this->All = std::max(this->All, few);
+    this->Few = FewData * static_cast<double>(samples.size());
   }
 
-  /// At most 1 each if colours are kept with a factor on all rays, and a further one over data that are lit:
-  /// those of data that are lit, and, if most are, those of all data.
-  std::array<double, 2> GetLosses(double exposure, double dataExposure) const
+  /// From 0 to 1, whether most data are lit; else they are a silhouette.
+  double GetMostlyLit() const
   {
-    double difference = 0.0;
-    double ofAll = 0.0;
-    double chroma = 0.0;
-    double chromaOfAll = 0.0;
+    return glm::smoothstep(
+      0.3, 0.6, this->Before[LIT].Weight / std::max(this->Before[ALL].Weight, this->Few));
+  }
+
+  enum Kind
+  {
+    LIT = 0,
+    ALL = 1
+  };
+
+  /**
+   * At most 1 if colours of a kind of data are kept with a factor on all rays, a further one over data
+   * that are lit, and one over those that are dark.
+   */
+  double GetLoss(Kind kind, double exposure, double overLit, double overDark) const
+  {
+    Sum sum;
     for (const Colors& each : this->Data)
     {
-      const Vec3 rays = exposure * glm::mix(1.0, dataExposure, each.Weight) * each.Rays;
+      const double over = glm::mix(1.0, glm::mix(overDark, overLit, each.Lit), each.Part);
+      const Vec3 rays = exposure * over * each.Rays;
       const Vec3 after = ToLab(this->Shoulder ? vtkGodRays::BlendShoulder(each.Base, rays)
                                               : vtkGodRays::BlendAdd(each.Base, rays));
-      const double change = glm::length(after - each.Before);
-      difference += each.Weight * change;
-      ofAll += each.Part * change;
-      chroma += each.Weight * GetChroma(after);
-      chromaOfAll += each.Part * GetChroma(after);
+      sum.Add(each.Part * (kind == LIT ? each.Lit : 1.0), glm::length(after - each.Before),
+        GetChroma(after));
     }
+    const Sum& before = this->Before[kind];
+    const double weight = std::max(before.Weight, this->Few);
     // Where there is hardly a colour, as in grey data, its chroma says nothing.
-    const auto getLost = [](double now, double before, double weight)
-    {
-      return before > weight ? (1.0 - now / before) / (1.0 - vtkGodRaysLightMeter::LeastChroma)
-                             : 0.0;
-    };
-    const double tint = std::max((1.0 - vtkGodRaysLightMeter::LeastChroma) * this->Chroma,
-      vtkGodRaysLightMeter::MostTint * this->Weight);
-    const double gained = this->LimitsTint ? chroma - this->Chroma : 0.0;
-    const double loss = std::max({ difference / this->Weight / vtkGodRaysLightMeter::MostDifference,
-      getLost(chroma, this->Chroma, this->Weight), gained / tint });
-    const double lossOfAll = this->MostlyLit *
-      std::max(ofAll / this->All / vtkGodRaysLightMeter::MostDifference,
-        getLost(chromaOfAll, this->ChromaOfAll, this->All));
-    return { loss, lossOfAll };
+    const double most = 1.0 - vtkGodRaysLightMeter::LeastChroma;
+    const double lost = before.Chroma > weight ? (1.0 - sum.Chroma / before.Chroma) / most : 0.0;
+    const double tint = std::max(most * before.Chroma, vtkGodRaysLightMeter::MostTint * weight);
+    const double gained = this->LimitsTint ? sum.Chroma - before.Chroma : 0.0;
+    return std::max(
+      { sum.Difference / weight / vtkGodRaysLightMeter::MostDifference, lost, gained / tint });
   }
 
 private:
@@ -109,15 +135,24 @@ private:
     Vec3 Base;
     Vec3 Rays;
     Vec3 Before;
-    double Weight;
+    double Lit;
     double Part;
   };
+  struct Sum
+  {
+    void Add(double weight, double difference, double chroma)
+    {
+      this->Weight += weight;
+      this->Difference += weight * difference;
+      this->Chroma += weight * chroma;
+    }
+    double Weight = 0.0;
+    double Difference = 0.0;
+    double Chroma = 0.0;
+  };
   std::vector<Colors> Data;
-  double Weight = 0.0;
-  double All = 0.0;
-  double MostlyLit = 0.0;
-  double Chroma = 0.0;
-  double ChromaOfAll = 0.0;
+  Sum Before[2];
+  double Few = 0.0;
   bool Shoulder;
   bool LimitsTint;
 };
@@ -160,6 +195,31 @@ double FindPart(const Loss& getLoss)
       below = excess;
       above *= 0.5;
     }
+  }
+  return part;
+}
+
+/// The largest part, from LeastPartOfMedium to 1, for which a loss is 1 or less; LeastPartOfMedium, if there
+/// is none. The loss falls first, where light makes up for what the medium takes, and grows later.
+template <typename Loss>
+double FindPartOfMedium(const Loss& getLoss)
+{
+  constexpr double step = 0.8;
+  double above = 1.0;
+  double part = 1.0;
+  while (part > LeastPartOfMedium && getLoss(part) > 1.0)
+  {
+    above = part;
+    part *= step;
+  }
+  if (part <= LeastPartOfMedium)
+  {
+    return LeastPartOfMedium;
+  }
+  for (int i = 0; i < 6 && above > part; ++i)
+  {
+    const double middle = 0.5 * (part + above);
+    (getLoss(middle) > 1.0 ? above : part) = middle;
   }
   return part;
 }
@@ -247,17 +307,23 @@ vtkGodRaysLightMeter::Exposure vtkGodRaysLightMeter::FindExposure(
   result.Everywhere =
     *rank > 0.0 ? std::min(result.Everywhere, MostBrightest / *rank) : result.Everywhere;
 
-  const Fidelity fidelity(samples, shoulder, sparesData);
+  result.DataGain = sparesData ? 1.0 : FindDataGain(samples);
+  const Fidelity fidelity(samples, shoulder, sparesData, result.DataGain);
   const double most = result.Everywhere;
+  const double mostlyLit = fidelity.GetMostlyLit();
   if (!sparesData)
   {
-    result.Everywhere *= std::max(
-      LeastPartOfMedium, FindPart([&](double x) { return fidelity.GetLosses(x * most, 1.0)[0]; }));
+    result.Everywhere *= FindPartOfMedium(
+      [&](double x)
+      {
+        return std::max(fidelity.GetLoss(Fidelity::LIT, x * most, 1.0, 1.0),
+          mostlyLit * fidelity.GetLoss(Fidelity::ALL, x * most, 1.0, 1.0));
+      });
     return result;
   }
-  result.OverData = FindPart([&](double x) { return fidelity.GetLosses(most, x)[0]; });
-  result.Everywhere *= std::max(LeastPart,
-    FindPart([&](double x) { return fidelity.GetLosses(x * most, result.OverData)[1]; }));
+  result.OverData = FindPart([&](double x) { return fidelity.GetLoss(Fidelity::LIT, most, x, x); });
+  result.OverDark = FindPart([&](double x)
+    { return mostlyLit * fidelity.GetLoss(Fidelity::ALL, most, result.OverData, x); });
   return result;
 }
 

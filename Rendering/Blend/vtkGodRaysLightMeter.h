@@ -6,10 +6,10 @@
  *
  * Reads a few thousand pixels of what is to be joined, scene and rays, and finds the factors on the rays with
  * which
- * - data, the pixels that show something rather than a background, keep their colours: those that are lit
- *   change by at most MostDifference on average, and keep at least LeastChroma of their chroma; in a look
- *   they also gain no more than they may lose, or MostTint if that is more; where most are lit, the first
- *   two are aimed at for all of them, too;
+ * - data, the pixels that show something rather than a background, keep their colours: those that are lit,
+ *   and, where most are, all of them, change by at most MostDifference on average, and keep at least
+ *   LeastChroma of their chroma; in a look they also gain no more than they may lose, or MostTint if that is
+ *   more; light before a silhouette is what one sees;
  * - rays are neither invisible nor a white sheet: see FindExposure().
  *
  * @sa vtkGodRaysBlendPass
@@ -41,7 +41,7 @@ public:
   ///@{
   /// What is promised, 10 and 0.9, with something to spare for the pixels that are not read.
   static constexpr double MostDifference = 8.0; ///< mean distance in CIE 1976 L*a*b*
-  static constexpr double LeastChroma = 0.91;   ///< fraction of the mean chroma
+  static constexpr double LeastChroma = 0.92;   ///< fraction of the mean chroma
   static constexpr double MostTint = 2.0;       ///< chroma that grey data may gain, just visible
   ///@}
   static constexpr double MostBrightest =
@@ -70,6 +70,8 @@ public:
   {
     double Everywhere = 1.0;
     double OverData = 1.0; ///< a further one where data are seen, see SeenPart() in the formulas
+    double OverDark = 1.0; ///< and where they are not
+    double DataGain = 1.0; ///< on data behind a medium, see DataGain() in the formulas
   };
 
   /// How rays darken a light background, see BlendSurround() in the formulas.
@@ -91,9 +93,10 @@ public:
   /**
    * The exposure for some samples: the largest, at most largest, with which the mean of the rays is MostMean
    * or less, and their 99th percentile MostBrightest or less; largest, if there are no rays. Then it is
-   * lowered so far that data keep their colours, over data alone if they are to be spared. What the base has
-   * changed by itself is not held against the rays. Of light in a medium data leave 30 % at least: a medium
-   * that only dims would be none.
+   * lowered so far that data keep their colours: over data alone, those that are lit and dark ones each for
+   * themselves, if they are to be spared. Else, in a medium, they first gain what it takes of their light on
+   * average, twice as much at most; of its own light they leave 10 % at least, as a medium that only dims
+   * would be none.
    */
   static Exposure FindExposure(
     const std::vector<Sample>& samples, bool shoulder, double largest, bool sparesData);

@@ -134,6 +134,8 @@ TEST(BlendLightness, ChangesLightnessAlone)
       // to the edge of the primaries' colours, where rounding counts
       EXPECT_LT(std::hypot(after.y - before.y, after.z - before.z), 1.0);
       EXPECT_GE((after.x - before.x) * (LabOfLight(joined).x - before.x), -0.1);
+      const Real brightest = std::max({ color.x, color.y, color.z });
+      EXPECT_LE(std::max({ result.x, result.y, result.z }), std::max(Real(0.99), brightest));
       changed += std::abs(after.x - before.x) > 5.0 ? 1 : 0;
     }
   }
@@ -142,6 +144,18 @@ TEST(BlendLightness, ChangesLightnessAlone)
   const Vec3 blue(0.0, 0.0, 0.5);
   EXPECT_LT(
     GetChroma(LabOfLight(BlendAdd(blue, Vec3(0.3, 0.25, 0.2)))), 0.7 * GetChroma(LabOfLight(blue)));
+}
+
+//------------------------------------------------------------------------------
+TEST(DataGain, MakesUpForWhatAMediumTakes)
+{
+  const Vec3 half(0.5, 0.4, 0.3);
+  EXPECT_NEAR(DataGain(half, 1.5, 1.0), 1.5, 1e-12);
+  EXPECT_NEAR(DataGain(half, 3.0, 1.0), 2.0, 1e-12); // no brighter than without the medium
+  EXPECT_NEAR(DataGain(half, 3.0, 0.5), 1.5, 1e-12); // half of it is background
+  EXPECT_EQ(DataGain(half, 3.0, 0.0), 1.0);
+  EXPECT_EQ(DataGain(Vec3(1.0), 2.0, 1.0), 1.0);
+  EXPECT_EQ(DataGain(Vec3(0.0), 2.0, 1.0), 2.0);
 }
 
 //------------------------------------------------------------------------------

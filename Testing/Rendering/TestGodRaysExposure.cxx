@@ -177,6 +177,92 @@ TEST(Exposure, GreyDataStayGrey)
 }
 
 //------------------------------------------------------------------------------
+// Dark data stay dark among lit ones: rays are before what is beside them. Shafts go across a silhouette.
+TEST(Exposure, DarkDataAmongLitOnesStayDark)
+{
+  Messages messages;
+  ColorStage stage;
+  stage.Rays->SetIntensity(0.0);
+  vtkCollectionSimpleIterator iterator;
+  vtkActorCollection* actors = stage.Renderer->GetActors();
+  actors->InitTraversal(iterator);
+  for (int i = 0; vtkActor* actor = actors->GetNextActor(iterator); ++i)
+  {
+    if (i < 2)
+    {
+      actor->GetProperty()->SetColor(0.05, 0.03, 0.04);
+    }
+  }
+  stage.Without = GetPixels(stage.Window);
+  stage.Rays->SetIntensity(1.0);
+  const auto getDifference = [&](bool ofData)
+  {
+    const auto with = GetPixels(stage.Window);
+    double difference = 0.0;
+    int count = 0;
+    for (int i = 0; i < Width * Height; ++i)
+    {
+      if (stage.IsData(i) == ofData)
+      {
+        difference += glm::length(vtkGodRays::LabOfLight(ColorStage::Get(with, i)) -
+          vtkGodRays::LabOfLight(ColorStage::Get(stage.Without, i)));
+        ++count;
+      }
+    }
+    return difference / count;
+  };
+  EXPECT_LT(getDifference(true), 10.0);
+  EXPECT_GT(getDifference(true), 2.0);   // rays are seen
+  EXPECT_GT(getDifference(false), 25.0); // not weaker beside data
+  EXPECT_LT(stage.Rays->GetDarkDataExposure(), 1.0);
+  EXPECT_TRUE(Says(stage.Rays->GetPlan(), "over dark ones"));
+  stage.Rays->SetAutomaticExposure(false);
+  EXPECT_GT(getDifference(true), 15.0); // not by themselves
+
+  stage.Rays->SetAutomaticExposure(true);
+  actors->InitTraversal(iterator);
+  while (vtkActor* actor = actors->GetNextActor(iterator))
+  {
+    actor->GetProperty()->SetColor(0.05, 0.03, 0.04);
+  }
+  stage.Window->Render();
+  EXPECT_EQ(stage.Rays->GetDarkDataExposure(), 1.0);
+}
+
+//------------------------------------------------------------------------------
+// What a medium takes of data is made up for, but for what it takes of the farther ones, and up to a stop.
+TEST(Exposure, DataKeepTheirLightInAMedium)
+{
+  Messages messages;
+  ColorStage stage;
+  vtkNew<vtkGodRaysHomogeneousModel> medium;
+  stage.Rays->SetModel(medium);
+  medium->ApplyPreset("haze");
+  const auto change = stage.Compare(GetPixels(stage.Window));
+  EXPECT_LT(change.Difference, 10.0);
+  EXPECT_GT(change.Chroma, 0.9);
+  EXPECT_GT(stage.Rays->GetDataGain(), 1.1);
+  EXPECT_LT(stage.Rays->GetDataGain(), 2.0);
+  EXPECT_TRUE(Says(stage.Rays->GetPlan(), "times as bright as the medium leaves them"));
+  stage.Rays->SetAutomaticExposure(false);
+  EXPECT_LT(stage.Compare(GetPixels(stage.Window)).Chroma, 0.85); // not by itself
+  EXPECT_EQ(stage.Rays->GetDataGain(), 1.0);
+  stage.Rays->SetAutomaticExposure(true);
+
+  medium->SetAttenuateScene(false);
+  stage.Window->Render();
+  EXPECT_EQ(stage.Rays->GetDataGain(), 1.0); // nothing is taken
+
+  // fog hides as before
+  medium->SetAttenuateScene(true);
+  medium->SetOpticalDepth(8.0);
+  const auto hidden = stage.Compare(GetPixels(stage.Window));
+  EXPECT_EQ(stage.Rays->GetDataGain(), 2.0);
+  EXPECT_LT(hidden.Chroma, 0.2);
+  EXPECT_EQ(messages.Take().size(), 1u); // that it does
+}
+
+//------------------------------------------------------------------------------
 TEST(Exposure, PictureIsTheFormula)
 {
   Messages messages;
@@ -188,6 +274,7 @@ TEST(Exposure, PictureIsTheFormula)
   ASSERT_TRUE(stage.Rays->GetScatteringImage(light));
   const double exposure = stage.Rays->GetExposure();
   const double overData = stage.Rays->GetDataExposure();
+  const double overDark = stage.Rays->GetDarkDataExposure();
   EXPECT_LT(overData, 0.9);
   int largest = 0;
   int plain = 0;
@@ -197,7 +284,7 @@ TEST(Exposure, PictureIsTheFormula)
     const Vec3 rays(GetValue(light, i % Width, i / Width, 0),
       GetValue(light, i % Width, i / Width, 1), GetValue(light, i % Width, i / Width, 2));
     const double part =
-      stage.IsData(i) ? glm::mix(1.0, overData, vtkGodRays::SeenPart(scene)) : 1.0;
+      stage.IsData(i) ? glm::mix(overDark, overData, vtkGodRays::SeenPart(scene)) : 1.0;
     const Vec3 sum =
       vtkGodRays::EncodeDisplay(vtkGodRays::BlendShoulder(scene, exposure * part * rays));
     const Vec3 added = vtkGodRays::EncodeDisplay(scene + exposure * rays);
@@ -384,6 +471,7 @@ TEST(DataFirst, KeepsHueAndChroma)
   const auto with = GetPixels(stage.Window);
   const auto change = stage.Compare(with);
   EXPECT_LT(change.Color, 3.0); // what rounding to 8 bits does
+  EXPECT_EQ(change.Clipped, 0.0);
   EXPECT_LT(change.Lightness, 7.0);
   EXPECT_GT(change.Lightness, 4.0);
   int lighter = 0;
