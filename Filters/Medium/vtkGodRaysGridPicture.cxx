@@ -4,6 +4,7 @@
 
 #include "vtkGodRaysGridBlocks.h"
 #include "vtkGodRaysGridLight.h"
+#include "vtkGodRaysGridShadows.h"
 #include "vtkSMPTools.h"
 
 #include <atomic>
@@ -40,7 +41,7 @@ public:
   std::vector<vtkGodRaysGrid> Grids;
   std::vector<Blocks> AllBlocks;
   std::vector<vtkGodRaysGridLight> Lights;
-  const vtkGodRaysShadowGrids* Shadows = nullptr;
+  vtkGodRaysGridShadows Shadows;
   double LastLight[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 }; // the last is 1 once there is one
   bool Kept = false;
   std::atomic<std::size_t> Rays{ 0 };
@@ -59,7 +60,6 @@ public:
 
   void SetUp(const vtkGodRaysSingleScattering::Parameters& parameters);
   Result Evaluate(double x, double y, double depth);
-  bool IsLit(const Vec3& position) const;
 
 private:
   struct Passage
@@ -114,6 +114,7 @@ void vtkGodRaysGridPicture::vtkInternals::SetUp(
   this->Spot = parameters.Spot;
   this->SpotAxis = toWorld(parameters.Spot.Axis);
   this->Upwards = toWorld(parameters.Medium.Up);
+  this->Shadows.Place(this->Position, this->Axes, this->Light, this->Directional);
   this->Tolerance = parameters.Tolerance;
   this->Haze = false;
   for (int k = 0; k < 2; ++k)
@@ -132,7 +133,7 @@ void vtkGodRaysGridPicture::vtkInternals::SetUp(
       this->Haze = this->Haze || extinction > 0.0;
     }
   }
-  this->Grey = this->Medium.IsGrey();
+  this->Grey = this->Medium.IsGrey() && !this->Shadows.AreColored();
   for (const vtkGodRaysGrid& grid : this->Grids)
   {
     this->Grey = this->Grey && grid.Bands == 1 && grid.ScatteringBands <= 1 &&
@@ -140,8 +141,11 @@ void vtkGodRaysGridPicture::vtkInternals::SetUp(
   }
 
   const double light[5] = { this->Light.x, this->Light.y, this->Light.z,
-    parameters.Light[3] == 0.0 ? 0.0 : 1.0, 1.0 };
-  this->Kept = std::equal(light, light + 5, this->LastLight);
+    this->Directional ? 0.0 : 1.0, 1.0 };
+  const double rounding = 1e-9 *
+    std::max(vtkGodRays::length(this->Light), vtkGodRays::length(this->Light - this->Position));
+  this->Kept = std::equal(light, light + 5, this->LastLight,
+    [=](double a, double b) { return std::abs(a - b) <= rounding; });
   if (!this->Kept)
   {
     this->Lights.resize(this->Grids.size());
@@ -151,29 +155,6 @@ void vtkGodRaysGridPicture::vtkInternals::SetUp(
     }
     std::copy_n(light, 5, this->LastLight);
   }
-}
-
-//------------------------------------------------------------------------------
-bool vtkGodRaysGridPicture::vtkInternals::IsLit(const Vec3& position) const
-{
-  const Vec3 offset = position - this->Position;
-  const auto toView = [&](const Vec3& v)
-  {
-    return Vec3(vtkGodRays::dot(v, this->Axes[0]), vtkGodRays::dot(v, this->Axes[1]),
-      vtkGodRays::dot(v, this->Axes[2]));
-  };
-  if (this->Directional)
-  {
-    const Vec3 place = toView(offset);
-    const double height = vtkGodRays::dot(offset, this->Light);
-    const auto along = [&](const double* axis) { return vtkGodRays::dot(place, ToVector(axis)); };
-    return this->Shadows->GetHeight(along(this->Shadows->Axes[0]), along(this->Shadows->Axes[1])) <=
-      height;
-  }
-  const Vec3 from = toView(position - this->Light);
-  const double distance = std::max(vtkGodRays::length(from), 1e-300);
-  const double direction[3] = { from.x / distance, from.y / distance, from.z / distance };
-  return this->Shadows->GetDistance(direction) >= distance;
 }
 
 //------------------------------------------------------------------------------
@@ -209,6 +190,11 @@ vtkGodRaysGridPicture::vtkInternals::Air vtkGodRaysGridPicture::vtkInternals::Ge
             vtkGodRays::MediumDepth(
               lit.PlanetRadius, lit.Height, lit.Slope, component.ScaleHeight, s);
         air.Scattered[c] += vtkGodRays::ScatteredPart(component, height, air.Cosine);
+        if (this->Directional && component.ScaleHeight > 0.0 && lit.PlanetRadius == 0.0 &&
+          slope <= 0.0)
+        {
+          depth = Infinity; // a plane hides what is below its horizon
+        }
       }
     }
     air.Left[c] = std::exp(-depth);
@@ -247,6 +233,8 @@ void vtkGodRaysGridPicture::vtkInternals::March(
   {
     cell = passage.Begin < passage.End ? std::min(cell, 1.0 / passage.Speed) : cell;
   }
+  Vec3 edge(1.0);      // what surfaces leave of the light at s
+  bool isNext = false; // it is that of the step before
   for (double s = begin; s < end;)
   {
     // How far everything is in one block, and into how many steps that is divided.
@@ -287,11 +275,14 @@ void vtkGodRaysGridPicture::vtkInternals::March(
     if (empty && !this->Haze)
     {
       s = last;
+      isNext = false;
       continue;
     }
     const double coarse = empty ? (last - s) * fastest / 4.0 : parts;
     const int number = static_cast<int>(std::clamp(std::ceil(coarse), 1.0, 512.0));
     const double step = (last - s) / number;
+    edge = isNext ? edge : this->Shadows.Get(ray.Origin + s * ray.Along);
+    isNext = true;
     Air air;
     for (int k = 0; k < number; ++k, ++steps)
     {
@@ -325,7 +316,9 @@ void vtkGodRaysGridPicture::vtkInternals::March(
         }
       }
       float way[3] = { 0.0f, 0.0f, 0.0f };
-      const bool lit = air.Visible && (!this->Shadows || this->IsLit(position));
+      const Vec3 sunlit = this->Shadows.GetMean(
+        ray.Origin, ray.Along, s + k * step, s + (k + 1) * step, 2.0 / fastest, edge);
+      const bool lit = air.Visible && sunlit != Vec3(0.0);
       if (lit)
       {
         this->AddLightDepth(position, way);
@@ -338,7 +331,7 @@ void vtkGodRaysGridPicture::vtkInternals::March(
           // Of the step: the mean of what is left on its way to the eye.
           const double arrives =
             std::exp(-depth[c] - way[c]) * vtkGodRays::MeanExponential(thick) * step;
-          sum[c] += air.Strength * air.Left[c] *
+          sum[c] += air.Strength * sunlit[c] * air.Left[c] *
             (scattered[c] * arrives + air.Scattered[c] * (arrives - step));
         }
         depth[c] += thick;
@@ -372,6 +365,8 @@ void vtkGodRaysGridPicture::vtkInternals::Cross(
   }
   const int parts = static_cast<int>(
     std::clamp(std::ceil((end - begin) * speed / 4.0), 1.0, static_cast<double>(8 * FarParts)));
+  Vec3 edge(1.0);    // what surfaces leave of the light at the begin of a part
+  int edgePart = -1; // of this one
   for (int k = 0; k < parts; ++k, ++steps)
   {
     const double from =
@@ -386,13 +381,16 @@ void vtkGodRaysGridPicture::vtkInternals::Cross(
       continue; // nothing is changed
     }
     const Air air = this->GetAir(ray, middle);
-    if (!air.Visible || (this->Shadows && !this->IsLit(position)))
+    if (!air.Visible)
     {
       continue;
     }
+    edge = edgePart == k ? edge : this->Shadows.Get(ray.Origin + from * ray.Along);
+    edgePart = k + 1;
+    const Vec3 sunlit = this->Shadows.GetMean(ray.Origin, ray.Along, from, to, to - from, edge);
     for (int c = 0; c < 3; ++c)
     {
-      sum[c] += (to - from) * air.Strength * air.Left[c] * air.Scattered[c] *
+      sum[c] += (to - from) * air.Strength * sunlit[c] * air.Left[c] * air.Scattered[c] *
         std::expm1(-depth[c] - way[c]);
     }
   }
@@ -503,7 +501,7 @@ void vtkGodRaysGridPicture::SetGrids(const std::vector<vtkGodRaysGrid>& grids, b
 //------------------------------------------------------------------------------
 void vtkGodRaysGridPicture::SetShadows(const vtkGodRaysShadowGrids* shadows)
 {
-  this->Internals->Shadows = shadows;
+  this->Internals->Shadows.Set(shadows);
 }
 
 //------------------------------------------------------------------------------
