@@ -33,10 +33,11 @@ vtkGodRaysPass::~vtkGodRaysPass() = default;
 //------------------------------------------------------------------------------
 void vtkGodRaysPass::SetRole(vtkProp* prop, int role)
 {
-  if (!prop || role < AUTOMATIC || role > IGNORED)
+  if (!prop || role < AUTOMATIC || role > MEDIUM)
   {
-    vtkGenericWarningMacro("SetRole needs a prop and one of AUTOMATIC (0), OCCLUDER (1), LIGHT (2) "
-                           "and IGNORED (3), not "
+    vtkGenericWarningMacro(
+      "SetRole needs a prop and one of AUTOMATIC (0), OCCLUDER (1), LIGHT (2), "
+      "IGNORED (3) and MEDIUM (4), not "
       << (prop ? "role " + std::to_string(role) : "a null prop") << "; nothing is changed.");
     return;
   }

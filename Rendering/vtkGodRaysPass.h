@@ -76,7 +76,8 @@ public:
     AUTOMATIC = 0, ///< blocks light if UntaggedPropsOcclude is on; the role of every prop at first
     OCCLUDER = 1,  ///< blocks light
     LIGHT = 2,     ///< shines, in the colours in which it is drawn
-    IGNORED = 3    ///< neither blocks nor shines
+    IGNORED = 3,   ///< neither blocks nor shines
+    MEDIUM = 4     ///< of a vtkVolume: its data scatter light in place of being drawn by its mapper
   };
 
   ///@{
@@ -85,6 +86,10 @@ public:
    * assemblies (as a whole), LOD actors, volumes. The role is stored under ROLE() in the prop's
    * property keys; its other keys stay, also those that it shares with other props. A change is
    * seen in the next frame. Any other role, or a null prop, is an error and changes nothing.
+   *
+   * MEDIUM needs a vtkGodRaysMediumModel, whose Data numbers hold for all volumes of the role, and a
+   * vtkVolume itself, not an assembly of them; with other models it is as AUTOMATIC. What cannot be such a
+   * medium is an error, and the scene is drawn without rays. See Documentation/Pipeline.md.
    */
   static void SetRole(vtkProp* prop, int role);
   static int GetRole(vtkProp* prop);

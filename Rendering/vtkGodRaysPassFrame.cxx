@@ -111,7 +111,10 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   vtkGodRaysOverlays overlays(s);
   const int failures = vtkGodRaysQuad::GetNumberOfFailures();
   self.Timers.Start(vtkGodRaysTimers::SCENE);
-  this->RenderScene(s);
+  {
+    const vtkGodRaysHiddenProps hidden(s, self.Effect->GetOwnProps());
+    this->RenderScene(s);
+  }
   self.Timers.Stop();
   if (self.IsOwnDelegate)
   {
@@ -161,7 +164,7 @@ const char* vtkGodRaysPass::FindReasonForNoRays(
   {
     return "Intensity is 0";
   }
-  if (!self.Model->CanScatter())
+  if (!self.Model->CanScatter() && !self.Effect->HasOwnProps(s->GetRenderer()))
   {
     return "the model's parameters scatter nothing";
   }

@@ -12,6 +12,7 @@ uniform sampler2D scene;
 uniform sampler2D rays;
 uniform float intensity;
 uniform float sceneGain;
+uniform sampler2D veil;     // what media of data leave of what is behind them
 uniform sampler2D backdrop; // of a scene that is over black, put under it later
 uniform vec3 tint;        // of rays of one channel
 uniform float viewScale;  // fraction of the rays' size that is shown, if they are resized
@@ -47,6 +48,7 @@ uniform vec2 cells;          // of the pictures that a meter reads
 // hasBackdrop: whether there is a backdrop
 // hasRays: whether there are rays
 // dimmed: by the medium through which the scene is seen
+// veiled: by media of data, too
 // parallel: whether view rays are
 // exponential: whether the medium's density falls with height
 // hasSecond: whether it has two components
@@ -111,6 +113,7 @@ void main()
     gl_FragData[0] = vec4(linearLight ? EncodeDisplay(light, isPower) : light, 1.0);
     return;
   }
+  light = max(light, vec3(0.0)); // data and haze are rounded apart
   if (!metered && !dimmed && !any(greaterThan(light, vec3(0.0))) && sceneGain == 1.0 &&
     !surround)
   {
@@ -130,6 +133,10 @@ void main()
     {
       base *= DataGain(transmittance, dataGain, DataPart(pixel, shownOver.a));
     }
+  }
+  if (veiled)
+  {
+    base *= texelFetch(veil, pixel, 0).rgb;
   }
   if (metered)
   {

@@ -93,7 +93,7 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
       { "screen", request.Screen && !request.ShowRays }, { "showRays", request.ShowRays },
       { "resized", resized }, { "hasBackdrop", request.Backdrop != nullptr },
       { "oneChannel", request.Tint != nullptr }, { "hasRays", request.Rays != nullptr },
-      { "dimmed", request.Medium != nullptr },
+      { "dimmed", request.Medium != nullptr }, { "veiled", request.Veil != nullptr },
       { "parallel", request.View && request.View->Parallel },
       { "exponential", request.Medium && request.Medium->HasExponentialDensity() },
       { "hasSecond", request.Medium && request.Medium->NumberOfComponents > 1 },
@@ -140,6 +140,10 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
   if (request.Medium)
   {
     SetMedium(program, request);
+  }
+  if (request.Veil)
+  {
+    this->Internal->Quad.SetTexture("veil", request.Veil);
   }
   if (request.Medium || surround || sparesData || lightnessAlone || metered)
   {

@@ -70,6 +70,7 @@ public:
     const vtkGodRaysView* View = nullptr;
     ///@}
 
+    vtkTextureObject* Veil = nullptr;  ///< what else the scene is times, of its size; null for none
     vtkTextureObject* Depth = nullptr; ///< window depth of the scene, for all but the plain sum
   };
 

@@ -17,7 +17,8 @@ enum class vtkGodRaysRole
   AUTOMATIC = 0,
   OCCLUDER = 1,
   LIGHT = 2,
-  IGNORED = 3
+  IGNORED = 3,
+  MEDIUM = 4
 };
 
 vtkInformationIntegerKey* vtkGodRaysGetRoleKey();

@@ -14,6 +14,8 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
+
 vtkStandardNewMacro(vtkGodRaysScene);
 
 namespace
@@ -122,6 +124,56 @@ void vtkGodRaysScene::UpdateStereo(vtkRenderer* renderer)
   camera->Render(renderer);
   renderer->SetErase(erase);
   camera->SetUseScissor(useScissor);
+}
+
+namespace
+{
+/// The props that are hidden at this moment, on the thread that draws.
+std::vector<vtkProp*>& GetHidden()
+{
+  thread_local std::vector<vtkProp*> hidden;
+  return hidden;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysHiddenProps::vtkGodRaysHiddenProps(
+  const vtkRenderState* s, const std::vector<vtkProp*>& props)
+  : State(s)
+  , Former(GetHidden().size())
+{
+  if (props.empty())
+  {
+    return;
+  }
+  GetHidden().insert(GetHidden().end(), props.begin(), props.end());
+  this->Nothing = vtkSmartPointer<NoProp>::New();
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    vtkProp*& prop = s->GetPropArray()[i];
+    if (std::find(props.begin(), props.end(), prop) != props.end())
+    {
+      this->Hidden.emplace_back(i, prop);
+      prop = this->Nothing;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysHiddenProps::~vtkGodRaysHiddenProps()
+{
+  GetHidden().resize(this->Former);
+  for (const auto& each : this->Hidden)
+  {
+    this->State->GetPropArray()[each.first] = each.second;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysHiddenProps::IsHidden(vtkProp* prop)
+{
+  const std::vector<vtkProp*>& hidden = GetHidden();
+  return std::find(hidden.begin(), hidden.end(), prop) != hidden.end();
 }
 
 //------------------------------------------------------------------------------

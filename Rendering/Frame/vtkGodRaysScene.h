@@ -13,6 +13,7 @@
 #include "vtkRenderPass.h"
 #include "vtkSmartPointer.h"
 
+#include <cstddef>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -56,6 +57,25 @@ private:
   void operator=(const vtkGodRaysScene&) = delete;
 
   vtkNew<vtkCameraPass> InFramebuffer;
+};
+
+/// While it lives, some props are taken out of a state's props: others draw them.
+class vtkGodRaysHiddenProps
+{
+public:
+  vtkGodRaysHiddenProps(const vtkRenderState* s, const std::vector<vtkProp*>& props);
+  ~vtkGodRaysHiddenProps();
+  vtkGodRaysHiddenProps(const vtkGodRaysHiddenProps&) = delete;
+  void operator=(const vtkGodRaysHiddenProps&) = delete;
+
+  /// Whether a prop is hidden in any state, as by a pass around this one.
+  static bool IsHidden(vtkProp* prop);
+
+private:
+  const vtkRenderState* State;
+  std::vector<std::pair<int, vtkProp*>> Hidden;
+  std::size_t Former; // how many are hidden by others
+  vtkSmartPointer<vtkProp> Nothing;
 };
 
 /// While it lives, 2-D props are taken out of a state's props; then they can be drawn.

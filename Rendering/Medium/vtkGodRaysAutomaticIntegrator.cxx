@@ -95,6 +95,19 @@ bool vtkGodRaysAutomaticIntegrator::Contribute(const Request& request)
 }
 
 //------------------------------------------------------------------------------
+const vtkGodRaysShadowGrids* vtkGodRaysAutomaticIntegrator::GetShadows()
+{
+  return this->Shadows->GetShadows();
+}
+
+//------------------------------------------------------------------------------
+const vtkGodRaysShadowGrids* vtkGodRaysAutomaticIntegrator::DrawShadows(const Request& request)
+{
+  this->Choose(request);
+  return this->Shadows->DrawShadows(request);
+}
+
+//------------------------------------------------------------------------------
 std::string vtkGodRaysAutomaticIntegrator::Describe(vtkGodRaysModel* model)
 {
   return "automatic: " + this->Shadows->Describe(model);

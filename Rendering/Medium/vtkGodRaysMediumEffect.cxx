@@ -4,8 +4,10 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
+#include "vtkGodRaysAutomaticIntegrator.h"
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysGate.h"
+#include "vtkGodRaysLight.h"
 #include "vtkGodRaysLightFinder.h"
 #include "vtkGodRaysMediumIntegrator.h"
 #include "vtkGodRaysMediumModel.h"
@@ -15,6 +17,7 @@
 #include "vtkGodRaysView.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace
@@ -35,10 +38,16 @@ vtkGodRaysMediumEffect::vtkGodRaysMediumEffect(vtkGodRaysMediumModel* model)
 
 //------------------------------------------------------------------------------
 std::string vtkGodRaysMediumEffect::FindObstacle(vtkRenderer* renderer,
-  vtkGodRaysCompositor* compositor, const vtkGodRaysView& view, const int size[2]) const
+  vtkGodRaysCompositor* compositor, const vtkGodRaysView& view, const int size[2])
 {
+  vtkGodRaysVolumeGrid::Numbers numbers;
+  numbers.Scale = this->Model->GetDataScale();
+  std::copy_n(this->Model->GetDataAlbedo(), 3, numbers.Albedo);
+  numbers.PhaseFunction = this->Model->GetDataPhaseFunction();
+  numbers.Asymmetry = this->Model->GetDataAsymmetry();
+  std::string fault = this->Data.Take(renderer, compositor, numbers);
   double bounds[6];
-  const std::string fault = vtkGodRaysGate::FindBounds(renderer, compositor, bounds);
+  fault = fault.empty() ? vtkGodRaysGate::FindBounds(renderer, compositor, bounds) : fault;
   if (!fault.empty())
   {
     return fault;
@@ -50,6 +59,12 @@ std::string vtkGodRaysMediumEffect::FindObstacle(vtkRenderer* renderer,
       "a "
       "medium cannot be evaluated. Use a projection matrix without that, or a "
       "vtkGodRaysRadialModel";
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysMediumEffect::HasOwnProps(vtkRenderer* renderer) const
+{
+  return vtkGodRaysVolumeMedium::HasVolumes(renderer);
 }
 
 //------------------------------------------------------------------------------
@@ -103,17 +118,27 @@ void vtkGodRaysMediumEffect::Begin(const Frame& frame)
   this->SceneDepth = this->Medium.HasExponentialDensity()
     ? 0.0
     : GetDiagonal(bounds) * (air.Scattering[1] + air.Absorption[1]);
+  this->Data.Begin();
+  this->DataError = frame.ErrorTolerance;
+  this->HadData = !this->Data.IsEmpty();
+  if (!this->Data.IsEmpty() && frame.NumberOfLights == 0 && frame.Scatters)
+  {
+    vtkGodRaysLight none; // data dim without light, too
+    none.Position[3] = 0.0;
+    none.Position[1] = 1.0;
+    this->Data.Draw(this->MakeRequest(frame, none), nullptr);
+  }
 }
 
 //------------------------------------------------------------------------------
 std::string vtkGodRaysMediumEffect::Describe() const
 {
-  if (!(this->SceneDepth > 0.0))
-  {
-    return "";
-  }
   std::ostringstream text;
-  text << ", optical depth across the scene " << this->SceneDepth;
+  if (this->SceneDepth > 0.0)
+  {
+    text << ", optical depth across the scene " << this->SceneDepth;
+  }
+  text << this->Data.Describe();
   return text.str();
 }
 
@@ -135,12 +160,9 @@ std::string vtkGodRaysMediumEffect::FindConcern() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysMediumEffect::DrawLight(const Frame& frame, const vtkGodRaysLight& light)
+vtkGodRaysMediumIntegrator::Request vtkGodRaysMediumEffect::MakeRequest(
+  const Frame& frame, const vtkGodRaysLight& light)
 {
-  if (!frame.Scatters)
-  {
-    return true;
-  }
   vtkGodRaysMediumIntegrator::Request request;
   request.Window = frame.Window;
   request.Renderer = frame.Renderer;
@@ -152,23 +174,61 @@ bool vtkGodRaysMediumEffect::DrawLight(const Frame& frame, const vtkGodRaysLight
   request.ErrorTolerance = frame.ErrorTolerance;
   request.Interactive = frame.Interactive;
   request.LastError = this->LastError;
+  request.Depths = &this->Depths;
+  request.Result = frame.Light;
+  return request;
+}
+
+//------------------------------------------------------------------------------
+// With the shadows that the light in the air has, so that what data take of it is no more than there is.
+bool vtkGodRaysMediumEffect::DrawData(const vtkGodRaysMediumIntegrator::Request& request,
+  bool hasAir, vtkGodRaysMediumIntegrator* integrator)
+{
+  const vtkGodRaysShadowGrids* shadows =
+    hasAir ? integrator->GetShadows() : integrator->DrawShadows(request);
+  if (!shadows)
+  {
+    if (!this->DataShadows)
+    {
+      this->DataShadows = vtkSmartPointer<vtkGodRaysAutomaticIntegrator>::New();
+    }
+    shadows = this->DataShadows->DrawShadows(request);
+  }
+  return shadows && this->Data.Draw(request, shadows);
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysMediumEffect::DrawLight(const Frame& frame, const vtkGodRaysLight& light)
+{
+  if (!frame.Scatters)
+  {
+    return true;
+  }
+  vtkGodRaysMediumIntegrator::Request request = this->MakeRequest(frame, light);
   auto integrator = vtkGodRaysMediumIntegrator::SafeDownCast(frame.Integrator);
   frame.Timers->Start(vtkGodRaysTimers::SCATTERING);
   bool done = false;
   if (frame.Compositor && !frame.Compositor->IsRoot())
   {
+    request.Depths = nullptr;
+    request.Result = nullptr;
     done = integrator->Contribute(request);
   }
   else
   {
-    request.Depths = &this->Depths;
-    request.Result = frame.Light;
     // A scene on several processes is nowhere as a whole.
     const bool isWhole = !frame.Compositor || !frame.Compositor->IsDistributed();
     vtkGodRaysVerification verification(integrator, *frame.Light);
-    done = integrator->Integrate(request);
+    const bool hasAir = this->Data.IsEmpty() || this->Model->CanScatter();
+    done = !hasAir || integrator->Integrate(request);
+    done = done && (this->Data.IsEmpty() || this->DrawData(request, hasAir, integrator));
     if (done && isWhole && verification.IsWanted())
     {
+      if (this->VerifiedData != this->Data.GetVersion())
+      {
+        this->Verification.SetGrids(this->Data.GetGrids());
+        this->VerifiedData = this->Data.GetVersion();
+      }
       this->Verification.Measure(request, verification);
     }
   }
@@ -186,6 +246,7 @@ void vtkGodRaysMediumEffect::Join(vtkGodRaysBlendPass::Request& request) const
     request.Medium = &this->Medium;
     request.View = this->View;
     request.Depth = this->SeenDepth;
+    request.Veil = this->Data.IsEmpty() ? nullptr : this->Data.GetVeil();
   }
 }
 
@@ -193,6 +254,7 @@ void vtkGodRaysMediumEffect::Join(vtkGodRaysBlendPass::Request& request) const
 void vtkGodRaysMediumEffect::End()
 {
   this->Depths.End();
+  this->Data.End();
   this->SeenDepth = nullptr;
   this->View = nullptr;
 }
@@ -202,7 +264,11 @@ bool vtkGodRaysMediumEffect::FillNumbers(const Reading& reading, vtkImageData* i
 {
   if (this->HasNumbers)
   {
-    vtkGodRaysMediumNumbers::Fill(reading, this->LastView, this->Medium, this->LastUnit, image);
+    // A pixel's transmittance is within four tolerances, see the tests of vtkGodRaysGridPicture.
+    const std::vector<float>& left = this->Data.GetTransmittance();
+    const bool hasData = this->HadData && left.size() == 3 * reading.WindowDepths.size();
+    vtkGodRaysMediumNumbers::Fill(reading, this->LastView, this->Medium, this->LastUnit,
+      hasData ? left.data() : nullptr, 4.0 * this->DataError, image);
   }
   return this->HasNumbers;
 }
@@ -211,4 +277,9 @@ bool vtkGodRaysMediumEffect::FillNumbers(const Reading& reading, vtkImageData* i
 void vtkGodRaysMediumEffect::Release(vtkWindow* window)
 {
   this->Depths.Release(window);
+  this->Data.Release(window);
+  if (this->DataShadows)
+  {
+    this->DataShadows->ReleaseGraphicsResources(window);
+  }
 }

@@ -14,6 +14,8 @@
 #include "vtkGodRaysMediumVerification.h"
 #include "vtkGodRaysView.h"
 #include "vtkGodRaysViewDepths.h"
+#include "vtkGodRaysVolumeMedium.h"
+#include "vtkSmartPointer.h"
 
 class vtkGodRaysMediumModel;
 
@@ -24,7 +26,9 @@ public:
   explicit vtkGodRaysMediumEffect(vtkGodRaysMediumModel* model);
 
   std::string FindObstacle(vtkRenderer* renderer, vtkGodRaysCompositor* compositor,
-    const vtkGodRaysView& view, const int size[2]) const override;
+    const vtkGodRaysView& view, const int size[2]) override;
+  bool HasOwnProps(vtkRenderer* renderer) const override;
+  const std::vector<vtkProp*>& GetOwnProps() const override { return this->Data.GetProps(); }
   bool SumsShownValues() const override { return false; }
   bool DimsScene() const override;
   bool ReadsSceneDepth() const override { return true; }
@@ -47,9 +51,18 @@ private:
   vtkGodRaysMedium GetMedium(
     vtkRenderer* renderer, const vtkGodRaysView& view, const double bounds[6]) const;
 
+  vtkGodRaysMediumIntegrator::Request MakeRequest(const Frame& frame, const vtkGodRaysLight& light);
+  bool DrawData(const vtkGodRaysMediumIntegrator::Request& request, bool hasAir,
+    vtkGodRaysMediumIntegrator* integrator);
+
   vtkGodRaysMediumModel* Model;
   vtkGodRaysMedium Medium; // of this frame, in scene units
   vtkGodRaysViewDepths Depths;
+  vtkGodRaysVolumeMedium Data;
+  vtkSmartPointer<vtkGodRaysMediumIntegrator> DataShadows; // where the frame's integrator has none
+  unsigned int VerifiedData = 0;
+  double DataError = 0.0; // of the last frame
+  bool HadData = false;   // alike
   vtkGodRaysMediumVerification Verification;
   double LastError = -1.0; // of the last frame
   double SceneDepth = 0.0; // optical depth across the scene; 0 if that is not one number

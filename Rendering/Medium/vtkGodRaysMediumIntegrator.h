@@ -27,6 +27,7 @@ class vtkProp;
 class vtkRenderer;
 struct vtkGodRaysMedium;
 struct vtkGodRaysLight;
+struct vtkGodRaysShadowGrids;
 struct vtkGodRaysView;
 
 class VTKGODRAYSRENDERING_EXPORT vtkGodRaysMediumIntegrator : public vtkGodRaysIntegrator
@@ -64,6 +65,18 @@ public:
    * that failed.
    */
   VTK_WRAPEXCLUDE virtual bool Contribute(const Request& request);
+
+  ///@{
+  /**
+   * What hides the light of the last request, as numbers that are valid until the next one; or draw that
+   * alone, without light. Unless overridden, null: it is not known.
+   */
+  VTK_WRAPEXCLUDE virtual const vtkGodRaysShadowGrids* GetShadows() { return nullptr; }
+  VTK_WRAPEXCLUDE virtual const vtkGodRaysShadowGrids* DrawShadows(const Request&)
+  {
+    return nullptr;
+  }
+  ///@}
 
   bool Supports(vtkGodRaysModel* model) override;
 

@@ -11,6 +11,10 @@
 
 vtkGodRaysSetFiniteMacro(vtkGodRaysMediumModel, WorldUnitInMeters, 0.0, 1e12);
 vtkGodRaysSetFiniteMacro(vtkGodRaysMediumModel, FarLimit, 0.0, 1e9);
+vtkGodRaysSetFiniteMacro(vtkGodRaysMediumModel, DataScale, 0.0, 1e9);
+vtkGodRaysSetFinite3Macro(vtkGodRaysMediumModel, DataAlbedo, 0.0, 1.0);
+vtkGodRaysSetModeMacro(vtkGodRaysMediumModel, DataPhaseFunction, vtkGodRaysLastPhaseFunction);
+vtkGodRaysSetFiniteMacro(vtkGodRaysMediumModel, DataAsymmetry, -0.99, 0.99);
 
 namespace
 {
@@ -75,4 +79,9 @@ void vtkGodRaysMediumModel::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WorldUnitInMeters: " << this->WorldUnitInMeters << "\n";
   os << indent << "FarLimit: " << this->FarLimit << "\n";
   os << indent << "AttenuateScene: " << (this->AttenuateScene ? "on" : "off") << "\n";
+  os << indent << "DataScale: " << this->DataScale << "\n";
+  os << indent << "DataAlbedo: " << this->DataAlbedo[0] << " " << this->DataAlbedo[1] << " "
+     << this->DataAlbedo[2] << "\n";
+  os << indent << "DataPhaseFunction: " << this->DataPhaseFunction << "\n";
+  os << indent << "DataAsymmetry: " << this->DataAsymmetry << "\n";
 }

@@ -25,11 +25,14 @@
  * intensity, in linear light. A positional light with a ConeAngle below 90 degrees is a spotlight, as VTK
  * shades with it: I cos(a)^Exponent within the cone, a being the angle from its axis, and nothing outside.
  *
+ * The data of a vtkVolume tagged MEDIUM scatter, too, beside this medium and within it: extinction from its
+ * scalar opacity, tint from its colours, and for all such volumes of a pass the Data numbers.
+ *
  * Translucent props and volumes take part of the light, see Documentation/Pipeline.md. A picture that is
  * tilted against the axis of view, or has oblong pixels, as only a projection matrix made by hand has, is an
  * error.
  *
- * @sa vtkGodRaysHomogeneousModel vtkGodRaysAutomaticIntegrator
+ * @sa vtkGodRaysHomogeneousModel vtkGodRaysVolumeModel vtkGodRaysAutomaticIntegrator
  */
 
 #ifndef vtkGodRaysMediumModel_h
@@ -83,6 +86,36 @@ public:
   vtkBooleanMacro(AttenuateScene, bool);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get what the extinction of volumes tagged MEDIUM is times: above 1, data are denser than their
+   * opacity says. Valid range: [0, 1e9]. Default is 1 [no unit].
+   */
+  void SetDataScale(double scale);
+  vtkGetMacro(DataScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the single-scattering albedo of these volumes where their colour is white: what part of
+   * extinction is scattering, for each colour. Valid range: [0, 1]. Default is 1: nothing is absorbed.
+   */
+  void SetDataAlbedo(double red, double green, double blue);
+  void SetDataAlbedo(const double albedo[3]) VTK_SIZEHINT(3);
+  vtkGetVector3Macro(DataAlbedo, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the phase function of these volumes, one of PhaseFunctionType, and its asymmetry g [no unit].
+   * Valid range of that: [-0.99, 0.99]. Defaults are HENYEY_GREENSTEIN and 0.6.
+   */
+  void SetDataPhaseFunction(int phaseFunction);
+  vtkGetMacro(DataPhaseFunction, int);
+  void SetDataAsymmetry(double g);
+  vtkGetMacro(DataAsymmetry, double);
+  ///@}
+
   /**
    * The medium in scene units, as an eye sees it: worldToView is that of vtkGodRaysView, farDepth the
    * view depth of the far clipping plane, diagonal that of the scene's bounds, 0 if it has none.
@@ -116,6 +149,10 @@ protected:
   double WorldUnitInMeters = 0.0;
   double FarLimit = 0.0;
   bool AttenuateScene = true;
+  double DataScale = 1.0;
+  double DataAlbedo[3] = { 1.0, 1.0, 1.0 };
+  int DataPhaseFunction = HENYEY_GREENSTEIN;
+  double DataAsymmetry = 0.6;
 
 private:
   vtkGodRaysMediumModel(const vtkGodRaysMediumModel&) = delete;

@@ -29,6 +29,7 @@ using vtkGodRays::Vec3;
 constexpr double Threshold = 0.02;            // of a contrast that is seen, Koschmieder's
 constexpr double DepthStep = 1.0 / (1 << 23); // of window depth: two steps of 24 bits
 constexpr double Rounding = 1.2e-7;           // of 32-bit floats
+constexpr double LeastLeft = 1e-6;            // by data: what is less counts as that
 constexpr double PlanetError = 1e-4;          // of an optical depth, relative
 
 vtkSmartPointer<vtkFloatArray> AddArray(
@@ -102,6 +103,23 @@ public:
     double Way;      // through the medium
     double Tau[3];
     Errors Error;
+
+    // Add what is left by something that is known to an absolute error.
+    void Veil(const float left[3], double error)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        const double part = std::max(static_cast<double>(left[c]), LeastLeft);
+        this->Tau[c] -= std::log(part);
+        this->Error.OpticalDepth = std::max(this->Error.OpticalDepth, error / part);
+        if (c == 1 && this->Tau[c] > 0.0)
+        {
+          this->Error.Range += error / part / this->Tau[c];
+        }
+      }
+      this->Error.Transmittance += error;
+      this->Error.Contrast += error;
+    }
   };
 
   // x and y are 0 to 1 in the picture.
@@ -173,7 +191,8 @@ private:
 
 //------------------------------------------------------------------------------
 void vtkGodRaysMediumNumbers::Fill(const vtkGodRaysEffect::Reading& reading,
-  const vtkGodRaysView& view, const vtkGodRaysMedium& medium, double unit, vtkImageData* image)
+  const vtkGodRaysView& view, const vtkGodRaysMedium& medium, double unit, const float* veil,
+  double veilError, vtkImageData* image)
 {
   const int width = reading.Size[0];
   const int height = reading.Size[1];
@@ -207,8 +226,12 @@ void vtkGodRaysMediumNumbers::Fill(const vtkGodRaysEffect::Reading& reading,
         for (int x = 0; x < width; ++x)
         {
           const vtkIdType i = y * width + x;
-          const Rays::Pixel pixel =
+          Rays::Pixel pixel =
             rays.Evaluate((x + 0.5) / width, (y + 0.5) / height, reading.WindowDepths[i]);
+          if (veil)
+          {
+            pixel.Veil(veil + 3 * i, veilError);
+          }
           rows[y].Take(pixel.Error);
           for (int c = 0; c < 3; ++c)
           {

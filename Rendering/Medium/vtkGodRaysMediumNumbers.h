@@ -22,10 +22,12 @@ class vtkGodRaysMediumNumbers
 public:
   /**
    * Fill the image with the arrays, their units and their errors. unit is how long the scene's unit is [m], 0
-   * if nobody knows.
+   * if nobody knows. veil is what media of data leave of what is behind them, for each pixel and colour, to
+   * veilError; null for none.
    */
   static void Fill(const vtkGodRaysEffect::Reading& reading, const vtkGodRaysView& view,
-    const vtkGodRaysMedium& medium, double unit, vtkImageData* image);
+    const vtkGodRaysMedium& medium, double unit, const float* veil, double veilError,
+    vtkImageData* image);
 };
 
 #endif

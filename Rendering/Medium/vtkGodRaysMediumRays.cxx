@@ -9,6 +9,7 @@
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysQuad.h"
 #include "vtkGodRaysSum.h"
+#include "vtkMatrix4x4.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -79,6 +80,31 @@ vtkGodRaysMediumRays::vtkGodRaysMediumRays(
   , LayerSize{ layerSize[0], layerSize[1] }
 {
   request.View->GetPinhole(layerSize, this->Pinhole);
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysSingleScattering::Parameters vtkGodRaysMediumRays::GetWorldParameters(
+  const vtkGodRaysMediumIntegrator::Request& request)
+{
+  double toWorld[16];
+  vtkMatrix4x4::Invert(request.View->WorldToView, toWorld);
+  vtkGodRaysSingleScattering::Parameters parameters;
+  for (int i = 0; i < 3; ++i)
+  {
+    parameters.Right[i] = toWorld[4 * i];
+    parameters.Up[i] = toWorld[4 * i + 1];
+    parameters.Forward[i] = toWorld[4 * i + 2];
+    parameters.Position[i] = toWorld[4 * i + 3];
+  }
+  vtkMatrix4x4::MultiplyPoint(toWorld, request.Light->Position, parameters.Light);
+  parameters.Parallel = request.View->Parallel;
+  for (int i = 0; i < 3; ++i)
+  {
+    parameters.LightColor[i] = request.Light->Power * request.Light->Color[i];
+  }
+  parameters.Spot = request.Light->Spot;
+  parameters.Medium = *request.Medium;
+  return parameters;
 }
 
 //------------------------------------------------------------------------------

@@ -12,6 +12,7 @@
 #define vtkGodRaysMediumRays_h
 
 #include "vtkGodRaysMediumIntegrator.h" // For Request
+#include "vtkGodRaysSingleScattering.h" // For Parameters
 #include "vtkGodRaysView.h"             // For Pinhole
 
 #include <string>
@@ -31,6 +32,13 @@ public:
    * [pixels] that a pinhole can see.
    */
   vtkGodRaysMediumRays(const vtkGodRaysMediumIntegrator::Request& request, const int layerSize[2]);
+
+  /**
+   * A request for vtkGodRaysSingleScattering, in world coordinates: what is there stays as it is wherever the
+   * eye is.
+   */
+  static vtkGodRaysSingleScattering::Parameters GetWorldParameters(
+    const vtkGodRaysMediumIntegrator::Request& request);
 
   ///@{
   /**

@@ -9,7 +9,6 @@
 #include "vtkClipPolyData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkGodRaysLight.h"
 #include "vtkGodRaysLightLayers.h"
 #include "vtkGodRaysMediumRays.h"
 #include "vtkGodRaysOpenGL.h"
@@ -190,31 +189,6 @@ bool vtkGodRaysMediumVerification::AddVeil(vtkActor* actor, vtkMatrix4x4* matrix
 }
 
 //------------------------------------------------------------------------------
-// In world coordinates, so that the polygons are the same wherever the eye is.
-void vtkGodRaysMediumVerification::SetParameters(const vtkGodRaysMediumIntegrator::Request& request)
-{
-  double toWorld[16];
-  vtkMatrix4x4::Invert(request.View->WorldToView, toWorld);
-  vtkGodRaysSingleScattering::Parameters parameters;
-  for (int i = 0; i < 3; ++i)
-  {
-    parameters.Right[i] = toWorld[4 * i];
-    parameters.Up[i] = toWorld[4 * i + 1];
-    parameters.Forward[i] = toWorld[4 * i + 2];
-    parameters.Position[i] = toWorld[4 * i + 3];
-  }
-  vtkMatrix4x4::MultiplyPoint(toWorld, request.Light->Position, parameters.Light);
-  parameters.Parallel = request.View->Parallel;
-  for (int i = 0; i < 3; ++i)
-  {
-    parameters.LightColor[i] = request.Light->Power * request.Light->Color[i];
-  }
-  parameters.Spot = request.Light->Spot;
-  parameters.Medium = *request.Medium;
-  this->Exact.SetParameters(parameters);
-}
-
-//------------------------------------------------------------------------------
 void vtkGodRaysMediumVerification::Measure(
   const vtkGodRaysMediumIntegrator::Request& request, vtkGodRaysVerification& verification)
 {
@@ -224,7 +198,7 @@ void vtkGodRaysMediumVerification::Measure(
     return;
   }
   this->TakeOccluders(*request.Occluders);
-  this->SetParameters(request);
+  this->Exact.SetParameters(vtkGodRaysMediumRays::GetWorldParameters(request));
   const int size[2] = { ends->GetWidth(), ends->GetHeight() };
   std::vector<float> depths(static_cast<std::size_t>(size[0]) * size[1]);
   ends->Read(GL_RED, GL_FLOAT, depths.data(), size[0]);

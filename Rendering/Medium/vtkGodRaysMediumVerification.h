@@ -25,10 +25,16 @@
 class vtkActor;
 class vtkGodRaysVerification;
 class vtkMatrix4x4;
+struct vtkGodRaysGrid;
 
 class vtkGodRaysMediumVerification
 {
 public:
+  /**
+   * Media of data that there are besides, which must stay.
+   */
+  void SetGrids(const std::vector<vtkGodRaysGrid>& grids) { this->Exact.SetGrids(grids); }
+
   /**
    * Compare what an integrator made of the request.
    */
@@ -43,7 +49,6 @@ public:
 private:
   void TakeOccluders(const std::vector<vtkProp*>& props);
   bool AddVeil(vtkActor* actor, vtkMatrix4x4* matrix);
-  void SetParameters(const vtkGodRaysMediumIntegrator::Request& request);
 
   vtkGodRaysSingleScattering Exact;
   std::vector<std::pair<const void*, vtkMTimeType>> Taken; // props, and when they changed

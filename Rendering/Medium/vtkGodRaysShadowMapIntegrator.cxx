@@ -40,7 +40,8 @@ struct vtkGodRaysShadowMapIntegrator::Internals
   vtkGodRaysTarget Lit[2];      // the part that is lit, of one channel, and of three, and the depth
   vtkGodRaysTarget RowMeans[2]; // its means of rows, alike
   vtkGodRaysSweptLight Swept;
-  bool IsSwept = false;   // the last light
+  bool IsSwept = false; // the last light
+  bool ShadowsAlone = false;
   unsigned int Frame = 0; // whose ends of view rays the sweep has
 
   vtkGodRaysShadowMap& GetMap() { return this->Maps[std::min(this->Light, 3)]; }
@@ -116,6 +117,7 @@ bool vtkGodRaysShadowMapIntegrator::Integrate(const Request& request)
 {
   Internals& self = *this->Internal;
   vtkGodRaysTarget* const ends = request.Depths->GetEnds();
+  self.ShadowsAlone = false;
   if (!ends || !this->DrawMap(request))
   {
     return false;
@@ -194,6 +196,19 @@ bool vtkGodRaysShadowMapIntegrator::Contribute(const Request& request)
 }
 
 //------------------------------------------------------------------------------
+const vtkGodRaysShadowGrids* vtkGodRaysShadowMapIntegrator::GetShadows()
+{
+  return &this->Internal->GetMap().GetGrids();
+}
+
+//------------------------------------------------------------------------------
+const vtkGodRaysShadowGrids* vtkGodRaysShadowMapIntegrator::DrawShadows(const Request& request)
+{
+  this->Internal->ShadowsAlone = true;
+  return this->DrawMap(request) ? this->GetShadows() : nullptr;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkGodRaysShadowMapIntegrator::Describe(vtkGodRaysModel*)
 {
   std::ostringstream text;
@@ -201,7 +216,11 @@ std::string vtkGodRaysShadowMapIntegrator::Describe(vtkGodRaysModel*)
   text << "shadow map: " << map.GetNumberOfFaces() << " of " << map.GetSize() << " x "
        << map.GetSize() << " pixels for the last light"
        << (map.WasKept() ? ", kept, " : ", drawn, ");
-  if (this->Internal->IsSwept)
+  if (this->Internal->ShadowsAlone)
+  {
+    text << "for data alone";
+  }
+  else if (this->Internal->IsSwept)
   {
     text << "swept on the processor: " << this->Internal->Swept.Sweep.Describe();
   }

@@ -96,6 +96,8 @@ public:
 
   VTK_WRAPEXCLUDE bool Integrate(const Request& request) override;
   VTK_WRAPEXCLUDE bool Contribute(const Request& request) override;
+  VTK_WRAPEXCLUDE const vtkGodRaysShadowGrids* GetShadows() override;
+  VTK_WRAPEXCLUDE const vtkGodRaysShadowGrids* DrawShadows(const Request& request) override;
   std::string Describe(vtkGodRaysModel* model) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 

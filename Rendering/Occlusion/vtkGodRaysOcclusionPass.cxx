@@ -68,7 +68,15 @@ void Sort(const vtkGodRaysOcclusionPass::Request& request, Sorted& sorted)
     {
       continue;
     }
-    const vtkGodRaysRole role = vtkGodRaysGetRole(prop);
+    vtkGodRaysRole role = vtkGodRaysGetRole(prop);
+    if (role == vtkGodRaysRole::MEDIUM)
+    {
+      if (!request.Dims)
+      {
+        continue; // it is not drawn among the props
+      }
+      role = vtkGodRaysRole::AUTOMATIC;
+    }
     if (role == vtkGodRaysRole::IGNORED ||
       (role == vtkGodRaysRole::LIGHT && !request.LampsOcclude) ||
       (role == vtkGodRaysRole::AUTOMATIC && !request.UntaggedPropsOcclude))

@@ -27,7 +27,7 @@ vtkGodRaysRadialEffect::vtkGodRaysRadialEffect(vtkGodRaysRadialSumModel* model)
 
 //------------------------------------------------------------------------------
 std::string vtkGodRaysRadialEffect::FindObstacle(
-  vtkRenderer*, vtkGodRaysCompositor*, const vtkGodRaysView&, const int[2]) const
+  vtkRenderer*, vtkGodRaysCompositor*, const vtkGodRaysView&, const int[2])
 {
   return "";
 }

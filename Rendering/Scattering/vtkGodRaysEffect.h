@@ -25,6 +25,7 @@ class vtkGodRaysSum;
 class vtkGodRaysTimers;
 class vtkImageData;
 class vtkOpenGLRenderWindow;
+class vtkProp;
 class vtkRenderer;
 class vtkTextureObject;
 class vtkWindow;
@@ -75,10 +76,23 @@ public:
    * scattered; whether Begin() reads the scene's depth.
    */
   virtual std::string FindObstacle(vtkRenderer* renderer, vtkGodRaysCompositor* compositor,
-    const vtkGodRaysView& view, const int size[2]) const = 0;
+    const vtkGodRaysView& view, const int size[2]) = 0;
   virtual bool SumsShownValues() const = 0;
   virtual bool DimsScene() const = 0;
   virtual bool ReadsSceneDepth() const = 0;
+  ///@}
+
+  ///@{
+  /**
+   * Props that the effect draws in place of their mappers: whether there are any, and those of the frame for
+   * which FindObstacle() found none.
+   */
+  virtual bool HasOwnProps(vtkRenderer*) const { return false; }
+  virtual const std::vector<vtkProp*>& GetOwnProps() const
+  {
+    static const std::vector<vtkProp*> none;
+    return none;
+  }
   ///@}
 
   ///@{

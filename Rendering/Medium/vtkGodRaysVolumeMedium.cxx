@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysVolumeMedium.h"
+
+#include "vtkGodRaysCompositor.h"
+#include "vtkGodRaysLight.h"
+#include "vtkGodRaysMediumRays.h"
+#include "vtkGodRaysOpenGL.h"
+#include "vtkGodRaysRole.h"
+#include "vtkGodRaysScene.h"
+#include "vtkGodRaysSum.h"
+#include "vtkGodRaysView.h"
+#include "vtkGodRaysViewDepths.h"
+#include "vtkGodRaysVolumeHaze.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+#include <new>
+#include <sstream>
+
+namespace
+{
+constexpr double PartOfTolerance =
+  0.7; // what is left is for the medium's own light and the shadow map
+
+std::vector<vtkProp*> FindProps(vtkRenderer* renderer)
+{
+  std::vector<vtkProp*> found;
+  vtkCollectionSimpleIterator iterator;
+  vtkPropCollection* props = renderer->GetViewProps();
+  props->InitTraversal(iterator);
+  while (vtkProp* prop = props->GetNextProp(iterator))
+  {
+    if (prop->GetVisibility() && vtkGodRaysGetRole(prop) == vtkGodRaysRole::MEDIUM &&
+      !vtkGodRaysHiddenProps::IsHidden(prop))
+    {
+      found.push_back(prop);
+    }
+  }
+  return found;
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysVolumeMedium::HasVolumes(vtkRenderer* renderer)
+{
+  return !FindProps(renderer).empty();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysVolumeMedium::Take(vtkRenderer* renderer, vtkGodRaysCompositor* compositor,
+  const vtkGodRaysVolumeGrid::Numbers& numbers)
+{
+  this->Props = FindProps(renderer);
+  std::string fault;
+  const bool distributed = compositor && compositor->IsDistributed();
+  if (distributed && vtkGodRaysCompositor::Any(compositor, !this->Props.empty()))
+  {
+    fault = "volumes tagged MEDIUM are drawn on one process alone. Give them another role";
+  }
+  else if (this->Props.size() > vtkGodRaysGridPicture::MaximumGrids)
+  {
+    fault = "there are more than " + std::to_string(vtkGodRaysGridPicture::MaximumGrids) +
+      " volumes tagged MEDIUM. Join some of them, or give them another role";
+  }
+  else if (!this->Props.empty())
+  {
+    fault = this->Read(numbers);
+  }
+  if (!fault.empty())
+  {
+    this->Props.clear();
+  }
+  if (this->Props.empty() && !this->Grids.empty())
+  {
+    this->Grids.clear();
+    this->Objects.clear();
+    ++this->Version;
+    ++this->ExtinctionVersion;
+    for (Drawer& drawer : this->Drawers)
+    {
+      drawer.Picture.SetGrids({});
+    }
+  }
+  return fault;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysVolumeMedium::Read(const vtkGodRaysVolumeGrid::Numbers& numbers)
+{
+  std::vector<const void*> objects;
+  std::vector<double> times = { numbers.Scale };
+  for (vtkProp* prop : this->Props)
+  {
+    if (auto volume = vtkVolume::SafeDownCast(prop))
+    {
+      volume->Update();
+      if (vtkGodRaysVolumeHaze::GetVolume(volume))
+      {
+        vtkGodRaysVolumeHaze::AddState(volume, objects, times);
+      }
+    }
+  }
+  std::vector<double> others = { numbers.Albedo[0], numbers.Albedo[1], numbers.Albedo[2],
+    static_cast<double>(numbers.PhaseFunction), numbers.Asymmetry };
+  const bool same = objects == this->Objects && times == this->Numbers;
+  if (same && others == this->Others && this->Grids.size() == this->Props.size())
+  {
+    return "";
+  }
+  std::vector<vtkGodRaysGrid> grids(this->Props.size());
+  for (std::size_t i = 0; i < grids.size(); ++i)
+  {
+    std::string fault;
+    try
+    {
+      fault = vtkGodRaysVolumeGrid::Read(this->Props[i], numbers, grids[i]);
+    }
+    catch (const std::bad_alloc&)
+    {
+      fault =
+        "needs more memory than there is, 4 bytes a point and, where its colours differ, 12 more. "
+        "Take fewer points, as by vtkImageResample";
+    }
+    if (!fault.empty())
+    {
+      return "a prop tagged MEDIUM " + fault;
+    }
+  }
+  this->Grids = std::move(grids);
+  this->Objects = std::move(objects);
+  this->Numbers = std::move(times);
+  this->Others = std::move(others);
+  ++this->Version;
+  this->ExtinctionVersion += same ? 0 : 1;
+  return "";
+}
+
+//------------------------------------------------------------------------------
+// Of the picture, from those of the layer, which may have a margin; once a frame.
+bool vtkGodRaysVolumeMedium::ReadDepths(const vtkGodRaysMediumIntegrator::Request& request)
+{
+  vtkGodRaysTarget* const ends = request.Depths->GetEnds();
+  if (!ends || this->DepthsFrame == request.Depths->GetFrame())
+  {
+    return ends != nullptr;
+  }
+  const int layer[2] = { ends->GetWidth(), ends->GetHeight() };
+  const int size[2] = { request.Result->GetWidth(), request.Result->GetHeight() };
+  std::vector<float> depths(static_cast<std::size_t>(layer[0]) * layer[1]);
+  ends->Read(GL_RED, GL_FLOAT, depths.data(), layer[0]);
+  if (layer[0] == size[0] && layer[1] == size[1])
+  {
+    this->Depths.swap(depths);
+  }
+  else
+  {
+    const auto find = [&](int pixel, int i) // in the layer
+    {
+      const double place = (pixel + 0.5) / size[i] - 0.5;
+      return std::clamp(
+        static_cast<int>((0.5 + request.View->ViewScale * place) * layer[i]), 0, layer[i] - 1);
+    };
+    this->Depths.resize(static_cast<std::size_t>(size[0]) * size[1]);
+    for (int y = 0; y < size[1]; ++y)
+    {
+      const std::size_t row = static_cast<std::size_t>(find(y, 1)) * layer[0];
+      for (int x = 0; x < size[0]; ++x)
+      {
+        this->Depths[static_cast<std::size_t>(y) * size[0] + x] = depths[row + find(x, 0)];
+      }
+    }
+  }
+  this->DepthsFrame = request.Depths->GetFrame();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysVolumeMedium::Draw(
+  const vtkGodRaysMediumIntegrator::Request& request, const vtkGodRaysShadowGrids* shadows)
+{
+  if (!this->ReadDepths(request))
+  {
+    return false;
+  }
+  Drawer& drawer = this->Drawers[std::min(this->Light++, MostKept - 1)];
+  if (drawer.Version != this->Version)
+  {
+    drawer.Picture.SetGrids(this->Grids, drawer.ExtinctionVersion == this->ExtinctionVersion);
+    drawer.Version = this->Version;
+    drawer.ExtinctionVersion = this->ExtinctionVersion;
+  }
+  drawer.Picture.SetShadows(shadows);
+  auto parameters = vtkGodRaysMediumRays::GetWorldParameters(request);
+  parameters.Tolerance = PartOfTolerance * request.ErrorTolerance;
+
+  const vtkGodRaysTarget& ends = *request.Depths->GetEnds();
+  const int layer[2] = { ends.GetWidth(), ends.GetHeight() };
+  const vtkGodRaysMediumRays rays(request, layer);
+  vtkGodRaysGridPicture::Picture picture;
+  picture.Size[0] = request.Result->GetWidth();
+  picture.Size[1] = request.Result->GetHeight();
+  const std::size_t values = 3 * static_cast<std::size_t>(picture.Size[0]) * picture.Size[1];
+  this->Radiance.resize(values);
+  this->Transmittance.resize(values);
+  // Of the layer's picture the part without the margin.
+  const vtkGodRaysView::Pinhole& pinhole = rays.GetPinhole();
+  const double scale = request.View->ViewScale;
+  picture.PixelSize = pinhole.PixelSize * scale * layer[1] / picture.Size[1];
+  for (int i = 0; i < 2; ++i)
+  {
+    picture.Center[i] = (0.5 + (pinhole.Center[i] / layer[i] - 0.5) / scale) * picture.Size[i];
+  }
+  picture.Depths = this->Depths.data();
+  picture.Radiance = this->Radiance.data();
+  picture.Transmittance = this->Transmittance.data();
+  drawer.Picture.Draw(parameters, picture);
+  drawer.Picture.SetShadows(nullptr);
+
+  if (!request.Result->Settle()) // what is lent may be these rays, of another light
+  {
+    return false;
+  }
+  const double white[3] = { 1.0, 1.0, 1.0 };
+  this->Rays.Prepare(request.Window, picture.Size[0], picture.Size[1], { GL_RGBA32F, 0 });
+  this->Rays.Write(GL_RGB, GL_FLOAT, this->Radiance.data());
+  this->Veil.Prepare(request.Window, picture.Size[0], picture.Size[1], { GL_RGBA32F, 0 });
+  this->Veil.Write(GL_RGB, GL_FLOAT, this->Transmittance.data());
+  return request.Result->Lend(this->Rays, white, 1.0);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysVolumeMedium::Describe() const
+{
+  if (this->Light == 0)
+  {
+    return "";
+  }
+  const vtkGodRaysGridPicture& last = this->Drawers[std::min(this->Light, MostKept) - 1].Picture;
+  const double pixels = std::max(static_cast<double>(this->Transmittance.size()) / 3.0, 1.0);
+  const double rays = static_cast<double>(last.GetNumberOfRays());
+  std::ostringstream text;
+  text << ", data of " << this->Grids.size() << " volumes: " << rays / pixels << " rays a pixel of "
+       << static_cast<double>(last.GetNumberOfSteps()) / std::max(rays, 1.0)
+       << " steps for the last light, whose way through them is "
+       << (last.KeptLight() ? "kept" : "summed anew");
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysVolumeMedium::Release(vtkWindow* window)
+{
+  this->Rays.Release(window);
+  this->Veil.Release(window);
+}
