@@ -97,6 +97,54 @@ def smoke(renderer):
     godrays.enable(renderer, light=sun, preset="low-sun")
 
 
+def medium(renderer):
+    """Smoke in haze over hills, lit from the side: a volume as the medium."""
+    source = godrays.vtkGodRaysSmokeSource()
+    source.SetDimensions(128, 128, 128)
+    source.SetSpacing(1 / 32)
+    source.SetDiffusivity(0.0005)
+    source.SetRiseSpeed(0.7)
+    source.SetTurbulence(0.7)
+    source.SetSourceCenter(0, 0, 0.3)
+    source.SetSourceRadius(0.3)
+    source.SetSourceRate(4)
+    source.SetTimeStep(0.99 * source.GetLargestTimeStep())
+    source.UpdateTimeStep(6.0)
+    opacity = vtk.vtkPiecewiseFunction()
+    opacity.AddPoint(0.01, 0)
+    opacity.AddPoint(0.6, 0.6)
+    color = vtk.vtkColorTransferFunction()
+    color.AddRGBPoint(0, 0.97, 0.96, 0.95)
+    mapper = vtk.vtkGPUVolumeRayCastMapper()
+    mapper.SetInputConnection(source.GetOutputPort())
+    volume = vtk.vtkVolume()
+    volume.SetMapper(mapper)
+    volume.GetProperty().SetScalarOpacity(opacity)
+    volume.GetProperty().SetColor(color)
+    volume.GetProperty().SetScalarOpacityUnitDistance(0.12)
+    volume.SetPosition(0, 0, 0.25)
+    renderer.AddVolume(volume)
+    hills = godrays.vtkGodRaysTerrainSource()
+    hills.SetDimensions(301, 301)
+    hills.SetWidth(24)
+    hills.SetHeight(1.6)
+    hills.SetFeatures(3.2)
+    hills.SetSeed(3)
+    surface = vtk.vtkPolyDataMapper()
+    surface.ScalarVisibilityOff()
+    add(renderer, surface, warp(hills), (0.42, 0.4, 0.3)).SetPosition(0, 4, -0.9)
+    for i in range(4):  # beams, whose shadows are in the smoke
+        beam = vtk.vtkCubeSource()
+        beam.SetBounds(-1.5, -1.3, -1.2, 1.2, 1.3 + 0.9 * i, 1.45 + 0.9 * i)
+        add(renderer, vtk.vtkPolyDataMapper(), beam, (0.55, 0.22, 0.13))
+    set_sky(renderer, (0.5, 0.58, 0.68), (0.16, 0.3, 0.52))
+    look(renderer, (0.5, -8.5, 1.7), (0, 0, 1.9), 34)
+    sun = add_light(renderer, (-1, 0.1, 0.38), (1, 0.88, 0.68))
+    rays = godrays.enable(renderer, light=sun, medium=volume, preset="haze", optical_depth=0.08)
+    rays.GetModel().SetDataAlbedo(0.95, 0.95, 0.95)
+    return rays
+
+
 def terrain(renderer):
     source = godrays.vtkGodRaysTerrainSource()
     source.SetDimensions(1001, 1001)
@@ -171,7 +219,7 @@ def clouds(renderer):
 
 
 def main():
-    for scene in (smoke, terrain, fire, clouds):
+    for scene in (smoke, medium, terrain, fire, clouds):
         renderer = vtk.vtkRenderer()
         scene(renderer)
         window = vtk.vtkRenderWindow()

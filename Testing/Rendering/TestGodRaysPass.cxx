@@ -57,7 +57,7 @@ TEST(GodRaysPassRoles, GoOnAnyPropButOnlyKnownOnes)
   Messages messages;
   vtkNew<vtkAssembly> assembly;
   vtkNew<vtkLODActor> lod;
-  for (int role = vtkGodRaysPass::AUTOMATIC; role <= vtkGodRaysPass::IGNORED; ++role)
+  for (int role = vtkGodRaysPass::AUTOMATIC; role <= vtkGodRaysPass::MEDIUM; ++role)
   {
     vtkGodRaysPass::SetRole(assembly, role);
     vtkGodRaysPass::SetRole(lod, role);
@@ -66,13 +66,13 @@ TEST(GodRaysPassRoles, GoOnAnyPropButOnlyKnownOnes)
   }
   EXPECT_EQ(vtkGodRaysPass::GetRole(nullptr), vtkGodRaysPass::AUTOMATIC);
 
-  vtkGodRaysPass::SetRole(lod, 4);
+  vtkGodRaysPass::SetRole(lod, 5);
   vtkGodRaysPass::SetRole(nullptr, vtkGodRaysPass::LIGHT);
   const auto said = messages.Take();
   ASSERT_EQ(said.size(), 2u);
-  EXPECT_TRUE(Says(said[0], "role 4") && Says(said[0], "OCCLUDER (1)")) << said[0];
+  EXPECT_TRUE(Says(said[0], "role 5") && Says(said[0], "OCCLUDER (1)")) << said[0];
   EXPECT_TRUE(Says(said[1], "null prop")) << said[1];
-  EXPECT_EQ(vtkGodRaysPass::GetRole(lod), vtkGodRaysPass::IGNORED);
+  EXPECT_EQ(vtkGodRaysPass::GetRole(lod), vtkGodRaysPass::MEDIUM);
 }
 
 TEST(GodRaysPassLights, AreASet)

@@ -185,8 +185,8 @@ protected:
     truth.SetGrids(grids);
   }
 
-  /// Root mean square over the peak, with data and without, at every second or, in haze, third pixel of each axis. Pixels at an
-  /// edge, where what is drawn and what a ray meets are two things, do not count.
+  /// Root mean square over the peak, with data and without, at every second or, in haze, third pixel of each
+  /// axis. Pixels at an edge, where what is drawn and what a ray meets are two things, do not count.
   std::array<double, 2> GetDataErrors(std::array<double, 4> light)
   {
     auto image = this->GetScattering();
