@@ -16,7 +16,8 @@ import godrays
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow, vtkUnsignedCharArray
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonCore import VTK_FLOAT
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
 from vtkmodules.vtkFiltersSources import vtkConeSource
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -24,7 +25,10 @@ from vtkmodules.vtkRenderingCore import (
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
+    vtkVolume,
 )
+from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
+import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
 
 ENTRIES = pathlib.Path(os.environ["GODRAYS_ENTRIES"])  # ParaView's, as CMake has written them
 
@@ -105,6 +109,28 @@ class Scene:
         self.rays.AddLight(sun)
         self.rays.SetPrecision(godrays.vtkGodRaysPass.SINGLE)
 
+    def suit(self, model):
+        """Have what a model needs: for one of data, a volume of some."""
+        if not model.IsA("vtkGodRaysVolumeModel"):
+            return
+        image = vtkImageData()
+        image.SetDimensions(9, 9, 9)
+        image.SetSpacing(0.2, 0.2, 0.2)
+        image.SetOrigin(-0.8, -0.8, -0.8)
+        image.AllocateScalars(VTK_FLOAT, 1)
+        image.GetPointData().GetScalars().Fill(1)
+        opacity = vtkPiecewiseFunction()
+        opacity.AddPoint(0, 0.2)
+        opacity.AddPoint(2, 0.2)
+        mapper = vtkGPUVolumeRayCastMapper()
+        mapper.SetInputData(image)
+        volume = vtkVolume()
+        volume.SetMapper(mapper)
+        volume.GetProperty().SetScalarOpacity(opacity)
+        godrays.tag(volume, "medium")
+        self.renderer.AddVolume(volume)
+        self.renderer.ResetCameraClippingRange()
+
     def pixels(self):
         self.window.Render()
         data = vtkUnsignedCharArray()
@@ -163,6 +189,7 @@ class Contract(unittest.TestCase):
 
     def test_they_draw_the_same_every_time_and_leave_nothing_behind(self):
         def test(scene, model, integrator):
+            scene.suit(model)
             without = scene.pixels()
             scene.rays.Attach(scene.renderer)
             scene.rays.SetIntensity(1e4)
@@ -175,6 +202,7 @@ class Contract(unittest.TestCase):
             scene.rays.Detach(scene.renderer)
             self.assertTrue((scene.pixels() == without).all(), "after Detach()")
             other = Scene()
+            other.suit(model)
             other.rays.SetModel(model)
             other.rays.SetIntegrator(integrator)
             other.rays.SetIntensity(1e4)

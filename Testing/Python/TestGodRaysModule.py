@@ -253,6 +253,41 @@ class Parameters(unittest.TestCase):
             self.enable(densty=1)
         self.assertIsNone(self.renderer.GetPass())
 
+    def test_volumes_as_medium(self):
+        window, renderer, _ = make_scene()
+        import vtkmodules.all as vtk
+
+        image = vtk.vtkImageData()
+        image.SetDimensions(9, 9, 9)
+        image.SetSpacing(0.25, 0.25, 0.25)
+        image.SetOrigin(-1, -1, -1)
+        image.AllocateScalars(vtk.VTK_FLOAT, 1)
+        image.GetPointData().GetScalars().Fill(1)
+        mapper = vtk.vtkGPUVolumeRayCastMapper()
+        mapper.SetInputData(image)
+        volume = vtk.vtkVolume()
+        volume.SetMapper(mapper)
+        opacity = vtk.vtkPiecewiseFunction()
+        opacity.AddPoint(0, 0)
+        opacity.AddPoint(2, 1)
+        volume.GetProperty().SetScalarOpacity(opacity)
+        renderer.AddVolume(volume)
+        rays = godrays.enable(
+            renderer, light=BEHIND, medium=volume, data_albedo=(0.9, 0.8, 0.7), data_asymmetry=0.2
+        )
+        window.Render()
+        self.assertEqual(rays.GetModel().GetClassName(), "vtkGodRaysVolumeModel")
+        self.assertEqual(rays.GetModel().GetDataAlbedo(), (0.9, 0.8, 0.7))
+        self.assertEqual(rays.GetModel().GetDataAsymmetry(), 0.2)
+        self.assertIn("data of 1 volumes", rays.GetPlan())
+        godrays.enable(renderer, medium=[volume], preset="haze")
+        window.Render()
+        self.assertEqual(rays.GetModel().GetClassName(), "vtkGodRaysHomogeneousModel")
+        self.assertIn("data of 1 volumes", rays.GetPlan())
+        godrays.tag(volume, "ignored")
+        window.Render()
+        self.assertNotIn("data of", rays.GetPlan())
+
     def test_a_medium_by_preset_or_name(self):
         window, renderer, _ = make_scene()
         coverage = godrays.vtkGodRaysEpipolarCoverageIntegrator()
@@ -378,7 +413,7 @@ class Sky(unittest.TestCase):
 class Tag(unittest.TestCase):
     def test_roles(self):
         actor = vtkActor()
-        for name in ("occluder", "light", "ignored", "automatic"):
+        for name in ("occluder", "light", "ignored", "medium", "automatic"):
             godrays.tag(actor, name)
             self.assertEqual(vtkGodRaysPass.GetRole(actor), getattr(vtkGodRaysPass, name.upper()))
         godrays.tag(actor, vtkGodRaysPass.OCCLUDER)

@@ -80,6 +80,7 @@ _ROLES = {
     "occluder": vtkGodRaysPass.OCCLUDER,
     "light": vtkGodRaysPass.LIGHT,
     "ignored": vtkGodRaysPass.IGNORED,
+    "medium": vtkGodRaysPass.MEDIUM,
 }
 
 _STRENGTHS = {"Exposure", "Weight"}  # of a model
@@ -89,6 +90,7 @@ _MODELS = {
     "published": vtkGodRaysPublishedModel,
     "homogeneous": vtkGodRaysHomogeneousModel,
     "atmosphere": vtkGodRaysAtmosphereModel,
+    "volume": vtkGodRaysVolumeModel,
 }
 
 
@@ -100,6 +102,7 @@ def enable(
     preset: str | None = None,
     sun_at: Sequence[float] | None = None,
     *,
+    medium: Props | None = (),
     # of the pass
     intensity: float | None = None,
     model: vtkGodRaysModel | Model | None = None,
@@ -133,7 +136,7 @@ def enable(
     number_of_samples: int | None = None,
     formulation: str | int | None = None,
     clamp_maximum: float | None = None,
-    # of media: "homogeneous" and "atmosphere"
+    # of media: "homogeneous", "atmosphere" and "volume"
     scattering_coefficient: Sequence[float] | None = None,
     absorption_coefficient: Sequence[float] | None = None,
     phase_function: str | int | None = None,
@@ -145,6 +148,10 @@ def enable(
     optical_depth: float | None = None,
     attenuate_scene: bool | None = None,
     far_limit: float | None = None,
+    data_scale: float | None = None,
+    data_albedo: Sequence[float] | None = None,
+    data_phase_function: str | int | None = None,
+    data_asymmetry: float | None = None,
     world_unit_in_meters: float | None = None,
     rayleigh_scattering: Sequence[float] | None = None,
     rayleigh_scale_height: float | None = None,
@@ -171,11 +178,14 @@ def enable(
         lit as before. See vtkGodRaysPass.PlaceSun().
     occluders, ignored: props to tag. Props without a tag block light unless
         untagged_props_occlude=False.
+    medium: volumes whose data scatter light, as smoke does, in place of being drawn by their mappers. They
+        do so in the medium of the model or preset; where neither is given and the model is a look, alone,
+        as by model="volume".
     preset: the name of a look or of a medium, see vtkGodRaysPresets.ListNames. It chooses the model that
         has it, unless one is given.
     sun_at: a place in the picture, from (0, 0) at its lower left to (1, 1), at which a sun is put with the
         camera as it is.
-    model: an object, or one of "radial", "published", "homogeneous" and "atmosphere".
+    model: an object, or one of "radial", "published", "homogeneous", "atmosphere" and "volume".
     parameters: every other property of the pass, its model and its integrator; also in the spelling
         ``SunAngularRadius``.
 
@@ -194,13 +204,21 @@ def enable(
     """
     given = locals()
     keywords = enable.__kwdefaults__ or {}
-    parameters.update({name: given[name] for name in keywords if given[name] is not None})
+    parameters.update(
+        {name: given[name] for name in keywords if name != "medium" and given[name] is not None}
+    )
     renderer = _renderer(target)
     rays = vtkGodRaysPass.Find(renderer)
     known = rays is not None
     rays = rays or vtkGodRaysPass()
 
     # Look at everything before anything is changed.
+    medium = [_prop(prop) for prop in _list(medium)]
+    simple = {name.replace("_", "").lower() for name in parameters}
+    if medium and preset is None and "model" not in simple and not rays.GetModel().IsA(
+        "vtkGodRaysMediumModel"
+    ):
+        parameters = {**parameters, "model": "volume"}
     parameters = _with_model(rays, preset, parameters)
     settings = _settings(rays, parameters)
     lights = _lights(light)
@@ -230,6 +248,8 @@ def enable(
         tag(prop, "occluder")
     for prop in ignored:
         tag(prop, "ignored")
+    for prop in medium:
+        tag(prop, "medium")
 
     for name in ("Model", "Integrator"):  # they hold what the others set
         if name in settings:
@@ -348,7 +368,7 @@ def presets() -> dict[str, str]:
 
 
 def tag(prop: Prop, role: Role | int) -> None:
-    """Say what a prop does to light: "occluder", "light", "ignored" or "automatic"."""
+    """Say what a prop does to light: "occluder", "light", "ignored", "medium" or "automatic"."""
     if isinstance(role, str):
         if role not in _ROLES:
             raise ValueError(f"there is no role {role!r}; there are: {', '.join(_ROLES)}")
