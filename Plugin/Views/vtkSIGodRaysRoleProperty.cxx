@@ -24,11 +24,11 @@ bool vtkSIGodRaysRoleProperty::Push(vtkSMMessage* message, int offset)
   auto representation = vtkAlgorithm::SafeDownCast(this->GetVTKObject());
   const Variant& value = message->GetExtension(ProxyState::property, offset).value();
   const int role = value.integer_size() == 1 ? value.integer(0) : -1;
-  if (!representation || role < vtkGodRaysPass::AUTOMATIC || role > vtkGodRaysPass::IGNORED)
+  if (!representation || role < vtkGodRaysPass::AUTOMATIC || role > vtkGodRaysPass::MEDIUM)
   {
     vtkErrorMacro(
-      "God Rays Role needs a representation and one of Automatic (0), Occluder (1), Light (2) "
-      "and Ignored (3), not "
+      "God Rays Role needs a representation and one of Automatic (0), Occluder (1), Light (2), "
+      "Ignored (3) and Medium (4), not "
       << role << "; it stays as it was.");
     return true; // It has been told.
   }
