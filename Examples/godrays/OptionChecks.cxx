@@ -151,6 +151,11 @@ void CheckTogether(const Options& options)
     throw Failure(
       "--window has a width above 0, and is in the place of --range and --volume-preset");
   }
+  if (options.VolumeMedium && options.Isosurface)
+  {
+    throw Failure(
+      "--volume-medium is of volumes, and --isosurface makes surfaces of them; drop one");
+  }
   if (options.Range && (*options.Range)[0] >= (*options.Range)[1])
   {
     throw Failure("--range: the first value should be below the second");

@@ -348,6 +348,10 @@ void AddLookOptions(Parser& parser, Options& options)
       }
       options.VolumePreset = text;
     });
+  parser.AddFlag("--volume-medium", options.VolumeMedium,
+    "Volumes scatter light, as smoke does, in the medium of --preset or alone; opacities are as "
+    "those of "
+    "volumes");
   parser.Add("--isosurface", options.Isosurface, -1e300, 1e300,
     "Draw 3-D images as the surface of this value instead of as a volume");
 }

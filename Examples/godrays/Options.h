@@ -57,6 +57,7 @@ struct Options
   std::optional<double> Isosurface;
   std::optional<std::array<double, 2>> Window; ///< level and width, of which Range is made
   std::string VolumePreset;
+  bool VolumeMedium = false;
   char Up = 0; ///< 'X', 'Y', 'Z', or 0: as is usual for the type of file
 
   // Output.

@@ -12,6 +12,7 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkContourFilter.h"
 #include "vtkDataSetSurfaceFilter.h"
+#include "vtkGodRaysPass.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkImageMagnitude.h"
@@ -305,6 +306,10 @@ private:
     mapper->SetInputData(image);
     vtkNew<vtkVolume> volume;
     volume->SetMapper(mapper);
+    if (this->Settings.VolumeMedium)
+    {
+      vtkGodRaysPass::SetRole(volume, vtkGodRaysPass::MEDIUM);
+    }
     this->Result.NumberOfVoxels += image->GetNumberOfPoints();
     this->AddPart({ nullptr, volume, this->Colors.Choose(image) });
   }

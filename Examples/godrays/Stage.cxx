@@ -8,6 +8,7 @@
 #include "vtkGodRaysPass.h"
 #include "vtkGodRaysRadialSumModel.h"
 #include "vtkGodRaysSkyPass.h"
+#include "vtkGodRaysVolumeModel.h"
 #include "vtkLight.h"
 #include "vtkRenderer.h"
 
@@ -117,6 +118,15 @@ void SetMedium(vtkGodRaysPass* rays, const Options& options)
 void SetPreset(
   vtkGodRaysPass* rays, const Preset& preset, const Viewpoint& view, const Options& options)
 {
+  if (options.VolumeMedium && options.Preset.empty())
+  {
+    vtkNew<vtkGodRaysVolumeModel> model;
+    model->SetWorldUnitInMeters(options.WorldUnit.value_or(0.0));
+    rays->SetModel(model);
+    rays->SetAutomaticExposure(true);
+    rays->SetLayerMargin(0.0);
+    return;
+  }
   rays->ApplyPreset(preset.Name.c_str());
   if (preset.IsMedium)
   {
@@ -201,6 +211,11 @@ void Stage::SetRays(bool on)
 //------------------------------------------------------------------------------
 void Stage::SetPreset(const ::Preset& preset)
 {
+  if (this->Settings.VolumeMedium && this->Settings.Preset.empty() &&
+    preset.Name == this->Look.Name)
+  {
+    return; // nobody has chosen one
+  }
   this->Look = preset;
   this->Settings.Preset = preset.Name;
   ::SetPreset(this->Rays, preset, this->View, this->Settings);

@@ -56,7 +56,16 @@ void ListPresets()
  */
 void CheckPreset(const Options& options)
 {
-  const bool isMedium = !options.Preset.empty() && FindPreset(options.Preset).IsMedium;
+  const bool isMedium =
+    options.VolumeMedium || (!options.Preset.empty() && FindPreset(options.Preset).IsMedium);
+  if (options.VolumeMedium && !options.Preset.empty() && !FindPreset(options.Preset).IsMedium)
+  {
+    throw Failure("--volume-medium needs a --preset that is a medium, such as haze, or none");
+  }
+  if (options.VolumeMedium && options.Preset.empty() && options.OpticalDepth)
+  {
+    throw Failure("--optical-depth is of a medium beside volumes; name one by --preset, such as haze");
+  }
   const std::pair<const char*, bool> others[] = { { "--density", options.Density.has_value() },
     { "--decay", options.Decay.has_value() }, { "--weight", options.Weight.has_value() },
     { "--exposure", options.Exposure.has_value() }, { "--glow", options.Glow.has_value() },
@@ -68,7 +77,8 @@ void CheckPreset(const Options& options)
   {
     if (given && isMedium)
     {
-      throw Failure(std::string(name) + " belongs to looks, and --preset " + options.Preset +
+      throw Failure(std::string(name) + " belongs to looks, and " +
+        (options.Preset.empty() ? "--volume-medium" : "--preset " + options.Preset) +
         " is a medium; take --optical-depth and --intensity");
     }
   }
