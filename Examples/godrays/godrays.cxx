@@ -64,7 +64,8 @@ void CheckPreset(const Options& options)
   }
   if (options.VolumeMedium && options.Preset.empty() && options.OpticalDepth)
   {
-    throw Failure("--optical-depth is of a medium beside volumes; name one by --preset, such as haze");
+    throw Failure(
+      "--optical-depth is of a medium beside volumes; name one by --preset, such as haze");
   }
   const std::pair<const char*, bool> others[] = { { "--density", options.Density.has_value() },
     { "--decay", options.Decay.has_value() }, { "--weight", options.Weight.has_value() },
