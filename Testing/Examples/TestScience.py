@@ -21,7 +21,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "Examples" / "Science"
 SCRIPTS = sorted(path.stem for path in FOLDER.glob("*.py") if path.stem != "stage")
-OF_PACKAGES = {"brain", "molecule"}  # whose data not every Debian has
+OF_PACKAGES = {"brain", "molecule", "skull"}  # whose data not every Debian has
 sys.path[:0] = [str(ROOT / "Testing" / "Python"), str(FOLDER)]
 
 import TestCookbook as cookbook
@@ -62,7 +62,7 @@ def details(picture, plain, data):
 
 class Science(unittest.TestCase):
     def test_scripts(self):
-        self.assertEqual(len(SCRIPTS), 8)
+        self.assertEqual(len(SCRIPTS), 10)
         for name in SCRIPTS:
             with self.subTest(name):
                 self.check(name)
@@ -92,6 +92,8 @@ class Science(unittest.TestCase):
         self.assertLess((picture.min(2) > 250).mean(), 0.2)
         if name == "fire":
             self.assertRegex(said, r"^the sign is 24\.7 m away; 0\.08\d of its contrast is left: it is seen\n$")
+        elif name == "room":
+            self.assertIn("ceiling: 0.968/m, a visibility of 3.1 m", said)
         elif name == "ocean":
             height = float(said.split(":")[1].split()[0])
             self.assertAlmostEqual(height, 3.19, delta=0.15)  # 4 times the root of the spectrum's integral
