@@ -45,8 +45,10 @@ public:
       });
   }
 
-  // The range of the block that holds a place, and where a line from there leaves it.
-  Vec2 Get(const Vec3& place, const Vec3& origin, const Vec3& steps, double& exit) const
+  // The range of the block that holds a place of a line, origin + s steps, and where the line leaves it,
+  // beyond s. A place that lies on a face, as far as rounding tells, is in the block that the line goes to: a
+  // line along a face would else leave a block where it enters it, forever.
+  Vec2 Get(const Vec3& place, const Vec3& origin, const Vec3& steps, double s, double& exit) const
   {
     int block[3];
     exit = std::numeric_limits<double>::infinity();
@@ -55,8 +57,15 @@ public:
       block[i] = std::clamp(static_cast<int>(place[i]) / BlockSize, 0, this->Size[i] - 1);
       if (steps[i] != 0.0)
       {
-        exit = std::min(
-          exit, ((block[i] + (steps[i] > 0.0 ? 1 : 0)) * BlockSize - origin[i]) / steps[i]);
+        const auto leave = [&]
+        { return ((block[i] + (steps[i] > 0.0 ? 1 : 0)) * BlockSize - origin[i]) / steps[i]; };
+        double face = leave();
+        if (face <= s)
+        {
+          block[i] = std::clamp(block[i] + (steps[i] > 0.0 ? 1 : -1), 0, this->Size[i] - 1);
+          face = leave();
+        }
+        exit = face > s ? std::min(exit, face) : exit;
       }
     }
     return this->Ranges[this->GetBlock(block[0], block[1], block[2])];

@@ -229,8 +229,9 @@ void vtkGodRaysGridPicture::vtkInternals::March(
   const int colours = this->Grey ? 1 : 3;
   const int count = static_cast<int>(this->Grids.size());
   double cell = end; // the shortest one
-  for (const Passage& passage : ray.Passages)
+  for (int i = 0; i < count; ++i)
   {
+    const Passage& passage = ray.Passages[i];
     cell = passage.Begin < passage.End ? std::min(cell, 1.0 / passage.Speed) : cell;
   }
   Vec3 edge(1.0);      // what surfaces leave of the light at s
@@ -259,7 +260,7 @@ void vtkGodRaysGridPicture::vtkInternals::March(
       }
       double exit;
       const Vec2 range = this->AllBlocks[i].Get(
-        passage.Place + ahead * passage.Steps, passage.Place, passage.Steps, exit);
+        passage.Place + ahead * passage.Steps, passage.Place, passage.Steps, ahead, exit);
       last = std::min({ last, std::max(exit, ahead), passage.End });
       if (range.y > 0.0)
       {

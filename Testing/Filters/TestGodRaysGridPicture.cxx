@@ -300,6 +300,32 @@ TEST(GridPicture, IsTheSameInAnyUnit)
 }
 
 //------------------------------------------------------------------------------
+// A view ray in a face of the blocks that empty space is skipped by, but for rounding. It took 1e9 steps.
+TEST(GridPicture, ViewRaysMayLieInFaces)
+{
+  const auto grids = ReadGrids({ MakePlume(65) }); // of which x = 0 is such a face
+  Drawing drawings[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    Parameters parameters = MakeParameters(Vec3(0.8, 0.6, 0.3), 0.0);
+    parameters.Forward[0] = i == 0 ? 0.0 : -1e-17;
+    vtkGodRaysGridPicture drawer;
+    drawer.SetGrids(grids);
+    drawings[i].Size[0] = 17;
+    drawings[i].Size[1] = 9;
+    drawings[i].Draw(drawer, parameters);
+    EXPECT_LT(drawer.GetNumberOfSteps(), 200 * drawer.GetNumberOfRays());
+  }
+  double worst = 0.0;
+  for (std::size_t i = 0; i < drawings[0].Radiance.size(); ++i)
+  {
+    worst = std::max<double>(worst, std::abs(drawings[0].Radiance[i] - drawings[1].Radiance[i]));
+  }
+  const double peak = *std::max_element(drawings[0].Radiance.begin(), drawings[0].Radiance.end());
+  EXPECT_LT(worst, 0.1 * peak / 255.0); // steps are those of the block on either side
+}
+
+//------------------------------------------------------------------------------
 // A roof that stands between the sun and half of the plume, as a shadow map of it tells: the tolerance and
 // half of it for the map's pixels.
 TEST(GridPicture, SurfacesThrowShadowsOnData)
