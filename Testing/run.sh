@@ -158,7 +158,7 @@ shift 2
 for tree in $trees; do
   echo "== Testing: $tree"
   if [ "${CI:-}" = true ] && [ "$tree" = build-paraview ]; then
-    set -- "$@" -LE "filters|example|benchmark|cli"
+    set -- "$@" -LE "filters|example|benchmark|cli|fuzzing"
   fi
   ctest --test-dir "$tree" --output-on-failure -j "$jobs" "$@" 2>&1 | tee "$tree/ctest.log"
   [ "${PIPESTATUS[0]}" -eq 0 ] || failed=1
