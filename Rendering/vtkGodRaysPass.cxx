@@ -217,6 +217,7 @@ void vtkGodRaysPass::SetModel(vtkGodRaysModel* model)
     return;
   }
   Internals& self = *this->Internal;
+  self.HasScattering = false; // the effect may have lent it
   if (self.Effect && self.Window)
   {
     self.Effect->Release(self.Window);

@@ -164,7 +164,8 @@ const char* vtkGodRaysPass::FindReasonForNoRays(
   {
     return "Intensity is 0";
   }
-  if (!self.Model->CanScatter() && !self.Effect->HasOwnProps(s->GetRenderer()))
+  if (!self.Model->CanScatter() &&
+    !vtkGodRaysCompositor::Any(self.Compositor, self.Effect->HasOwnProps(s->GetRenderer())))
   {
     return "the model's parameters scatter nothing";
   }

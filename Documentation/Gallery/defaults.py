@@ -271,7 +271,7 @@ The numbers are of pictures without anti-aliasing, in which a pixel shows either
   to be below 10, in a medium, too, whose data have the light back that it takes of them on average, up to
   twofold.
 - chroma: how much of the data's there is with rays, 90 to 110 %; of data that are nearly grey, with a chroma
-  below 10, how much more or less, of which 2 are allowed.
+  below 10, how much more or less, of which 2.5 are allowed.
 - clipped: data of which a channel became 255, in percent of the data.
 - contrast of the shafts: the root mean square of their lightness along circles about the sun, less its mean
   over 30 degrees [L\\*]; plain, that of the sum as it is, with the wider glow of former versions and no
@@ -282,8 +282,9 @@ SITUATIONS = """
 ## Other situations
 
 Scenes that are lit, made or seen in other ways, in `default_situations.py`; data first is
-`godrays.enable(renderer, data_first=True)`. Where all of the sun is hidden, there are no shafts, and
-`GetAdvice()` says so. Where most data are dark, as a silhouette is, light before them is what one sees, and is
+`godrays.enable(renderer, data_first=True)`. Where all of the sun is hidden, a look has no shafts,
+and `GetAdvice()` says so. Translucent things in a medium keep 88 % of their chroma, as it dims them by all that is
+before what is behind them. Where most data are dark, as a silhouette is, light before them is what one sees, and is
 not held back for their sake.
 
 ![the look of each, in the table's order](defaults/situations.jpg)

@@ -3,7 +3,6 @@
 """A head in a CT scanner, in dust: a lamp in the skull, whose light leaves through its openings."""
 
 import plistlib
-import sys
 import tarfile
 
 import godrays

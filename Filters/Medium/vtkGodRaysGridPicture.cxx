@@ -143,9 +143,12 @@ void vtkGodRaysGridPicture::vtkInternals::SetUp(
   const double light[5] = { this->Light.x, this->Light.y, this->Light.z,
     this->Directional ? 0.0 : 1.0, 1.0 };
   const double rounding = 1e-9 *
-    std::max(vtkGodRays::length(this->Light), vtkGodRays::length(this->Light - this->Position));
-  this->Kept = std::equal(light, light + 5, this->LastLight,
-    [=](double a, double b) { return std::abs(a - b) <= rounding; });
+    (this->Directional ? 1.0
+                       : std::max(vtkGodRays::length(this->Light),
+                           vtkGodRays::length(this->Light - this->Position)));
+  this->Kept = std::equal(light + 3, light + 5, this->LastLight + 3) &&
+    std::equal(light, light + 3, this->LastLight,
+      [=](double a, double b) { return std::abs(a - b) <= rounding; });
   if (!this->Kept)
   {
     this->Lights.resize(this->Grids.size());

@@ -45,7 +45,7 @@ public:
     : Medium(medium)
     , Parallel(settings.Parallel)
     , Ground(settings.PlanetRadius)
-    , Eye(settings.PlanetRadius + settings.EyeHeight)
+    , Eye(std::max(settings.PlanetRadius + settings.EyeHeight, 1e-6 * settings.PlanetRadius))
     , UpZ(settings.Up[2])
     , LightZ(settings.Light[2])
     , LightSlope(settings.Light[0] * settings.Up[0] + settings.Light[1] * settings.Up[1] +
@@ -72,7 +72,7 @@ public:
   {
     double low = 0.0;
     double high = 2.0 * this->Eye;
-    while (this->GetUnits(high, unit) < units)
+    for (int i = 0; i < 1100 && this->GetUnits(high, unit) < units; ++i)
     {
       high *= 2.0;
     }

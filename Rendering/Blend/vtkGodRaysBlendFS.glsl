@@ -134,7 +134,7 @@ void main()
       base *= DataGain(transmittance, dataGain, DataPart(pixel, shownOver.a));
     }
   }
-  if (veiled)
+  if (veiled && !metered) // what data take is not made up for
   {
     base *= texelFetch(veil, pixel, 0).rgb;
   }

@@ -120,13 +120,16 @@ void vtkGodRaysMediumEffect::Begin(const Frame& frame)
     : GetDiagonal(bounds) * (air.Scattering[1] + air.Absorption[1]);
   this->Data.Begin();
   this->DataError = frame.ErrorTolerance;
-  this->HadData = !this->Data.IsEmpty();
+  this->HadData = false;
   if (!this->Data.IsEmpty() && frame.NumberOfLights == 0 && frame.Scatters)
   {
     vtkGodRaysLight none; // data dim without light, too
     none.Position[3] = 0.0;
-    none.Position[1] = 1.0;
-    this->Data.Draw(this->MakeRequest(frame, none), nullptr);
+    for (int i = 0; i < 3; ++i) // one direction of the world, whose depths are kept
+    {
+      none.Position[i] = frame.View->WorldToView[4 * i + 2];
+    }
+    this->HadData = this->Data.Draw(this->MakeRequest(frame, none), nullptr);
   }
 }
 
@@ -194,7 +197,8 @@ bool vtkGodRaysMediumEffect::DrawData(const vtkGodRaysMediumIntegrator::Request&
     }
     shadows = this->DataShadows->DrawShadows(request);
   }
-  return shadows && this->Data.Draw(request, shadows);
+  this->HadData = shadows && this->Data.Draw(request, shadows);
+  return this->HadData;
 }
 
 //------------------------------------------------------------------------------
@@ -246,7 +250,7 @@ void vtkGodRaysMediumEffect::Join(vtkGodRaysBlendPass::Request& request) const
     request.Medium = &this->Medium;
     request.View = this->View;
     request.Depth = this->SeenDepth;
-    request.Veil = this->Data.IsEmpty() ? nullptr : this->Data.GetVeil();
+    request.Veil = this->HadData ? this->Data.GetVeil() : nullptr;
   }
 }
 

@@ -87,8 +87,9 @@ struct Table
   {
     const double at =
       (value - this->Range[0]) / (this->Range[1] - this->Range[0]) * (TableSize - 1);
-    low = static_cast<int>(vtkMath::ClampValue(at, 0.0, TableSize - 2.0));
-    part = static_cast<float>(vtkMath::ClampValue(at - low, 0.0, 1.0));
+    const double inside = at > 0.0 ? std::min(at, TableSize - 1.0) : 0.0; // also of NaN
+    low = std::min(static_cast<int>(inside), TableSize - 2);
+    part = static_cast<float>(inside - low);
   }
 };
 

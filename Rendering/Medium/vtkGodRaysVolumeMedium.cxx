@@ -16,6 +16,7 @@
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
+#include "vtkVolumeMapper.h"
 
 #include <algorithm>
 #include <new>
@@ -97,7 +98,10 @@ std::string vtkGodRaysVolumeMedium::Read(const vtkGodRaysVolumeGrid::Numbers& nu
   {
     if (auto volume = vtkVolume::SafeDownCast(prop))
     {
-      volume->Update();
+      if (volume->GetMapper() && volume->GetMapper()->GetNumberOfInputConnections(0) > 0)
+      {
+        volume->Update();
+      }
       if (vtkGodRaysVolumeHaze::GetVolume(volume))
       {
         vtkGodRaysVolumeHaze::AddState(volume, objects, times);
@@ -217,7 +221,21 @@ bool vtkGodRaysVolumeMedium::Draw(
   picture.Depths = this->Depths.data();
   picture.Radiance = this->Radiance.data();
   picture.Transmittance = this->Transmittance.data();
-  drawer.Picture.Draw(parameters, picture);
+  try
+  {
+    drawer.Picture.Draw(parameters, picture);
+  }
+  catch (const std::bad_alloc&)
+  {
+    drawer.Picture.SetShadows(nullptr);
+    drawer.Picture.SetGrids({});
+    drawer.Version = 0;
+    vtkGenericWarningMacro(
+      "vtkGodRaysPass: the light's way through the volumes tagged MEDIUM needs more "
+      "memory than there is, an eighth of that of their points for each light. Take "
+      "fewer points, as by vtkImageResample.");
+    return false;
+  }
   drawer.Picture.SetShadows(nullptr);
 
   if (!request.Result->Settle()) // what is lent may be these rays, of another light
@@ -230,6 +248,22 @@ bool vtkGodRaysVolumeMedium::Draw(
   this->Veil.Prepare(request.Window, picture.Size[0], picture.Size[1], { GL_RGBA32F, 0 });
   this->Veil.Write(GL_RGB, GL_FLOAT, this->Transmittance.data());
   return request.Result->Lend(this->Rays, white, 1.0);
+}
+
+//------------------------------------------------------------------------------
+// Lights that are gone do not keep data that were.
+void vtkGodRaysVolumeMedium::End()
+{
+  for (int i = std::min(this->Light, MostKept); i < MostKept; ++i)
+  {
+    Drawer& drawer = this->Drawers[i];
+    if (drawer.Version != 0 && drawer.Version != this->Version)
+    {
+      drawer.Picture.SetGrids({});
+      drawer.Version = 0;
+    }
+  }
+  this->Props.clear();
 }
 
 //------------------------------------------------------------------------------

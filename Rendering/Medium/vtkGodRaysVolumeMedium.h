@@ -73,7 +73,7 @@ public:
   /**
    * Forget the props of the frame.
    */
-  void End() { this->Props.clear(); }
+  void End();
 
   void Release(vtkWindow* window);
 

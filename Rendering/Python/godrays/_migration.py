@@ -61,7 +61,7 @@ _NO_COUNTERPART = {
         "Emission Color": "the medium does not shine",
         "Blackbody Intensity": "the medium does not shine",
         "Temperature": "the medium does not shine",
-        "Density Attribute": "the medium is as dense everywhere; vtkGodRaysGridFilter has others",
+        "Density Attribute": "the medium is as dense everywhere; give enable() a volume as medium",
     },
 }
 
