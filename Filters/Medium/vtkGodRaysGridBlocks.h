@@ -13,6 +13,8 @@
 #include "vtkGodRaysGrid.h"
 #include "vtkSMPTools.h"
 
+#include <algorithm>
+
 //------------------------------------------------------------------------------
 // The least and the largest extinction in each block of cells.
 class vtkGodRaysGridBlocks

@@ -16,6 +16,7 @@
 #include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>

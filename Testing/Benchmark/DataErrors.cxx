@@ -34,6 +34,7 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>

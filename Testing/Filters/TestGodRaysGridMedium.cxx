@@ -11,6 +11,7 @@
 
 #include "vtkMatrix3x3.h"
 
+#include <algorithm>
 #include <random>
 
 using namespace GodRaysFiltersTesting;

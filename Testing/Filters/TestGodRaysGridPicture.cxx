@@ -13,8 +13,10 @@
 
 #include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstring>
+#include <functional>
 
 using namespace GodRaysFiltersTesting;
 using namespace GodRaysGridScenes;

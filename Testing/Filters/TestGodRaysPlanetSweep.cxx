@@ -17,6 +17,7 @@
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>

@@ -5,6 +5,7 @@
 
 #include "vtkGodRaysMath.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include <cmath>
