@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysVolumeMedium.h"
 
+#include "vtkAbstractVolumeMapper.h"
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysLight.h"
 #include "vtkGodRaysMediumRays.h"
@@ -16,7 +17,6 @@
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
-#include "vtkVolumeMapper.h"
 
 #include <algorithm>
 #include <new>
