@@ -307,8 +307,8 @@ class Properties(Case):
         }
         for name, value in roles.items():
             self.assertEqual(getattr(godrays.vtkGodRaysPass, name), value)
-        self.assertEqual(len(roles), 4)
-        for wrong in (-1, 4):
+        self.assertEqual(len(roles), 5)
+        for wrong in (-1, 5):
             with Messages() as messages:
                 shown.SMProxy.GetProperty("GodRaysRole").SetElement(0, wrong)
                 shown.SMProxy.UpdateVTKObjects()
