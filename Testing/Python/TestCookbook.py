@@ -142,8 +142,9 @@ class Cookbook(unittest.TestCase):
             red, green, blue = picture.reshape(-1, 3).mean(0)
             self.assertGreater(green, 1.5 * red)
         elif number == 19:
-            hues = picture.max(2) - picture.min(2)  # on the floor, which is grey
-            self.assertGreater(hues[-60:].max(), 40)
+            hues = picture.max(2) - picture.min(2)  # on the floor, which is grey; with white glass 2
+            print("19 Coloured glass: hues of", numpy.percentile(hues[-60:], 99), flush=True)
+            self.assertGreater(numpy.percentile(hues[-60:], 99), 6)
         elif number == 22:
             self.assertEqual((names["light"].shape, names["light"].dtype), ((*SIZE[::-1], 3), numpy.float32))
         elif number == 23:
