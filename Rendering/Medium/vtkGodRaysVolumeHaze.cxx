@@ -5,6 +5,7 @@
 #include "vtkDataArray.h"
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysLight.h"
+#include "vtkGodRaysMath.h"
 #include "vtkGodRaysView.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
@@ -104,7 +105,7 @@ struct Field
     const double unit = std::max(property->GetScalarOpacityUnitDistance(0), 1e-30);
     for (double& value : this->Extinctions)
     {
-      value = -std::log1p(-std::min(std::max(value, 0.0), 1.0 - 1e-6)) / unit;
+      value = vtkGodRays::OpacityExtinction(vtkMath::ClampValue(value, 0.0, 1.0), unit);
     }
     this->Cropped = mapper->GetCropping() != 0;
     std::copy_n(mapper->GetCroppingRegionPlanes(), 6, this->Crop);
