@@ -3,6 +3,7 @@
 
 // What is read back after a change, and before another frame: the last frame's, or nothing.
 
+#include "../Filters/GodRaysGridScenes.h"
 #include "GodRaysTesting.h"
 
 #include "vtkGodRaysAutomaticIntegrator.h"
@@ -12,6 +13,12 @@
 #include "vtkGodRaysRadialModel.h"
 #include "vtkGodRaysShadowMapIntegrator.h"
 #include "vtkGodRaysTapsIntegrator.h"
+#include "vtkGodRaysVolumeModel.h"
+
+#include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
 
 #include <functional>
 #include <string>
@@ -26,9 +33,10 @@ struct Case
 {
   const char* Name;
   Change Apply;
+  bool HasData = false; // a volume scatters
 };
 
-/// How the light is summed: textures of its own, or lent by the integrator.
+/// How the light is summed: textures of its own, or lent by the integrator or the effect.
 const Case Kinds[] = {
   { "processor", [](vtkGodRaysPass*) {} },
   { "graphics card",
@@ -45,7 +53,23 @@ const Case Kinds[] = {
       rays->SetModel(vtkNew<vtkGodRaysHomogeneousModel>());
       rays->SetIntegrator(vtkNew<vtkGodRaysShadowMapIntegrator>());
     } },
+  { "data", [](vtkGodRaysPass* rays) { rays->SetModel(vtkNew<vtkGodRaysVolumeModel>()); }, true },
 };
+
+void AddSmoke(vtkRenderer* renderer)
+{
+  vtkNew<vtkGPUVolumeRayCastMapper> mapper;
+  mapper->SetInputData(GodRaysGridScenes::MakePlume(17));
+  vtkNew<vtkPiecewiseFunction> opacities;
+  opacities->AddPoint(0.0, 0.0);
+  opacities->AddPoint(1.5, 0.5);
+  vtkNew<vtkVolume> volume;
+  volume->SetMapper(mapper);
+  volume->GetProperty()->SetScalarOpacity(opacities);
+  volume->SetPosition(0.0, 0.0, 6.0); // about the origin
+  vtkGodRaysPass::SetRole(volume, vtkGodRaysPass::MEDIUM);
+  renderer->AddVolume(volume);
+}
 
 /// Another window of the same size, with another light and the same integrator; it is gone at the end.
 void DrawElsewhere(vtkGodRaysPass* rays)
@@ -92,6 +116,10 @@ void CheckReadBack(
   Messages messages;
   Stage scene;
   scene.AddPillarsAndSun();
+  if (kind.HasData)
+  {
+    AddSmoke(scene.Renderer);
+  }
   kind.Apply(scene.Rays);
   scene.Window->Render();
   vtkNew<vtkImageData> image;

@@ -673,18 +673,6 @@ TEST_F(GodRaysVolumeMedium, IsTakenOnce)
   EXPECT_TRUE(Says(this->Rays->GetPlan(), "data of 1 volumes")) << this->Rays->GetPlan();
 }
 
-// Data lend their light to the last layer; another model takes it away.
-TEST_F(GodRaysVolumeMedium, LeavesNothingToAnotherModel)
-{
-  this->AddSmoke();
-  this->UseAlone();
-  this->SetLight({ 1.0, 0.4, 0.2, 0.0 });
-  EXPECT_GT(GetMean(this->GetScattering()), 1e-3);
-  this->Rays->SetModel(this->Model);
-  vtkNew<vtkImageData> image;
-  EXPECT_FALSE(this->Rays->GetScatteringImage(image));
-}
-
 // Numbers that are all alike have no range, whatever their size.
 TEST_F(GodRaysVolumeMedium, MayBeOneLargeNumber)
 {
