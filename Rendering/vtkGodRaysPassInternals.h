@@ -109,7 +109,9 @@ struct vtkGodRaysPass::Internals
   bool ReadNumbers(const double* irradiance, double tolerance, vtkImageData* image)
   {
     vtkNew<vtkImageData> light;
-    bool done = image && this->HasRays && this->Window && this->Scene.GetDepth();
+    vtkTextureObject* depth = this->Scene.GetDepth();
+    // a window that is finalized takes the texture away
+    bool done = image && this->HasRays && this->Window && depth && depth->GetHandle() != 0;
     if (done && this->NumberOfLights > 0)
     {
       done = this->Download(this->HasScattering ? &this->Scattering : nullptr, light);
@@ -119,8 +121,8 @@ struct vtkGodRaysPass::Internals
       this->Window->MakeCurrent();
       vtkGodRaysEffect::Reading reading;
       reading.WindowDepths = this->Scene.ReadDepth();
-      reading.Size[0] = static_cast<int>(this->Scene.GetDepth()->GetWidth());
-      reading.Size[1] = static_cast<int>(this->Scene.GetDepth()->GetHeight());
+      reading.Size[0] = static_cast<int>(depth->GetWidth());
+      reading.Size[1] = static_cast<int>(depth->GetHeight());
       reading.Light = this->NumberOfLights > 0 ? light.Get() : nullptr;
       reading.Irradiance = irradiance;
       const double measured = this->Integrator->GetErrorEstimate();

@@ -116,7 +116,13 @@ bool vtkGodRaysSum::Download(vtkImageData* image)
   {
     return false;
   }
-  (this->Lent ? *this->Lent : this->Target).Download(image, this->Tint);
+  vtkGodRaysTarget& target = this->Lent ? *this->Lent : this->Target;
+  if (!target.GetColor() ||
+    target.GetColor()->GetHandle() == 0) // as of a window that was finalized
+  {
+    return false;
+  }
+  target.Download(image, this->Tint);
   return true;
 }
 
