@@ -157,11 +157,30 @@ public:
   static Watch* New() { return new Watch; }
   void Execute(vtkObject*, unsigned long, void*) override
   {
-    vtkRenderPass* delegate = this->Pass->GetDelegatePass();
+    // What happens here may end this one.
+    const vtkSmartPointer<vtkImageProcessingPass> pass = this->Pass;
+    vtkRenderer* renderer = this->Attachment->Renderer;
+    if (IsReplaced(pass, renderer))
+    {
+      pass->ReleaseGraphicsResources(renderer->GetVTKWindow());
+      this->Attachment->Detach(pass, renderer);
+      return;
+    }
+    vtkRenderPass* delegate = pass->GetDelegatePass();
     if (delegate == this->Attachment->Delegate || IsSky(delegate))
     {
-      this->Attachment->Insert(this->Pass, this->Attachment->Renderer);
+      this->Attachment->Insert(pass, renderer);
     }
+  }
+
+  /// Whether another pass of the kind was put in its place, without Detach(), and nobody else has it.
+  static bool IsReplaced(vtkImageProcessingPass* pass, vtkRenderer* renderer)
+  {
+    const int ownReferences = 3; // of the watch, here and in the renderer's collection
+    const auto isOther = [pass](vtkRenderPass* each)
+    { return each != pass && each->IsA(pass->GetClassName()); };
+    return pass->GetReferenceCount() <= ownReferences && FindFirst(renderer, isOther) &&
+      !FindFirst(renderer, [pass](vtkRenderPass* each) { return each == pass; });
   }
 
   vtkGodRaysAttachment* Attachment = nullptr; // of the pass

@@ -18,12 +18,15 @@
 #include "vtkRenderStepsPass.h"
 #include "vtkTextureObject.h"
 #include "vtkToneMappingPass.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <vector>
 
 using namespace GodRaysTesting;
+using Pixels = std::vector<unsigned char>;
 
 TEST(GodRaysAttach, KeepsWhatTheRendererHad)
 {
@@ -211,6 +214,41 @@ TEST(GodRaysAttach, KeepsThePassAliveWhileTheRendererIs)
   EXPECT_EQ(lit, GetPixels(scene.Window));
   scene.Renderer->SetPass(nullptr); // not Detach
   EXPECT_EQ(lit, GetPixels(scene.Window));
+}
+
+TEST(GodRaysAttach, OfAPassThatWasReplacedAndDroppedEnds)
+{
+  Messages messages;
+  Stage scene;
+  scene.Renderer->AddActor(MakeBox({ 1.0, 0.5, 0.0 }, { 1.0, 1.0, 1.0 }));
+  const auto bare = GetPixels(scene.Window);
+  std::vector<vtkWeakPointer<vtkGodRaysPass>> dropped;
+  vtkSmartPointer<vtkGodRaysPass> last;
+  Pixels once;
+  for (int i = 0; i < 5; ++i)
+  {
+    last = vtkSmartPointer<vtkGodRaysPass>::New();
+    dropped.emplace_back(last);
+    AddPlainly(last);
+    last->AddLight(MakeSun({ 0.3, 0.2, -1.0 }));
+    scene.Renderer->SetPass(nullptr); // not Detach
+    last->Attach(scene.Renderer);
+    const auto picture = GetPixels(scene.Window);
+    once = i == 0 ? picture : once;
+    EXPECT_GT(CountDifferentPixels(picture, bare), 1000);
+    EXPECT_EQ(picture, once) << i << ": former passes shine as well";
+    EXPECT_EQ(std::count(dropped.begin(), dropped.end(), nullptr), i);
+  }
+
+  // one that the program has is attached still: both shine
+  vtkNew<vtkGodRaysPass> another;
+  AddPlainly(another);
+  another->AddLight(MakeSun({ 0.3, 0.2, -1.0 }));
+  scene.Renderer->SetPass(nullptr);
+  another->Attach(scene.Renderer);
+  EXPECT_GT(GetLargestDifference(GetPixels(scene.Window), once), 5);
+  last->Detach(scene.Renderer);
+  EXPECT_EQ(GetPixels(scene.Window), once);
 }
 
 TEST(GodRaysAttach, NoticesANewContextOfItsWindow)
