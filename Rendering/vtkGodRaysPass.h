@@ -262,7 +262,8 @@ public:
    * Set/Get the error that the rays may have, root mean square over the picture, as a fraction of
    * the brightest possible result [no unit]; the integrator chooses its work by it. Of a look the exact
    * result is its converged sum, of a medium single scattering in this scene, see
-   * vtkGodRaysAutomaticIntegrator. Valid range: [1e-6, 0.1]. Default is 1/255, a level of an 8-bit picture.
+   * vtkGodRaysAutomaticIntegrator. Half of it holds where a picture is drawn in tiles, so that their edges
+   * do not show. Valid range: [1e-6, 0.1]. Default is 1/255, a level of an 8-bit picture.
    */
   void SetErrorTolerance(double tolerance);
   vtkGetMacro(ErrorTolerance, double);

@@ -37,6 +37,26 @@ double GetTiles(vtkRenderWindow* window)
   return std::max(tiles[0], tiles[1]);
 }
 
+/// How much of a picture lies left of, right of, below and above a tile of it [pixels], with a margin that is
+/// a fraction of the picture; negative for less than the tile.
+void FindBeyond(vtkRenderer* renderer, double margin, int beyond[4])
+{
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  int size[2];
+  int origin[2]; // in the tile
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  const double* tile = window->GetTileViewport();
+  const double* part = renderer->GetViewport();
+  const int* all = window->GetSize(); // of all tiles
+  for (int i = 0; i < 2; ++i)
+  {
+    const double low = all[i] * (tile[i] - part[i]) + origin[i];
+    const double picture = all[i] * (part[i + 2] - part[i]);
+    beyond[2 * i] = static_cast<int>(std::lround(low + margin * picture));
+    beyond[2 * i + 1] = static_cast<int>(std::lround(picture - low - size[i] + margin * picture));
+  }
+}
+
 bool IsDisabledByEnvironment()
 {
   const char* value = std::getenv("GODRAYS_DISABLE");
@@ -363,6 +383,11 @@ bool vtkGodRaysPass::FindOccluders(const vtkRenderState* s, const vtkGodRaysView
   occlusion.Multisampled = bound.Multisampled;
   occlusion.ColorFormat = this->GetLayerFormat();
   occlusion.Margin = self.Margin;
+  occlusion.IsTile = GetTiles(self.Window) > 1.0;
+  if (occlusion.IsTile)
+  {
+    FindBeyond(s->GetRenderer(), this->LayerMargin, occlusion.Beyond);
+  }
   occlusion.UntaggedPropsOcclude = this->UntaggedPropsOcclude;
   occlusion.Transfer = self.Transfer;
   occlusion.Glow = this->BackgroundGlow;
@@ -415,6 +440,11 @@ bool vtkGodRaysPass::DrawLights(
   frame.ErrorTolerance = frame.Interactive
     ? std::max(this->ErrorTolerance, this->InteractiveErrorTolerance)
     : this->ErrorTolerance;
+  if (GetTiles(self.Window) >
+    1.0) // each tile has an error of its own, and edges of tiles must not show
+  {
+    frame.ErrorTolerance *= 0.5;
+  }
   frame.KeepsLayers = this->Output == OCCLUSION || self.KeepAllLayers;
   frame.Scatters = this->Output != OCCLUSION;
   const int width = static_cast<int>(frame.SceneDepth->GetWidth());

@@ -349,6 +349,23 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysLight& light)
     return false;
   }
   state->vtkglDisable(GL_BLEND);
+  // what is drawn: lower and upper ends of x, then of y
+  int drawn[4] = { 0, self.Width, 0, self.Height };
+  if (frame.IsTile)
+  {
+    const int size[2] = { self.Width, self.Height };
+    const int tile[2] = { static_cast<int>(frame.SceneDepth->GetWidth()),
+      static_cast<int>(frame.SceneDepth->GetHeight()) };
+    for (int i = 0; i < 2; ++i)
+    {
+      const int margin = (size[i] - tile[i]) / 2;
+      drawn[2 * i] = std::max(0, margin - frame.Beyond[2 * i]);
+      drawn[2 * i + 1] = std::min(size[i], margin + tile[i] + frame.Beyond[2 * i + 1]);
+    }
+    state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    state->vtkglClear(GL_COLOR_BUFFER_BIT);
+    state->vtkglScissor(drawn[0], drawn[2], drawn[1] - drawn[0], drawn[3] - drawn[2]);
+  }
   if (light.Prop)
   {
     return this->Draw(light, false, hazy);
@@ -357,6 +374,11 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysLight& light)
   const int size[2] = { self.Width, self.Height };
   int bounds[4];
   light.GetDiscBounds(*frame.View, size, bounds);
+  for (int i = 0; i < 4; i += 2)
+  {
+    bounds[i] = std::max(bounds[i], drawn[i]);
+    bounds[i + 1] = std::min(bounds[i + 1], drawn[i + 1]);
+  }
   const int width = std::max(0, bounds[1] - bounds[0]);
   const int height = std::max(0, bounds[3] - bounds[2]);
   if (2.0 * width * height > 1.0 * self.Width * self.Height)
