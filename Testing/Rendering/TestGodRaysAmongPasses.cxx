@@ -66,11 +66,13 @@ vtkSmartPointer<vtkRenderPass> MakeSteps()
   return vtkSmartPointer<vtkRenderStepsPass>::New();
 }
 
+/// In focus is what the camera looks at. The automatic distance comes from the driver in a later frame: in
+/// which one depends on how busy the machine is.
 vtkSmartPointer<vtkRenderPass> MakeDepthOfField(vtkRenderPass* drawn)
 {
   auto pass = vtkSmartPointer<vtkDepthOfFieldPass>::New();
   pass->SetDelegatePass(drawn);
-  pass->AutomaticFocalDistanceOn();
+  pass->AutomaticFocalDistanceOff();
   return pass;
 }
 
@@ -166,19 +168,19 @@ TEST_P(GodRaysAmong, StayWhicheverIsSetFirst)
   const auto expected = GetAdded(plain);
   ASSERT_GT(GetMean(expected), 5.0);
 
+  // One scene and one pass for both: VTK's depth of field does not show the same in another one, each time.
+  Stage scene;
+  scene.AddPillarsAndSun();
+  scene.Rays->Detach(scene.Renderer);
+  const auto others = GetParam().Make();
   std::vector<unsigned char> pictures[2];
   for (bool raysFirst : { false, true })
   {
-    Stage scene;
-    scene.AddPillarsAndSun();
-    const auto others = GetParam().Make();
     if (raysFirst)
     {
+      scene.Renderer->SetPass(nullptr);
+      scene.Rays->Attach(scene.Renderer);
       scene.Window->Render();
-    }
-    else
-    {
-      scene.Rays->Detach(scene.Renderer);
     }
     scene.Renderer->SetPass(others);
     if (!raysFirst)
@@ -186,7 +188,7 @@ TEST_P(GodRaysAmong, StayWhicheverIsSetFirst)
       scene.Rays->Attach(scene.Renderer);
     }
     EXPECT_EQ(vtkGodRaysPass::Find(scene.Renderer), scene.Rays);
-    scene.Window->Render(); // VTK finds the focal distance in the frame before
+    scene.Window->Render(); // VTK's depth of field shows the scene from its second frame on
     pictures[raysFirst] = GetPixels(scene.Window);
     const auto added = GetAdded(scene);
     EXPECT_NEAR(GetMean(added), GetMean(expected), 0.15 * GetMean(expected));
@@ -196,10 +198,10 @@ TEST_P(GodRaysAmong, StayWhicheverIsSetFirst)
     EXPECT_EQ(scene.Renderer->GetPass(), others);
     EXPECT_EQ(vtkGodRaysPass::Find(scene.Renderer), nullptr);
     EXPECT_NE(GetPixels(scene.Window), pictures[raysFirst]);
-    if (others)
-    {
-      others->ReleaseGraphicsResources(scene.Window);
-    }
+  }
+  if (others)
+  {
+    others->ReleaseGraphicsResources(scene.Window);
   }
   EXPECT_EQ(pictures[0], pictures[1]);
 }
