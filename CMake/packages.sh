@@ -22,7 +22,8 @@ paraview_packages=(paraview paraview-dev openmpi-bin)
 paraview_shares_vtk=false
 case $suite in
   bookworm) # Debian 12
-    test_packages+=(clang-format-14 clang-14 libclang-rt-14-dev invesalius-examples mricron-data pymol-data)
+    test_packages+=(libvtk9-qt-dev clang-format-14 clang-14 libclang-rt-14-dev invesalius-examples mricron-data
+      pymol-data)
     paraview_packages+=(libqt5svg5 python3-paraview-) ;;
   trixie) # Debian 13
     test_packages+=(python3-pyvista)
