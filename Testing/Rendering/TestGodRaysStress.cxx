@@ -4,6 +4,7 @@
 // Much, often, or very little: many lights, windows of a few pixels, views from one degree to 170, stereo
 // and sizes that change with every frame, and thousands of frames in the same memory.
 
+#include "CountOpenGLCalls.h"
 #include "GodRaysTesting.h"
 
 #include "vtkGodRaysEpipolarCoverageIntegrator.h"
@@ -12,8 +13,11 @@
 #include "vtkGodRaysShadowMapIntegrator.h"
 
 #include "vtkCamera.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkSphereSource.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -27,6 +31,16 @@
 #include <vector>
 
 using namespace GodRaysTesting;
+
+namespace
+{
+double Indices = 0.0; // that were drawn
+}
+COUNT_CALLS(DrawRangeElements,
+  (GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices),
+  (mode, start, end, count, type, indices), Indices += count)
+COUNT_CALLS_1_1(DrawElements, (GLenum mode, GLsizei count, GLenum type, const void* indices),
+  (mode, count, type, indices), Indices += count)
 
 namespace
 {
@@ -280,6 +294,86 @@ TEST_P(GodRaysStress, MemoryStaysAsItIs)
         EXPECT_TRUE(KeepsWhatIsFreed || growth < 1.0) << change.first << ": " << growth;
       }
     }
+  }
+}
+
+namespace
+{
+/// What a frame takes.
+struct Cost
+{
+  double Triangles = 0.0; // drawn
+  double Seconds = 0.0;
+  double Memory = 0.0; // afterwards [MB]
+};
+Cost DrawFrame(vtkRenderWindow* window)
+{
+  Indices = 0.0;
+  const auto start = std::chrono::steady_clock::now();
+  window->Render();
+  window->WaitForCompletion();
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  return { Indices / 3.0, took.count(), GetMemory() };
+}
+}
+
+// 0.2 million triangles, and 10 million with GODRAYS_LONG. Many triangles cost a look nothing more, and a
+// medium one picture more from the light, which is kept.
+TEST(GodRaysStress, OfManyTrianglesTheSceneIsDrawnOnceMoreAtMost)
+{
+  Messages messages;
+  const int rows = std::getenv("GODRAYS_LONG") ? 2238 : 318;
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(rows);
+  sphere->SetPhiResolution(rows);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(sphere->GetOutputPort());
+  mapper->Update();
+  const double triangles = static_cast<double>(mapper->GetInput()->GetNumberOfPolys());
+  EXPECT_GT(triangles, std::getenv("GODRAYS_LONG") ? 1e7 : 2e5);
+
+  for (const bool fog : { false, true })
+  {
+    Stage scene(320, 240);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->SetPosition(0.5, 0.3, 0.0);
+    scene.Renderer->AddActor(actor);
+    scene.Window->Render();
+    INSTALL_COUNT(DrawRangeElements)
+    INSTALL_COUNT_1_1(DrawElements)
+    const Cost without = DrawFrame(scene.Window);
+    EXPECT_EQ(without.Triangles, triangles);
+    const Pixels bare = GetPixels(scene.Window, false);
+
+    auto sun = MakeSun({ 0.3, 0.2, -1.0 });
+    scene.Rays->AddLight(sun);
+    if (fog)
+    {
+      AddFog(scene);
+    }
+    scene.Rays->Attach(scene.Renderer);
+    const Cost first = DrawFrame(scene.Window);
+    EXPECT_EQ(first.Triangles, fog ? 2.0 * triangles : triangles);
+    EXPECT_GT(CountDifferentPixels(GetPixels(scene.Window, false), bare, 2), 1000);
+    scene.Renderer->GetActiveCamera()->Azimuth(0.3);
+    const Cost next = DrawFrame(scene.Window);
+    EXPECT_EQ(next.Triangles, triangles);
+    sun->SetPosition(0.2, 0.3, -1.0);
+    const Cost moved = DrawFrame(scene.Window);
+    EXPECT_EQ(moved.Triangles, fog ? 2.0 * triangles : triangles);
+    if (!fog)
+    {
+      // the control: what is beyond the picture has to be drawn for itself
+      scene.Rays->SetLayerMargin(0.1);
+      EXPECT_EQ(DrawFrame(scene.Window).Triangles, 2.0 * triangles);
+    }
+    const double more = moved.Memory - without.Memory;
+    EXPECT_TRUE(KeepsWhatIsFreed || more < 40.0) << more; // its own textures and sums
+    std::cout << triangles << " triangles" << (fog ? ", fog" : "") << ": " << without.Seconds
+              << " s without rays, then " << first.Seconds << ", " << next.Seconds
+              << " with another camera, " << moved.Seconds << " with another sun; " << more
+              << " MB more, of " << without.Memory << "\n";
   }
 }
 
