@@ -6,6 +6,8 @@
 #include "vtkInformationIntegerKey.h"
 #include "vtkNew.h"
 #include "vtkProp.h"
+#include "vtkPropAssembly.h"
+#include "vtkPropCollection.h"
 
 //------------------------------------------------------------------------------
 vtkInformationIntegerKey* vtkGodRaysGetRoleKey()
@@ -46,4 +48,25 @@ void vtkGodRaysSetRole(vtkProp* prop, vtkGodRaysRole role)
     keys->Set(vtkGodRaysGetRoleKey(), static_cast<int>(role));
   }
   prop->SetPropertyKeys(keys);
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysHasVolume(vtkProp* prop)
+{
+  vtkNew<vtkPropCollection> volumes;
+  prop->GetVolumes(volumes);
+  if (volumes->GetNumberOfItems() > 0)
+  {
+    return true;
+  }
+  // A vtkPropAssembly does not tell them.
+  auto assembly = vtkPropAssembly::SafeDownCast(prop);
+  for (int i = 0; assembly && i < assembly->GetParts()->GetNumberOfItems(); ++i)
+  {
+    if (vtkGodRaysHasVolume(vtkProp::SafeDownCast(assembly->GetParts()->GetItemAsObject(i))))
+    {
+      return true;
+    }
+  }
+  return false;
 }

@@ -25,4 +25,7 @@ vtkInformationIntegerKey* vtkGodRaysGetRoleKey();
 vtkGodRaysRole vtkGodRaysGetRole(vtkProp* prop);
 void vtkGodRaysSetRole(vtkProp* prop, vtkGodRaysRole role);
 
+/// Whether a prop is a volume or an assembly that has one.
+bool vtkGodRaysHasVolume(vtkProp* prop);
+
 #endif

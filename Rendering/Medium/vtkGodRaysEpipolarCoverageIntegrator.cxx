@@ -6,6 +6,7 @@
 #include "vtkGodRaysLight.h"
 #include "vtkGodRaysMediumModel.h"
 #include "vtkGodRaysOpenGL.h"
+#include "vtkGodRaysRole.h"
 #include "vtkGodRaysSetGet.h"
 #include "vtkGodRaysSolidLayers.h"
 #include "vtkGodRaysSweptLight.h"
@@ -116,7 +117,7 @@ bool vtkGodRaysEpipolarCoverageIntegrator::Integrate(const Request& request)
   self.Plan = self.Swept.Sweep.Describe();
   const auto translucent = std::count_if(request.Occluders->begin(), request.Occluders->end(),
     [](vtkProp* prop)
-    { return prop->HasTranslucentPolygonalGeometry() || vtkGodRaysVolumeHaze::HasVolume(prop); });
+    { return prop->HasTranslucentPolygonalGeometry() || vtkGodRaysHasVolume(prop); });
   if (translucent > 0)
   {
     self.Plan +=

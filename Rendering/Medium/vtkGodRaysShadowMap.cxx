@@ -11,6 +11,7 @@
 #include "vtkGodRaysMedium.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysProjection.h"
+#include "vtkGodRaysRole.h"
 #include "vtkGodRaysView.h"
 #include "vtkGodRaysVolumeHaze.h"
 #include "vtkMapper.h"
@@ -321,7 +322,7 @@ bool vtkGodRaysShadowMap::RenderTranslucent(
     {
       volumes.push_back(volume);
     }
-    else if (vtkGodRaysVolumeHaze::HasVolume(prop))
+    else if (vtkGodRaysHasVolume(prop))
     {
       ++this->LeftOut;
     }

@@ -14,7 +14,6 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
-#include "vtkPropCollection.h"
 #include "vtkSMPTools.h"
 #include "vtkVolume.h"
 #include "vtkVolumeMapper.h"
@@ -320,14 +319,6 @@ void March(const Field& field, const T* values, const Rays& rays,
     depths[k + 1] += sum * length;
   }
 }
-}
-
-//------------------------------------------------------------------------------
-bool vtkGodRaysVolumeHaze::HasVolume(vtkProp* prop)
-{
-  vtkNew<vtkPropCollection> volumes;
-  prop->GetVolumes(volumes);
-  return volumes->GetNumberOfItems() > 0;
 }
 
 //------------------------------------------------------------------------------

@@ -24,8 +24,6 @@ class vtkVolume;
 class vtkGodRaysVolumeHaze
 {
 public:
-  static bool HasVolume(vtkProp* prop);
-
   /**
    * A prop as a volume that it can be computed for; null for others.
    */

@@ -44,13 +44,6 @@ struct Sorted
   int Emitters = 0;
 };
 
-bool HasVolume(vtkProp* prop)
-{
-  vtkNew<vtkPropCollection> volumes;
-  prop->GetVolumes(volumes);
-  return volumes->GetNumberOfItems() > 0;
-}
-
 /// Into what was sorted before, whose memory serves.
 void Sort(const vtkGodRaysOcclusionPass::Request& request, Sorted& sorted)
 {
@@ -87,7 +80,7 @@ void Sort(const vtkGodRaysOcclusionPass::Request& request, Sorted& sorted)
     sorted.OccludingProps.push_back(prop);
     sorted.Emitters += role == vtkGodRaysRole::LIGHT ? 1 : 0;
     if (request.Dims && role != vtkGodRaysRole::LIGHT &&
-      (prop->HasTranslucentPolygonalGeometry() || HasVolume(prop)))
+      (prop->HasTranslucentPolygonalGeometry() || vtkGodRaysHasVolume(prop)))
     {
       sorted.Dimming.push_back(prop);
     }
@@ -272,8 +265,8 @@ void vtkGodRaysOcclusionPass::RenderTranslucent(std::vector<vtkProp*> props)
       prop->RenderTranslucentPolygonalGeometry(renderer);
     }
   }
-  props.erase(
-    std::remove_if(props.begin(), props.end(), [](vtkProp* prop) { return !HasVolume(prop); }),
+  props.erase(std::remove_if(props.begin(), props.end(),
+                [](vtkProp* prop) { return !vtkGodRaysHasVolume(prop); }),
     props.end());
   vtkRenderState volumes(renderer);
   volumes.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
@@ -298,8 +291,8 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysLight& light)
   const Request& frame = self.Frame;
   vtkOpenGLState* state = frame.Window->GetState();
   const bool hazy = light.Prop &&
-    vtkGodRaysCompositor::Any(
-      frame.Compositor, light.Prop->HasTranslucentPolygonalGeometry() || HasVolume(light.Prop));
+    vtkGodRaysCompositor::Any(frame.Compositor,
+      light.Prop->HasTranslucentPolygonalGeometry() || vtkGodRaysHasVolume(light.Prop));
   if (light.Prop)
   {
     self.Emitter.Prepare(

@@ -10,6 +10,7 @@
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkPropAssembly.h"
 #include "vtkProperty.h"
 #include "vtkSmartVolumeMapper.h"
 
@@ -175,4 +176,21 @@ TEST_F(GodRaysOcclusionDimming, SmartVolumeMappersDimAlso)
   mapper->SetSampleDistance(0.05f);
   this->Renderer->AddVolume(MakeFog(mapper, { 0.0, 0.0, 0.0 }, 0.5));
   EXPECT_NEAR(this->GetCentre(), 0.25, 0.02);
+}
+
+// Of its parts, a vtkPropAssembly tells actors and volumes to nobody.
+TEST_F(GodRaysOcclusionDimming, VolumesInAssembliesDimAlso)
+{
+  this->AddSun({ 0.0, 0.0, -1.0 });
+  this->Rays->SetSunAngularRadius(3.0);
+  vtkNew<vtkOpenGLGPUVolumeRayCastMapper> mapper;
+  mapper->AutoAdjustSampleDistancesOff();
+  mapper->SetSampleDistance(0.05f);
+  vtkNew<vtkPropAssembly> inner;
+  inner->AddPart(MakeFog(mapper, { 0.0, 0.0, 0.0 }, 0.5));
+  vtkNew<vtkPropAssembly> outer;
+  outer->AddPart(inner);
+  this->Renderer->AddViewProp(outer);
+  EXPECT_NEAR(this->GetCentre(), 0.25, 0.02);
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "opacity of 1 translucent")) << this->Rays->GetPlan();
 }
