@@ -86,9 +86,7 @@ EffectScene::EffectScene(Device& device, int width, int height)
       taps->SetNumberOfTaps(variant.Taps);
       pass->SetIntegrator(taps);
     }
-    pass->Attach(this->Renderer);
-    this->Renderer->SetPass(nullptr);
-    this->Passes[variant.Name] = pass;
+    this->Passes[variant.Name] = pass; // not attached: it would come back into the other variants
   }
 }
 
