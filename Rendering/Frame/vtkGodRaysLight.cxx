@@ -68,58 +68,51 @@ double vtkGodRaysLight::GetPerspectiveDistance(const vtkGodRaysView& view) const
 }
 
 //------------------------------------------------------------------------------
-// The disc is within a square about it: its corners, projected.
 void vtkGodRaysLight::GetDiscBounds(
   const vtkGodRaysView& view, const int size[2], int bounds[4]) const
 {
-  for (int i = 0; i < 2; ++i)
-  {
-    bounds[2 * i] = 0;
-    bounds[2 * i + 1] = size[i];
-  }
+  this->GetBoundsAbout(view, this->Radius, size, bounds);
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysLight::GetGlowBounds(
+  const vtkGodRaysView& view, const int size[2], int bounds[4]) const
+{
+  this->GetBoundsAbout(view, this->GlowRadius + this->GlowFalloff, size, bounds);
+}
+
+//------------------------------------------------------------------------------
+// What is as far from the light is within a square about it: its corners, projected.
+void vtkGodRaysLight::GetBoundsAbout(
+  const vtkGodRaysView& view, double radius, const int size[2], int bounds[4]) const
+{
   const double largest = 1.0; // [radians]
-  if (!this->Planar && (view.Parallel || this->Radius > largest))
+  if (!this->Planar && (view.Parallel || radius > largest))
   {
+    const int whole[4] = { 0, size[0], 0, size[1] };
+    std::copy_n(whole, 4, bounds);
     return;
   }
-  const double half = this->Planar ? this->Radius : std::tan(this->Radius);
+  const double half = this->Planar ? radius : std::tan(radius);
   double right[3] = { 1.0, 0.0, 0.0 };
   double up[3] = { 0.0, 1.0, 0.0 };
   if (!this->Planar)
   {
     vtkMath::Perpendiculars(this->Direction, right, up, 0.0);
   }
-  double low[2] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
-  double high[2] = { -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+  double corners[4][4];
   for (int corner = 0; corner < 4; ++corner)
   {
     const double* center = this->Planar ? this->Position : this->Direction;
-    double point[4] = { 0.0, 0.0, 0.0, this->Planar ? 1.0 : 0.0 };
+    corners[corner][3] = this->Planar ? 1.0 : 0.0;
     for (int i = 0; i < 3; ++i)
     {
-      point[i] =
+      corners[corner][i] =
         center[i] + half * ((corner & 1 ? right[i] : -right[i]) + (corner & 2 ? up[i] : -up[i]));
-    }
-    double clip[4];
-    vtkMatrix4x4::MultiplyPoint(view.ViewToClip, point, clip);
-    if (!(clip[3] > 1e-6 * std::hypot(clip[0], clip[1])))
-    {
-      return; // beside or behind the camera
-    }
-    for (int i = 0; i < 2; ++i)
-    {
-      low[i] = std::min(low[i], clip[i] / clip[3]);
-      high[i] = std::max(high[i], clip[i] / clip[3]);
     }
   }
   const double margin = 3.0; // for the soft edge [pixels]
-  for (int i = 0; i < 2; ++i)
-  {
-    const double first = std::floor(0.5 * (low[i] + 1.0) * size[i] - margin);
-    const double last = std::ceil(0.5 * (high[i] + 1.0) * size[i] + margin);
-    bounds[2 * i] = static_cast<int>(std::min(std::max(first, 0.0), 1.0 * size[i]));
-    bounds[2 * i + 1] = static_cast<int>(std::min(std::max(last, 0.0), 1.0 * size[i]));
-  }
+  view.GetHullBounds(corners, 4, size, margin, bounds);
 }
 
 //------------------------------------------------------------------------------

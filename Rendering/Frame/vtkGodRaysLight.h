@@ -72,16 +72,23 @@ struct vtkGodRaysLight
    */
   double GetPerspectiveDistance(const vtkGodRaysView& view) const;
 
+  ///@{
   /**
-   * The part of a layer of this size that the disc and its soft edge are within: first and past the
-   * last column, first and past the last row; nothing is between them if it is not seen.
+   * The part of a layer of this size that the disc and its soft edge, or the glow, are within: first and
+   * past the last column, first and past the last row; nothing is between them if it is not seen.
    */
   void GetDiscBounds(const vtkGodRaysView& view, const int size[2], int bounds[4]) const;
+  void GetGlowBounds(const vtkGodRaysView& view, const int size[2], int bounds[4]) const;
+  ///@}
 
   /**
    * Whether any of the light may fall into the layer: never false when some does.
    */
   bool Reaches(const vtkGodRaysView& view, bool glows) const;
+
+private:
+  void GetBoundsAbout(
+    const vtkGodRaysView& view, double radius, const int size[2], int bounds[4]) const;
 };
 
 #endif

@@ -122,3 +122,34 @@ double vtkGodRaysView::GetPictureHeight() const
 {
   return 2.0 * this->ViewScale / std::hypot(this->ViewToClip[4], this->ViewToClip[5]);
 }
+
+//------------------------------------------------------------------------------
+void vtkGodRaysView::GetHullBounds(
+  const double (*points)[4], int count, const int size[2], double margin, int bounds[4]) const
+{
+  double low[2] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
+  double high[2] = { -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+  for (int k = 0; k < count; ++k)
+  {
+    double clip[4];
+    vtkMatrix4x4::MultiplyPoint(this->ViewToClip, points[k], clip);
+    if (!(clip[3] > 1e-6 * std::hypot(clip[0], clip[1])))
+    {
+      const int whole[4] = { 0, size[0], 0, size[1] };
+      std::copy_n(whole, 4, bounds);
+      return;
+    }
+    for (int i = 0; i < 2; ++i)
+    {
+      low[i] = std::min(low[i], clip[i] / clip[3]);
+      high[i] = std::max(high[i], clip[i] / clip[3]);
+    }
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    const double first = std::floor(0.5 * (low[i] + 1.0) * size[i] - margin);
+    const double last = std::ceil(0.5 * (high[i] + 1.0) * size[i] + margin);
+    bounds[2 * i] = static_cast<int>(std::min(std::max(first, 0.0), 1.0 * size[i]));
+    bounds[2 * i + 1] = static_cast<int>(std::min(std::max(last, 0.0), 1.0 * size[i]));
+  }
+}

@@ -63,6 +63,15 @@ struct vtkGodRaysView
    * parallel views only), or else a vector of any length along which it is seen.
    */
   void GetPicture(bool planar, double origin[3], double right[3], double up[3]) const;
+
+  /**
+   * The part of a layer of this size that the convex hull of some points, in homogeneous view
+   * coordinates, and a margin [pixels] about it are within: first and past the last column, first and
+   * past the last row; nothing is between them if it is not seen. The whole layer, if a point is beside
+   * or behind the camera.
+   */
+  void GetHullBounds(
+    const double (*points)[4], int count, const int size[2], double margin, int bounds[4]) const;
 };
 
 #endif

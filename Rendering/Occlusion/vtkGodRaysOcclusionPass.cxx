@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysOcclusionPass.h"
 
+#include "vtkActor.h"
 #include "vtkActor2D.h"
 #include "vtkCamera.h"
 #include "vtkGodRaysCompositor.h"
@@ -13,15 +14,19 @@
 #include "vtkGodRaysRole.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysView.h"
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkProp.h"
 #include "vtkPropCollection.h"
+#include "vtkProperty.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 
@@ -29,6 +34,7 @@
 #include <cmath>
 #include <optional>
 #include <sstream>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkGodRaysOcclusionPass);
@@ -109,6 +115,75 @@ void IncludeMargin(vtkRenderer* renderer, const vtkGodRaysView& view,
   {
     projection.emplace(renderer, view, view.ViewToClip, wide);
   }
+}
+
+/// A part of a layer: first and past the last column, first and past the last row [pixels].
+struct Rectangle
+{
+  int Bounds[4];
+
+  double GetArea() const
+  {
+    return 1.0 * std::max(0, this->Bounds[1] - this->Bounds[0]) *
+      std::max(0, this->Bounds[3] - this->Bounds[2]);
+  }
+  Rectangle Within(const Rectangle& other) const
+  {
+    return { { std::max(this->Bounds[0], other.Bounds[0]), std::min(this->Bounds[1], other.Bounds[1]),
+      std::max(this->Bounds[2], other.Bounds[2]), std::min(this->Bounds[3], other.Bounds[3]) } };
+  }
+  void SetScissor(vtkOpenGLState* state) const
+  {
+    state->vtkglScissor(this->Bounds[0], this->Bounds[2],
+      std::max(0, this->Bounds[1] - this->Bounds[0]),
+      std::max(0, this->Bounds[3] - this->Bounds[2]));
+  }
+};
+
+/// What of a layer of this size is drawn: of a tile, what lies in the whole picture.
+Rectangle GetDrawn(const vtkGodRaysOcclusionPass::Request& frame, const int size[2])
+{
+  Rectangle drawn = { { 0, size[0], 0, size[1] } };
+  if (frame.IsTile)
+  {
+    const int tile[2] = { static_cast<int>(frame.SceneDepth->GetWidth()),
+      static_cast<int>(frame.SceneDepth->GetHeight()) };
+    for (int i = 0; i < 2; ++i)
+    {
+      const int margin = (size[i] - tile[i]) / 2;
+      drawn.Bounds[2 * i] = std::max(0, margin - frame.Beyond[2 * i]);
+      drawn.Bounds[2 * i + 1] = std::min(size[i], margin + tile[i] + frame.Beyond[2 * i + 1]);
+    }
+  }
+  return drawn;
+}
+
+/// Where a prop is drawn; the bounds are left alone where that is not known: shaders and mappers other
+/// than VTK's usual ones may draw beyond the prop's bounds.
+void FindPropBounds(vtkProp* prop, const vtkGodRaysView& view, const int size[2], int bounds[4])
+{
+  auto actor = vtkActor::SafeDownCast(prop);
+  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+  vtkShaderProperty* shaders = actor ? actor->GetShaderProperty() : nullptr;
+  if (!mapper || !shaders || std::string(actor->GetClassName()) != "vtkOpenGLActor" ||
+    std::string(mapper->GetClassName()) != "vtkOpenGLPolyDataMapper" ||
+    shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode() ||
+    shaders->GetNumberOfShaderReplacements() > 0)
+  {
+    return;
+  }
+  const double* box = actor->GetBounds();
+  double corners[8][4];
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const double world[4] = { box[corner & 1 ? 1 : 0], box[corner & 2 ? 3 : 2],
+      box[corner & 4 ? 5 : 4], 1.0 };
+    vtkMatrix4x4::MultiplyPoint(view.WorldToView, world, corners[corner]);
+  }
+  // for points, lines, and what the shader reads beside a pixel
+  vtkProperty* property = actor->GetProperty();
+  const double margin = 3.0 + std::max(property->GetPointSize(), property->GetLineWidth());
+  view.GetHullBounds(corners, 8, size, margin, bounds);
 }
 
 /// Join translucent parts of all processes: what they let through, in alpha, is multiplied, and
@@ -342,62 +417,55 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysLight& light)
     return false;
   }
   state->vtkglDisable(GL_BLEND);
-  // what is drawn: lower and upper ends of x, then of y
-  int drawn[4] = { 0, self.Width, 0, self.Height };
-  if (frame.IsTile)
-  {
-    const int size[2] = { self.Width, self.Height };
-    const int tile[2] = { static_cast<int>(frame.SceneDepth->GetWidth()),
-      static_cast<int>(frame.SceneDepth->GetHeight()) };
-    for (int i = 0; i < 2; ++i)
-    {
-      const int margin = (size[i] - tile[i]) / 2;
-      drawn[2 * i] = std::max(0, margin - frame.Beyond[2 * i]);
-      drawn[2 * i + 1] = std::min(size[i], margin + tile[i] + frame.Beyond[2 * i + 1]);
-    }
-    state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-    state->vtkglClear(GL_COLOR_BUFFER_BIT);
-    state->vtkglScissor(drawn[0], drawn[2], drawn[1] - drawn[0], drawn[3] - drawn[2]);
-  }
-  if (light.Prop)
-  {
-    return this->Draw(light, false, hazy);
-  }
-  // The disc takes more than the glow: only where it may be, if that is not most of the layer.
   const int size[2] = { self.Width, self.Height };
-  int bounds[4];
-  light.GetDiscBounds(*frame.View, size, bounds);
-  for (int i = 0; i < 4; i += 2)
+  const Rectangle drawn = GetDrawn(frame, size);
+  // The emitter takes more than the glow, and that more than nothing: each only where it may be, if
+  // that is not most of the layer.
+  Rectangle emitter = { { 0, size[0], 0, size[1] } };
+  Rectangle glow = { { 0, frame.Glow > 0.0 ? size[0] : 0, 0, size[1] } };
+  if (!light.Prop)
   {
-    bounds[i] = std::max(bounds[i], drawn[i]);
-    bounds[i + 1] = std::min(bounds[i + 1], drawn[i + 1]);
+    light.GetDiscBounds(*frame.View, size, emitter.Bounds);
   }
-  const int width = std::max(0, bounds[1] - bounds[0]);
-  const int height = std::max(0, bounds[3] - bounds[2]);
-  if (2.0 * width * height > 1.0 * self.Width * self.Height)
+  else if (!hazy && !self.Distributed)
   {
-    return this->Draw(light, true, hazy);
+    FindPropBounds(light.Prop, *frame.View, size, emitter.Bounds);
   }
-  if (!this->Draw(light, false, hazy))
+  const double most = 0.5 * size[0] * size[1];
+  const bool everywhere = emitter.GetArea() > most;
+  if (!everywhere && frame.Glow > 0.0)
   {
-    return false;
+    light.GetGlowBounds(*frame.View, size, glow.Bounds);
   }
-  if (width > 0 && height > 0)
+  const bool glowsEverywhere = !everywhere && glow.GetArea() > most;
+  if ((!everywhere && !glowsEverywhere) || drawn.GetArea() < 2.0 * most)
   {
-    state->vtkglScissor(bounds[0], bounds[2], width, height);
-    return this->Draw(light, true, hazy);
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    state->vtkglClearColor(0.0f, 0.0f, 0.0f, 1.0f);
+    state->vtkglClear(GL_COLOR_BUFFER_BIT);
   }
-  return true;
+  if (!everywhere)
+  {
+    const Rectangle part = glowsEverywhere ? drawn : glow.Within(drawn);
+    part.SetScissor(state);
+    if (part.GetArea() > 0.0 && !this->Draw(light, GLOW, false))
+    {
+      return false;
+    }
+  }
+  const Rectangle part = everywhere ? drawn : emitter.Within(drawn);
+  part.SetScissor(state);
+  return part.GetArea() == 0.0 || this->Draw(light, light.Prop ? PROP : DISC, hazy);
 }
 
 //------------------------------------------------------------------------------
-// Draw the emitter into the bound framebuffer, with or without the disc.
-bool vtkGodRaysOcclusionPass::Draw(const vtkGodRaysLight& light, bool disc, bool hazy)
+// Draw the glow into the bound framebuffer, alone or with the disc or prop.
+bool vtkGodRaysOcclusionPass::Draw(const vtkGodRaysLight& light, Part part, bool hazy)
 {
   Internals& self = *this->Internal;
   const Request& frame = self.Frame;
   vtkShaderProgram* program = self.Quad.Begin(frame.Window,
-    { { "dimmed", self.Dimmed }, { "prop", light.Prop != nullptr }, { "disc", disc },
+    { { "dimmed", self.Dimmed }, { "prop", part == PROP }, { "disc", part == DISC },
       { "hazy", hazy }, { "planar", light.Planar },
       { "multisampled", frame.Multisampled && !this->RenderedOccluders },
       { "linearLight", frame.Transfer != vtkGodRaysTransfer::NONE },
@@ -434,7 +502,7 @@ bool vtkGodRaysOcclusionPass::Draw(const vtkGodRaysLight& light, bool disc, bool
   {
     self.Quad.SetTexture("translucency", self.Dimming.GetColor());
   }
-  if (light.Prop)
+  if (part == PROP)
   {
     self.Quad.SetTexture("propColor", self.Emitter.GetColor());
     self.Quad.SetTexture("propDepth", self.Emitter.GetDepth());

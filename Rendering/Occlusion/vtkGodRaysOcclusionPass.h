@@ -136,7 +136,13 @@ private:
 
   void JoinEmitter();
   void RenderTranslucent(std::vector<vtkProp*> props);
-  bool Draw(const vtkGodRaysLight& light, bool disc, bool hazy);
+  enum Part
+  {
+    GLOW,
+    DISC,
+    PROP
+  };
+  bool Draw(const vtkGodRaysLight& light, Part part, bool hazy);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;
