@@ -15,6 +15,7 @@ uniform sampler2D occluderDepth;
 // dimmed: whether translucent props or volumes dim the light
 // prop: whether a prop shines
 // disc: whether a disc does
+// evenly: whether all of the prop has the light's colour
 // hazy: whether it has translucent parts or is a volume
 // multisampled: whether occluderDepth is of a sample, not the centre, of each pixel
 // planar: separations are lengths in the picture's plane, not angles
@@ -109,11 +110,12 @@ void main()
   vec3 light = glowing * lightColor;
   if (prop)
   {
-    vec4 shown = texelFetch(propColor, pixel, 0);
     float propNearest = multisampled ? LeastPropDepth(pixel) : PropDepth(pixel);
     if (PropDepth(pixel) < farthest && propNearest <= depth + 1e-6)
     {
-      light = fade * (linearLight ? DecodeDisplay(shown.rgb, isPower) : shown.rgb);
+      vec4 shown = texelFetch(propColor, pixel, 0);
+      light = evenly ? lightColor
+                     : fade * (linearLight ? DecodeDisplay(shown.rgb, isPower) : shown.rgb);
     }
     if (hazy)
     {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysOcclusionPass.h"
 
+#include "vtkAbstractMapper.h"
 #include "vtkActor.h"
 #include "vtkActor2D.h"
 #include "vtkCamera.h"
@@ -158,17 +159,48 @@ Rectangle GetDrawn(const vtkGodRaysOcclusionPass::Request& frame, const int size
   return drawn;
 }
 
-/// Where a prop is drawn; the bounds are left alone where that is not known: shaders and mappers other
-/// than VTK's usual ones may draw beyond the prop's bounds.
-void FindPropBounds(vtkProp* prop, const vtkGodRaysView& view, const int size[2], int bounds[4])
+/// The prop as an actor, if what VTK's usual mapper and shaders draw is all that it shows; else null.
+vtkActor* FindUsualActor(vtkProp* prop)
 {
   auto actor = vtkActor::SafeDownCast(prop);
   vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
   vtkShaderProperty* shaders = actor ? actor->GetShaderProperty() : nullptr;
-  if (!mapper || !shaders || std::string(actor->GetClassName()) != "vtkOpenGLActor" ||
-    std::string(mapper->GetClassName()) != "vtkOpenGLPolyDataMapper" ||
-    shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode() ||
-    shaders->GetNumberOfShaderReplacements() > 0)
+  return mapper && shaders && std::string(actor->GetClassName()) == "vtkOpenGLActor" &&
+      std::string(mapper->GetClassName()) == "vtkOpenGLPolyDataMapper" &&
+      !shaders->HasVertexShaderCode() && !shaders->HasGeometryShaderCode() &&
+      !shaders->HasFragmentShaderCode() && shaders->GetNumberOfShaderReplacements() == 0
+    ? actor
+    : nullptr;
+}
+
+/// Whether all of a prop is shown in its property's colour, which is that of its light.
+bool HasOneColor(vtkProp* prop)
+{
+  vtkActor* actor = FindUsualActor(prop);
+  if (!actor)
+  {
+    return false;
+  }
+  vtkMapper* mapper = actor->GetMapper();
+  vtkProperty* property = actor->GetProperty();
+  int kind = 0;
+  const bool hasScalars = mapper->GetScalarVisibility() &&
+    (!mapper->GetInput() ||
+      vtkAbstractMapper::GetScalars(mapper->GetInput(), mapper->GetScalarMode(),
+        mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), kind));
+  return !hasScalars && !actor->GetTexture() && !actor->GetBackfaceProperty() &&
+    property->GetNumberOfTextures() == 0 && !property->GetLighting() &&
+    property->GetInterpolation() <= VTK_PHONG && !property->GetEdgeVisibility() &&
+    !property->GetVertexVisibility() && property->GetAmbient() == 0.0 &&
+    property->GetDiffuse() == 1.0 && property->GetSpecular() == 0.0;
+}
+
+/// Where a prop is drawn; the bounds are left alone where that is not known: other shaders and mappers
+/// may draw beyond the prop's bounds.
+void FindPropBounds(vtkProp* prop, const vtkGodRaysView& view, const int size[2], int bounds[4])
+{
+  vtkActor* actor = FindUsualActor(prop);
+  if (!actor)
   {
     return;
   }
@@ -407,8 +439,9 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysLight& light)
     }
   }
 
-  // A disc and its glow have one colour.
-  const bool oneColor = !light.Prop && frame.OneColorFormat;
+  // A disc and its glow have one colour, and a prop may have the glow's.
+  const bool oneColor = frame.OneColorFormat &&
+    (!light.Prop || (!hazy && !self.Distributed && HasOneColor(light.Prop)));
   self.Composed = oneColor ? &self.OneColorLayer : &self.Layer;
   self.Composed->Prepare(frame.Window, self.Width, self.Height,
     { oneColor ? frame.OneColorFormat : frame.ColorFormat, 0 });
@@ -466,7 +499,8 @@ bool vtkGodRaysOcclusionPass::Draw(const vtkGodRaysLight& light, Part part, bool
   const Request& frame = self.Frame;
   vtkShaderProgram* program = self.Quad.Begin(frame.Window,
     { { "dimmed", self.Dimmed }, { "prop", part == PROP }, { "disc", part == DISC },
-      { "hazy", hazy }, { "planar", light.Planar },
+      { "evenly", part == PROP && self.Composed == &self.OneColorLayer }, { "hazy", hazy },
+      { "planar", light.Planar },
       { "multisampled", frame.Multisampled && !this->RenderedOccluders },
       { "linearLight", frame.Transfer != vtkGodRaysTransfer::NONE },
       { "isPower", frame.Transfer == vtkGodRaysTransfer::POWER } });
@@ -504,7 +538,10 @@ bool vtkGodRaysOcclusionPass::Draw(const vtkGodRaysLight& light, Part part, bool
   }
   if (part == PROP)
   {
-    self.Quad.SetTexture("propColor", self.Emitter.GetColor());
+    if (self.Composed != &self.OneColorLayer)
+    {
+      self.Quad.SetTexture("propColor", self.Emitter.GetColor());
+    }
     self.Quad.SetTexture("propDepth", self.Emitter.GetDepth());
   }
   if (hazy)

@@ -16,8 +16,12 @@
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkShaderProperty.h"
 #include "vtkSphereSource.h"
 #include "vtkTexture.h"
+
+#include <functional>
+#include <string>
 
 using namespace GodRaysTesting;
 
@@ -59,6 +63,84 @@ TEST_F(GodRaysOcclusionLamps, ShineInTheirOwnColor)
   EXPECT_NEAR(GetValue(layer, x, Height / 2, 0), vtkGodRays::DecodeDisplay(0.8), 1e-6);
   EXPECT_NEAR(GetValue(layer, x, Height / 2, 1), vtkGodRays::DecodeDisplay(0.4), 1e-6);
   EXPECT_NEAR(GetValue(layer, x, Height / 2, 2), vtkGodRays::DecodeDisplay(0.2), 1e-6);
+}
+
+TEST_F(GodRaysOcclusionLamps, OfOneColorTakeOneComponentAndOthersThree)
+{
+  struct Change
+  {
+    const char* Name;
+    std::function<void(vtkActor*)> Make;
+    int Components;
+  };
+  vtkNew<vtkProperty> green;
+  green->LightingOff();
+  green->SetColor(0.1, 0.9, 0.2);
+  const Change changes[] = {
+    { "as it is", [](vtkActor*) {}, 1 },
+    { "opaque wires", [](vtkActor* lamp) { lamp->GetProperty()->SetRepresentationToWireframe(); },
+      1 },
+    { "thick points",
+      [](vtkActor* lamp)
+      {
+        lamp->GetProperty()->SetRepresentationToPoints();
+        lamp->GetProperty()->SetPointSize(15.0);
+      },
+      1 },
+    { "lit", [](vtkActor* lamp) { lamp->GetProperty()->LightingOn(); }, 3 },
+    { "edges", [](vtkActor* lamp) { lamp->GetProperty()->EdgeVisibilityOn(); }, 3 },
+    { "ambient light", [](vtkActor* lamp) { lamp->GetProperty()->SetAmbient(0.1); }, 3 },
+    { "less diffuse light", [](vtkActor* lamp) { lamp->GetProperty()->SetDiffuse(0.6); }, 3 },
+    { "culled, with backs of another colour",
+      [&](vtkActor* lamp)
+      {
+        lamp->SetBackfaceProperty(green);
+        lamp->GetProperty()->FrontfaceCullingOn();
+      },
+      3 },
+    { "scalars",
+      [](vtkActor* lamp)
+      {
+        vtkNew<vtkElevationFilter> elevation;
+        elevation->SetInputConnection(lamp->GetMapper()->GetInputConnection(0, 0));
+        elevation->SetLowPoint(0.0, -2.0, 0.0);
+        elevation->SetHighPoint(0.0, 2.0, 0.0);
+        lamp->GetMapper()->SetInputConnection(elevation->GetOutputPort());
+      },
+      3 },
+  };
+  for (const Change& change : changes)
+  {
+    SCOPED_TRACE(change.Name);
+    auto lamp = this->AddLamp({ 0.5, 0.3, 0.0 }, 1.2, { 0.8, 0.4, 0.2 });
+    change.Make(lamp);
+    this->ExpectAsShown();
+    const std::string components = change.Components == 1 ? ", 1 component:" : ", 3 components:";
+    EXPECT_TRUE(Says(this->Rays->GetPlan(), components)) << this->Rays->GetPlan();
+    this->Renderer->RemoveActor(lamp);
+  }
+}
+
+TEST_F(GodRaysOcclusionLamps, LayersAreTheSameWhereverTheGlowAndTheLampEnd)
+{
+  // what ends within the layer is drawn there alone; with shaders of a program's own, on all of it
+  for (const double x : { -7.0, -2.0, 0.0, 3.0, 8.0 })
+  {
+    for (const double falloff : { 0.5, 5.0, 60.0 })
+    {
+      SCOPED_TRACE(testing::Message() << "lamp at " << x << ", falloff " << falloff);
+      this->Rays->SetBackgroundGlow(0.7);
+      this->Rays->SetBackgroundGlowRadius(1.0);
+      this->Rays->SetBackgroundGlowFalloff(falloff);
+      auto lamp = this->AddLamp({ x, 1.0, -2.0 }, 0.8, { 0.8, 0.4, 0.2 });
+      auto part = this->GetLayer();
+      lamp->GetShaderProperty()->AddFragmentShaderReplacement(
+        "//VTK::Light::Impl", true, "//VTK::Light::Impl", false);
+      auto whole = this->GetLayer();
+      EXPECT_LT(GetLargestDifference(part, whole), 1e-6);
+      this->Renderer->RemoveActor(lamp);
+    }
+  }
 }
 
 TEST_F(GodRaysOcclusionLamps, ThatDoNotShineAreToldOf)
