@@ -495,8 +495,9 @@ bool vtkGodRaysPass::DrawOutput(
     request.Transfer = self.Transfer;
     request.ShowRays = this->Output != COMPOSITE;
     request.Depth = request.Depth ? request.Depth : self.Scene.GetDepth();
-    request.Shoulder = this->HighlightShoulder && bound.Formats.Color == GL_RGBA8 &&
-      self.Transfer != vtkGodRaysTransfer::NONE;
+    request.Bytes = bound.Formats.Color == GL_RGBA8;
+    request.Shoulder =
+      this->HighlightShoulder && request.Bytes && self.Transfer != vtkGodRaysTransfer::NONE;
     drawn = self.FindExposure(*this, s->GetRenderer(), request);
     request.Intensity = this->Output == OCCLUSION ? 1.0 : this->GetExposure();
     drawn = drawn && self.Blending->Draw(request);

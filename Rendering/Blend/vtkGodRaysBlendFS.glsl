@@ -40,6 +40,7 @@ uniform vec2 cells;          // of the pictures that a meter reads
 
 //VTK::GodRays::Terms
 // linearLight: whether rays are linear light, or shown values as the scene's colours
+// bytes: whether shown values are of 8 bits
 // isPower: whether shown values stand for light by a power
 // screen: SCREEN rather than ADD
 // showRays: the rays alone
@@ -84,6 +85,20 @@ vec3 SceneTransmittance(ivec2 pixel, vec2 uv)
   return grey ? vec3(exp(-tau.x)) : exp(-tau);
 }
 
+vec3 Decode(vec3 shown)
+{
+  return !linearLight     ? shown
+    : bytes && !isPower ? DecodeDisplay8(hasBackdrop ? min(shown, 1.0) : shown)
+                        : DecodeDisplay(shown, isPower);
+}
+
+vec3 Encode(vec3 light)
+{
+  return !linearLight     ? light
+    : bytes && !isPower ? EncodeDisplay8(light)
+                        : EncodeDisplay(light, isPower);
+}
+
 // How much of a pixel shows something rather than a background.
 float DataPart(ivec2 pixel, float alpha)
 {
@@ -110,7 +125,7 @@ void main()
   }
   if (showRays)
   {
-    gl_FragData[0] = vec4(linearLight ? EncodeDisplay(light, isPower) : light, 1.0);
+    gl_FragData[0] = vec4(Encode(light), 1.0);
     return;
   }
   light = max(light, vec3(0.0)); // data and haze are rounded apart
@@ -123,7 +138,7 @@ void main()
   vec3 under =
     hasBackdrop ? (1.0 - shownOver.a) * texelFetch(backdrop, pixel, 0).rgb : vec3(0.0);
   vec3 shown = shownOver.rgb + under;
-  vec3 before = linearLight ? DecodeDisplay(shown, isPower) : shown;
+  vec3 before = Decode(shown);
   vec3 base = sceneGain * before;
   if (dimmed)
   {
@@ -163,5 +178,5 @@ void main()
   }
   // what is darker than the backdrop has to cover it
   gl_FragData[0] =
-    vec4((linearLight ? EncodeDisplay(sum, isPower) : sum) - (dimmed || surround ? vec3(0.0) : under), 1.0);
+    vec4(Encode(sum) - (dimmed || surround ? vec3(0.0) : under), 1.0);
 }

@@ -88,7 +88,7 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
   const bool surround = request.SurroundPart > 0.0 && !request.ShowRays && !metered;
   const bool lightnessAlone = request.MostLightness >= 0.0 && !request.ShowRays && !metered;
   vtkShaderProgram* program = this->Internal->Quad.Begin(request.Window,
-    { { "linearLight", request.Transfer != vtkGodRaysTransfer::NONE },
+    { { "linearLight", request.Transfer != vtkGodRaysTransfer::NONE }, { "bytes", request.Bytes },
       { "isPower", request.Transfer == vtkGodRaysTransfer::POWER },
       { "screen", request.Screen && !request.ShowRays }, { "showRays", request.ShowRays },
       { "resized", resized }, { "hasBackdrop", request.Backdrop != nullptr },

@@ -51,6 +51,7 @@ public:
     bool SparesData = true;       ///< it weakens them over data alone, if data ask for it
     vtkGodRaysTransfer Transfer = vtkGodRaysTransfer::SRGB;
     bool Screen = false;
+    bool Bytes = false;          ///< whether the scene's and the framebuffer's values are of 8 bits
     bool Shoulder = false;       ///< keep sums below white, unless Screen
     double SurroundPart = 0.0;   ///< by which a light background is darker where rays are absent
     double SurroundLight = 1.0;  ///< luminance of rays that leave it as it is

@@ -295,6 +295,34 @@ TEST(Display, GoesThereAndBack)
 }
 
 //------------------------------------------------------------------------------
+TEST(Display, OfBytesIsWithoutPowersAsNearAsItSays)
+{
+  double decoding = 0.0;
+  double encoding = 0.0;
+  for (double value = 0.0; value <= 1.0; value += 1e-4)
+  {
+    decoding = std::max(decoding, std::abs(DecodeDisplay8(value) - DecodeDisplay(value)));
+    encoding = std::max(encoding, std::abs(EncodeDisplay8(value) - EncodeDisplay(value)));
+  }
+  EXPECT_LT(decoding, 1.1e-5);
+  EXPECT_LT(encoding, 1.1e-5);
+  for (int byte = 0; byte < 256; ++byte)
+  {
+    // of a step from a byte to the next, as near black as elsewhere
+    const double step = DecodeDisplay((byte + 1) / 255.0) - DecodeDisplay(byte / 255.0);
+    const double light = DecodeDisplay8(byte / 255.0);
+    EXPECT_LT(std::abs(light - DecodeDisplay(byte / 255.0)) / step, 0.04) << byte;
+    EXPECT_NEAR(255.0 * EncodeDisplay8(light), byte, 0.04);
+    EXPECT_LT(light, DecodeDisplay8(std::min(255, byte + 1) / 255.0) + (byte == 255 ? 1.0 : 0.0));
+  }
+  EXPECT_EQ(EncodeDisplay8(-0.5), 0.0);
+  EXPECT_NEAR(EncodeDisplay8(7.0), 1.0, 1.1e-5);
+  const Vec3 colour(0.02, 0.4, 0.9);
+  EXPECT_EQ(DecodeDisplay8(colour).z, DecodeDisplay8(0.9));
+  EXPECT_EQ(EncodeDisplay8(colour).y, EncodeDisplay8(0.4));
+}
+
+//------------------------------------------------------------------------------
 TEST(Blend, AddsAndScreens)
 {
   const Vec3 scene(0.0, 0.5, 2.0);
