@@ -88,8 +88,9 @@ public:
    * seen in the next frame. Any other role, or a null prop, is an error and changes nothing.
    *
    * MEDIUM needs a vtkGodRaysMediumModel, whose Data numbers hold for all volumes of the role, and a
-   * vtkVolume itself, not an assembly of them; with other models it is as AUTOMATIC. What cannot be such a
-   * medium is an error, and the scene is drawn without rays. See Documentation/Pipeline.md.
+   * vtkVolume itself, not an assembly of them; grids that are no images are resampled. With other models
+   * it is as AUTOMATIC. What cannot be such a medium is an error, and the scene is drawn without rays.
+   * See Documentation/Pipeline.md.
    */
   static void SetRole(vtkProp* prop, int role);
   static int GetRole(vtkProp* prop);

@@ -45,6 +45,7 @@ std::string vtkGodRaysMediumEffect::FindObstacle(vtkRenderer* renderer,
   std::copy_n(this->Model->GetDataAlbedo(), 3, numbers.Albedo);
   numbers.PhaseFunction = this->Model->GetDataPhaseFunction();
   numbers.Asymmetry = this->Model->GetDataAsymmetry();
+  numbers.Resolution = this->Model->GetDataResolution();
   std::string fault = this->Data.Take(renderer, compositor, numbers);
   double bounds[6];
   fault = fault.empty() ? vtkGodRaysGate::FindBounds(renderer, compositor, bounds) : fault;

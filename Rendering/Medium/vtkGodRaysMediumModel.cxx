@@ -84,4 +84,5 @@ void vtkGodRaysMediumModel::PrintSelf(ostream& os, vtkIndent indent)
      << this->DataAlbedo[2] << "\n";
   os << indent << "DataPhaseFunction: " << this->DataPhaseFunction << "\n";
   os << indent << "DataAsymmetry: " << this->DataAsymmetry << "\n";
+  os << indent << "DataResolution: " << this->DataResolution << "\n";
 }

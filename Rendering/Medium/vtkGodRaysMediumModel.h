@@ -116,6 +116,16 @@ public:
   vtkGetMacro(DataAsymmetry, double);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get how many points along an axis an image has at most to which other grids of these volumes are
+   * resampled: along the longest one of cells of any shape; rectilinear and AMR grids take no more than
+   * suits their shortest cells. The plan tells the error. Valid range: [8, 1024]. Default is 128.
+   */
+  vtkSetClampMacro(DataResolution, int, 8, 1024);
+  vtkGetMacro(DataResolution, int);
+  ///@}
+
   /**
    * The medium in scene units, as an eye sees it: worldToView is that of vtkGodRaysView, farDepth the
    * view depth of the far clipping plane, diagonal that of the scene's bounds, 0 if it has none.
@@ -153,6 +163,7 @@ protected:
   double DataAlbedo[3] = { 1.0, 1.0, 1.0 };
   int DataPhaseFunction = HENYEY_GREENSTEIN;
   double DataAsymmetry = 0.6;
+  int DataResolution = 128;
 
 private:
   vtkGodRaysMediumModel(const vtkGodRaysMediumModel&) = delete;

@@ -2,16 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysVolumeGrid.h"
 
+#include "vtkAbstractVolumeMapper.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
+#include "vtkGodRaysGridBlocks.h"
+#include "vtkGodRaysVolumeImage.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
-#include "vtkPointData.h"
 #include "vtkSMPTools.h"
+#include "vtkUnstructuredGridVolumeMapper.h"
 #include "vtkVolume.h"
 #include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
@@ -92,21 +95,33 @@ struct Table
     low = std::min(static_cast<int>(inside), TableSize - 2);
     part = static_cast<float>(inside - low);
   }
+
+  float GetExtinction(double value) const
+  {
+    int low;
+    float part;
+    this->Find(value, low, part);
+    const float* known = this->Extinction.data() + low;
+    return known[0] + part * (known[1] - known[0]);
+  }
 };
 
 /// What cropping and clipping planes cut off of a volume, in coordinates of its data.
 struct Cut
 {
-  bool Cropped;
-  double Crop[6];
-  int Flags;
+  bool Cropped = false;
+  double Crop[6] = {};
+  int Flags = 0;
   std::vector<std::array<double, 4>> Planes; // a x + b y + c z + d >= 0 is kept
 
-  Cut(vtkVolumeMapper* mapper, vtkMatrix4x4* toWorld)
-    : Cropped(mapper->GetCropping() != 0)
-    , Flags(mapper->GetCroppingRegionFlags())
+  Cut(vtkAbstractVolumeMapper* mapper, vtkMatrix4x4* toWorld)
   {
-    std::copy_n(mapper->GetCroppingRegionPlanes(), 6, this->Crop);
+    if (auto cropping = vtkVolumeMapper::SafeDownCast(mapper))
+    {
+      this->Cropped = cropping->GetCropping() != 0;
+      this->Flags = cropping->GetCroppingRegionFlags();
+      std::copy_n(cropping->GetCroppingRegionPlanes(), 6, this->Crop);
+    }
     vtkPlaneCollection* planes = mapper->GetClippingPlanes();
     for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
     {
@@ -149,8 +164,9 @@ struct Cut
 
 /// Fill extinction, and scattering of so many bands, if any. False if a value is not finite.
 template <typename T>
-bool Fill(const T* values, vtkImageData* image, const Table& table, const Cut& cut,
-  const Vec3& albedo, int bands, std::vector<float>& extinction, std::vector<float>& scattering)
+bool Fill(const T* values, const char* mask, vtkImageData* image, const Table& table,
+  const Cut& cut, const Vec3& albedo, int bands, std::vector<float>& extinction,
+  std::vector<float>& scattering)
 {
   const int* extent = image->GetExtent();
   const int* size = image->GetDimensions();
@@ -162,6 +178,10 @@ bool Fill(const T* values, vtkImageData* image, const Table& table, const Cut& c
     {
       for (vtkIdType i = begin * slice; i < end * slice; ++i)
       {
+        if (mask && !mask[i])
+        {
+          continue; // outside of the grid
+        }
         const auto value = static_cast<double>(values[i]);
         if (!std::isfinite(value))
         {
@@ -204,11 +224,19 @@ const float* Own(std::vector<float>&& values, std::shared_ptr<const void>& owner
   return kept->data();
 }
 
-/// Why a property or a blend mode tells no medium; empty if it does.
-std::string FindFault(vtkVolumeMapper* mapper, vtkVolumeProperty* property)
+bool IsComposite(vtkAbstractVolumeMapper* mapper)
 {
-  if (mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND ||
-    property->GetTransferFunctionMode() != vtkVolumeProperty::TF_1D ||
+  auto images = vtkVolumeMapper::SafeDownCast(mapper);
+  auto cells = vtkUnstructuredGridVolumeMapper::SafeDownCast(mapper);
+  return images
+    ? images->GetBlendMode() == vtkVolumeMapper::COMPOSITE_BLEND
+    : !cells || cells->GetBlendMode() == vtkUnstructuredGridVolumeMapper::COMPOSITE_BLEND;
+}
+
+/// Why a property or a blend mode tells no medium; empty if it does.
+std::string FindFault(vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property)
+{
+  if (!IsComposite(mapper) || property->GetTransferFunctionMode() != vtkVolumeProperty::TF_1D ||
     (property->HasGradientOpacity(0) && !property->GetDisableGradientOpacity(0)))
   {
     return "has gradient opacity, a 2-D transfer function or another blend mode than composite. "
@@ -222,67 +250,63 @@ std::string FindFault(vtkVolumeMapper* mapper, vtkVolumeProperty* property)
       "opacity is taken";
 }
 
-/// Why an image with these scalars tells no medium; empty if it does.
-std::string FindFault(vtkImageData* image, vtkDataArray* scalars, int ofCells)
+/// How far what a grid tells is from what the data are, where these are known.
+vtkGodRaysVolumeGrid::Error FindError(const std::vector<vtkGodRaysVolumeImage::Sample>& samples,
+  vtkImageData* image, const Table& table, const Cut& cut, const vtkGodRaysGrid& grid)
 {
-  const int* size = image->GetDimensions();
-  if (!scalars || ofCells != 0)
+  vtkGodRaysVolumeGrid::Error error;
+  double peak = 0.0;
+  double squares = 0.0;
+  std::size_t count = 0;
+  for (const auto& sample : samples)
   {
-    return "has no scalars at its points. Name an array that is there, or convert data of cells "
-           "with "
-           "vtkCellDataToPointData";
+    if (!cut.IsNone() && cut.Takes(sample.Place.data()))
+    {
+      continue;
+    }
+    double place[3];
+    image->TransformPhysicalPointToContinuousIndex(sample.Place.data(), place);
+    for (int i = 0; i < 3; ++i)
+    {
+      place[i] -= image->GetExtent()[2 * i];
+    }
+    const double known = table.GetExtinction(sample.Value);
+    const double told =
+      vtkGodRaysGridPlace(grid, Vec3(place[0], place[1], place[2])).Read(grid.Extinction, 1, 0);
+    peak = std::max(peak, known);
+    squares += (told - known) * (told - known);
+    error.Largest = std::max(error.Largest, std::abs(told - known));
+    ++count;
   }
-  if (scalars->GetNumberOfComponents() != 1 || scalars->GetDataType() == VTK_BIT)
+  if (peak > 0.0)
   {
-    return "has scalars of " + std::to_string(scalars->GetNumberOfComponents()) +
-      " components, or of bits. Make an image of one number a point, as by "
-      "vtkImageExtractComponents";
+    error.Mean = std::sqrt(squares / static_cast<double>(count)) / peak;
+    error.Largest /= peak;
   }
-  if (size[0] < 2 || size[1] < 2 || size[2] < 2 ||
-    scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
-  {
-    return "has " + std::to_string(scalars->GetNumberOfTuples()) + " values at " +
-      std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]) +
-      " points. Give it a value at each of at least 2 points along each axis";
-  }
-  return static_cast<double>(image->GetNumberOfPoints()) <= vtkGodRaysVolumeGrid::MostPoints
-    ? ""
-    : "has more than 1024 x 1024 x 1024 points. Take fewer, as by vtkImageResample or "
-      "vtkExtractVOI";
+  return error;
 }
 }
 
 //------------------------------------------------------------------------------
-std::string vtkGodRaysVolumeGrid::Read(vtkProp* prop, const Numbers& numbers, vtkGodRaysGrid& grid)
+std::string vtkGodRaysVolumeGrid::Read(vtkProp* prop, const Numbers& numbers,
+  vtkGodRaysVolumeImage& data, vtkGodRaysGrid& grid, Error& error)
 {
   auto volume = vtkVolume::SafeDownCast(prop);
-  auto mapper = volume ? vtkVolumeMapper::SafeDownCast(volume->GetMapper()) : nullptr;
   if (!volume || prop->IsA("vtkMultiVolume"))
   {
     return std::string("is a ") + prop->GetClassName() +
       ". Tag each vtkVolume, and give other props another role";
   }
-  vtkDataObject* input = mapper && mapper->GetNumberOfInputConnections(0) > 0
-    ? mapper->GetInputDataObject(0, 0)
-    : nullptr;
-  auto image = vtkImageData::SafeDownCast(input);
-  if (!image)
-  {
-    return input
-      ? std::string("is a ") + input->GetClassName() +
-        ". Make an image of it with vtkResampleToImage"
-      : "has no data, or a mapper of other data. Give it a vtkVolumeMapper with an image";
-  }
-  int ofCells = 0;
-  vtkDataArray* scalars = vtkAbstractMapper::GetScalars(image, mapper->GetScalarMode(),
-    mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), ofCells);
+  vtkAbstractVolumeMapper* mapper = volume->GetMapper();
   vtkVolumeProperty* property = volume->GetProperty();
-  std::string fault = FindFault(image, scalars, ofCells);
-  fault = fault.empty() ? FindFault(mapper, property) : fault;
+  std::string fault = FindFault(mapper, property);
+  fault = fault.empty() ? data.Update(mapper, numbers.Resolution) : fault;
   if (!fault.empty())
   {
     return fault;
   }
+  vtkImageData* image = data.GetImage();
+  vtkDataArray* scalars = data.GetScalars();
 
   std::copy_n(image->GetDimensions(), 3, grid.Points);
   const int* extent = image->GetExtent();
@@ -316,8 +340,8 @@ std::string vtkGodRaysVolumeGrid::Read(vtkProp* prop, const Numbers& numbers, vt
   bool finite = true;
   switch (scalars->GetDataType())
   {
-    vtkTemplateMacro(finite = Fill(static_cast<const VTK_TT*>(scalars->GetVoidPointer(0)), image,
-                       table, cut, albedo, bands, extinction, scattering));
+    vtkTemplateMacro(finite = Fill(static_cast<const VTK_TT*>(scalars->GetVoidPointer(0)),
+                       data.GetMask(), image, table, cut, albedo, bands, extinction, scattering));
   }
   if (!finite)
   {
@@ -333,5 +357,6 @@ std::string vtkGodRaysVolumeGrid::Read(vtkProp* prop, const Numbers& numbers, vt
   }
   grid.PhaseFunction = numbers.PhaseFunction;
   grid.Asymmetry = numbers.Asymmetry;
+  error = FindError(data.GetSamples(), image, table, cut, grid);
   return "";
 }

@@ -4,9 +4,9 @@
  * @class   vtkGodRaysVolumeGrid
  * @brief   a volume as a medium of data; private to this module
  *
- * Extinction and tint of a vtkVolume at the points of its image, by its transfer functions there, in the
- * place where its matrix puts it. Points that cropping or clipping planes cut off have none. Colours are
- * shown values, of sRGB's transfer.
+ * Extinction and tint of a vtkVolume at the points of its image, or of that to which its grid is
+ * resampled, by its transfer functions there, in the place where its matrix puts it. Points that cropping or
+ * clipping planes cut off have none. Colours are shown values, of sRGB's transfer.
  */
 
 #ifndef vtkGodRaysVolumeGrid_h
@@ -16,6 +16,7 @@
 
 #include <string>
 
+class vtkGodRaysVolumeImage;
 class vtkProp;
 
 class vtkGodRaysVolumeGrid
@@ -28,14 +29,22 @@ public:
     double Albedo[3] = { 1.0, 1.0, 1.0 };
     int PhaseFunction = 0;
     double Asymmetry = 0.0;
+    int Resolution = 128;
   };
 
-  static constexpr double MostPoints = 1024.0 * 1024.0 * 1024.0;
+  /// Of extinction at the centres of cells that were resampled [fraction of the largest there].
+  struct Error
+  {
+    double Mean = 0.0; // root mean square
+    double Largest = 0.0;
+  };
 
   /**
-   * Read a prop whose pipeline is up to date. Returns what is wrong, and what to do; empty if nothing is.
+   * Read a prop whose pipeline is up to date. data are those that the last call left for it. Returns what is
+   * wrong, and what to do; empty if nothing is.
    */
-  static std::string Read(vtkProp* prop, const Numbers& numbers, vtkGodRaysGrid& grid);
+  static std::string Read(vtkProp* prop, const Numbers& numbers, vtkGodRaysVolumeImage& data,
+    vtkGodRaysGrid& grid, Error& error);
 };
 
 #endif

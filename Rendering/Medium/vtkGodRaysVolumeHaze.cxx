@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysVolumeHaze.h"
 
+#include "vtkAbstractVolumeMapper.h"
 #include "vtkDataArray.h"
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysLight.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysView.h"
+#include "vtkGodRaysVolumeImage.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -344,11 +346,12 @@ vtkVolume* vtkGodRaysVolumeHaze::GetVolume(vtkProp* prop)
 void vtkGodRaysVolumeHaze::AddState(
   vtkVolume* volume, std::vector<const void*>& objects, std::vector<double>& numbers)
 {
-  auto mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
-  vtkImageData* image = GetImage(mapper);
-  objects.insert(objects.end(), { volume, mapper, image });
-  for (const vtkMTimeType time : { volume->GetMTime(), volume->GetUserTransformMatrixMTime(),
-         mapper->GetMTime(), image->GetMTime(), volume->GetProperty()->GetMTime() })
+  vtkAbstractVolumeMapper* mapper = volume->GetMapper();
+  vtkDataObject* data = mapper->GetInputDataObject(0, 0);
+  objects.insert(objects.end(), { volume, mapper, data });
+  for (const vtkMTimeType time :
+    { volume->GetMTime(), volume->GetUserTransformMatrixMTime(), mapper->GetMTime(),
+      vtkGodRaysVolumeImage::GetTime(data), volume->GetProperty()->GetMTime() })
   {
     numbers.push_back(static_cast<double>(time));
   }

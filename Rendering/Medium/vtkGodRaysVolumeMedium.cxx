@@ -79,6 +79,7 @@ std::string vtkGodRaysVolumeMedium::Take(vtkRenderer* renderer, vtkGodRaysCompos
   {
     this->Grids.clear();
     this->Objects.clear();
+    this->Images.clear();
     ++this->Version;
     ++this->ExtinctionVersion;
     for (Drawer& drawer : this->Drawers)
@@ -93,7 +94,7 @@ std::string vtkGodRaysVolumeMedium::Take(vtkRenderer* renderer, vtkGodRaysCompos
 std::string vtkGodRaysVolumeMedium::Read(const vtkGodRaysVolumeGrid::Numbers& numbers)
 {
   std::vector<const void*> objects;
-  std::vector<double> times = { numbers.Scale };
+  std::vector<double> times = { numbers.Scale, static_cast<double>(numbers.Resolution) };
   for (vtkProp* prop : this->Props)
   {
     if (auto volume = vtkVolume::SafeDownCast(prop))
@@ -101,10 +102,10 @@ std::string vtkGodRaysVolumeMedium::Read(const vtkGodRaysVolumeGrid::Numbers& nu
       if (volume->GetMapper() && volume->GetMapper()->GetNumberOfInputConnections(0) > 0)
       {
         volume->Update();
-      }
-      if (vtkGodRaysVolumeHaze::GetVolume(volume))
-      {
-        vtkGodRaysVolumeHaze::AddState(volume, objects, times);
+        if (volume->GetMapper()->GetInputDataObject(0, 0))
+        {
+          vtkGodRaysVolumeHaze::AddState(volume, objects, times);
+        }
       }
     }
   }
@@ -116,12 +117,15 @@ std::string vtkGodRaysVolumeMedium::Read(const vtkGodRaysVolumeGrid::Numbers& nu
     return "";
   }
   std::vector<vtkGodRaysGrid> grids(this->Props.size());
+  std::vector<vtkGodRaysVolumeGrid::Error> errors(grids.size());
+  this->Images.resize(grids.size()); // a prop that has another place in the list is resampled again
   for (std::size_t i = 0; i < grids.size(); ++i)
   {
     std::string fault;
     try
     {
-      fault = vtkGodRaysVolumeGrid::Read(this->Props[i], numbers, grids[i]);
+      fault =
+        vtkGodRaysVolumeGrid::Read(this->Props[i], numbers, this->Images[i], grids[i], errors[i]);
     }
     catch (const std::bad_alloc&)
     {
@@ -129,12 +133,14 @@ std::string vtkGodRaysVolumeMedium::Read(const vtkGodRaysVolumeGrid::Numbers& nu
         "needs more memory than there is, 4 bytes a point and, where its colours differ, 12 more. "
         "Take fewer points, as by vtkImageResample";
     }
+    this->Images[i].Forget();
     if (!fault.empty())
     {
       return "a prop tagged MEDIUM " + fault;
     }
   }
   this->Grids = std::move(grids);
+  this->Errors = std::move(errors);
   this->Objects = std::move(objects);
   this->Numbers = std::move(times);
   this->Others = std::move(others);
@@ -281,6 +287,16 @@ std::string vtkGodRaysVolumeMedium::Describe() const
        << static_cast<double>(last.GetNumberOfSteps()) / std::max(rays, 1.0)
        << " steps for the last light, whose way through them is "
        << (last.KeptLight() ? "kept" : "summed anew");
+  for (std::size_t i = 0; i < this->Grids.size(); ++i)
+  {
+    if (!this->Images[i].GetSamples().empty())
+    {
+      const int* points = this->Grids[i].Points;
+      text << ", a grid resampled to " << points[0] << " x " << points[1] << " x " << points[2]
+           << " points, off by " << this->Errors[i].Mean << " of the largest extinction (at most "
+           << this->Errors[i].Largest << ") at the centres of its cells";
+    }
+  }
   return text.str();
 }
 

@@ -15,6 +15,7 @@
 #include "vtkGodRaysMediumIntegrator.h" // For Request
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysVolumeGrid.h"
+#include "vtkGodRaysVolumeImage.h"
 
 #include <string>
 #include <vector>
@@ -91,6 +92,8 @@ private:
 
   std::vector<vtkProp*> Props;
   std::vector<vtkGodRaysGrid> Grids;
+  std::vector<vtkGodRaysVolumeImage> Images;
+  std::vector<vtkGodRaysVolumeGrid::Error> Errors;
   std::vector<const void*> Objects; // that they are of
   std::vector<double> Numbers;      // that extinction depends on
   std::vector<double> Others;       // that the rest does

@@ -152,6 +152,7 @@ def enable(
     data_albedo: Sequence[float] | None = None,
     data_phase_function: str | int | None = None,
     data_asymmetry: float | None = None,
+    data_resolution: int | None = None,
     world_unit_in_meters: float | None = None,
     rayleigh_scattering: Sequence[float] | None = None,
     rayleigh_scale_height: float | None = None,

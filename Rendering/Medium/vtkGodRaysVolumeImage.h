@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysVolumeImage
+ * @brief   a volume's data as an image with a value at each point; private to this module
+ *
+ * Data of a vtkImageData's points are taken as they are. Data of its cells go to its points by
+ * vtkCellDataToPointData; those of other grids, then, by vtkResampleToImage. What was resampled is kept until
+ * the data, their array or the resolution change.
+ */
+
+#ifndef vtkGodRaysVolumeImage_h
+#define vtkGodRaysVolumeImage_h
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkAbstractVolumeMapper;
+class vtkDataArray;
+class vtkDataObject;
+class vtkImageData;
+
+class vtkGodRaysVolumeImage
+{
+public:
+  static constexpr double MostPoints = 1024.0 * 1024.0 * 1024.0;
+  static constexpr vtkIdType MostSamples = 20000;
+
+  /// What data are at the centre of one of their cells.
+  struct Sample
+  {
+    std::array<double, 3> Place;
+    double Value;
+  };
+
+  /**
+   * Take the data of a mapper whose pipeline is up to date, with at most so many points along an axis if they
+   * are resampled. Returns what is wrong, and what to do; empty if nothing is.
+   */
+  std::string Update(vtkAbstractVolumeMapper* mapper, int resolution);
+
+  ///@{
+  /// The image, its numbers, and whether each point is in the data; null: all are. Until Forget().
+  vtkImageData* GetImage() const { return this->Image; }
+  vtkDataArray* GetScalars() const { return this->Scalars; }
+  const char* GetMask() const { return this->Mask; }
+  ///@}
+
+  /**
+   * What the data are in some of their cells if they were resampled, else nothing.
+   */
+  const std::vector<Sample>& GetSamples() const { return this->Samples; }
+
+  /**
+   * Let go of what is not resampled.
+   */
+  void Forget();
+
+  /// When data, or any part of them, changed last.
+  static vtkMTimeType GetTime(vtkDataObject* data);
+
+private:
+  void Resample(vtkDataObject* data, const char* name, bool ofCells, int resolution);
+
+  vtkImageData* Image = nullptr;
+  vtkDataArray* Scalars = nullptr;
+  const char* Mask = nullptr;
+  vtkSmartPointer<vtkImageData> Resampled;
+  std::vector<Sample> Samples;
+  const void* Data = nullptr; // that it is of
+  vtkMTimeType Time = 0;
+  std::string Array;
+  bool OfCells = false;
+  int Resolution = 0;
+};
+
+#endif

@@ -1,0 +1,415 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Volumes of other grids than images as media of data: resampled, and with the error of that.
+
+#include "../Filters/GodRaysGridScenes.h"
+#include "GodRaysMediumTesting.h"
+
+#include "vtkGodRaysVolumeModel.h"
+
+#include "vtkAMRBox.h"
+#include "vtkCellCenters.h"
+#include "vtkCellData.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkDataSetTriangleFilter.h"
+#include "vtkDoubleArray.h"
+#include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+#include "vtkOverlappingAMR.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointDataToCellData.h"
+#include "vtkProbeFilter.h"
+#include "vtkProjectedTetrahedraMapper.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkResampleToImage.h"
+#include "vtkUniformGrid.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+#include "vtkVolumeMapper.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+using namespace GodRaysTesting;
+
+namespace
+{
+using Field = std::function<double(const double*)>;
+
+/// Of a place: from 0 to 1 in the box [-1.5, 1.5]^3.
+double Ramp(const double* p)
+{
+  return (4.5 + p[0] + 0.8 * p[1] + 1.2 * p[2]) / 9.0;
+}
+
+double Bell(const double* p)
+{
+  return std::exp(-2.0 * (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]));
+}
+
+/// Values at the points of a grid, or in its cells.
+template <typename Grid>
+vtkSmartPointer<Grid> SetValues(
+  vtkSmartPointer<Grid> grid, const Field& field, bool ofCells = false)
+{
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("smoke");
+  if (ofCells)
+  {
+    vtkNew<vtkCellCenters> centers;
+    centers->SetInputData(grid);
+    centers->Update();
+    for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+    {
+      values->InsertNextValue(field(centers->GetOutput()->GetPoint(i)));
+    }
+    grid->GetCellData()->SetScalars(values);
+    return grid;
+  }
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    values->InsertNextValue(field(grid->GetPoint(i)));
+  }
+  grid->GetPointData()->SetScalars(values);
+  return grid;
+}
+
+template <typename Image = vtkImageData>
+vtkSmartPointer<Image> MakeImage(int points, double low = -1.5, double high = 1.5)
+{
+  auto image = vtkSmartPointer<Image>::New();
+  image->SetDimensions(points, points, points);
+  image->SetOrigin(low, low, low);
+  const double spacing = (high - low) / (points - 1);
+  image->SetSpacing(spacing, spacing, spacing);
+  return image;
+}
+
+/// Cells that are the longer the farther they are from a corner.
+vtkSmartPointer<vtkRectilinearGrid> MakeRectilinear(int points)
+{
+  auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
+  grid->SetDimensions(points, points, points);
+  vtkNew<vtkDoubleArray> places;
+  for (int i = 0; i < points; ++i)
+  {
+    const double t = static_cast<double>(i) / (points - 1);
+    places->InsertNextValue(-1.5 + 3.0 * t * (0.5 + 0.5 * t));
+  }
+  grid->SetXCoordinates(places);
+  grid->SetYCoordinates(places);
+  grid->SetZCoordinates(places);
+  return grid;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> MakeTetrahedra(vtkDataSet* grid)
+{
+  vtkNew<vtkDataSetTriangleFilter> cut;
+  cut->SetInputData(grid);
+  cut->Update();
+  return cut->GetOutput();
+}
+
+/// Two levels: one coarse box, of a field, and in its middle a fine one, of another.
+vtkSmartPointer<vtkOverlappingAMR> MakeAMR(const Field& coarse, const Field& fine, bool ofCells)
+{
+  auto grid = vtkSmartPointer<vtkOverlappingAMR>::New();
+  const int blocks[2] = { 1, 1 };
+  grid->Initialize(2, blocks);
+  const double origin[3] = { -1.5, -1.5, -1.5 };
+  grid->SetOrigin(origin);
+  grid->SetGridDescription(VTK_XYZ_GRID);
+  for (int level = 0; level < 2; ++level)
+  {
+    auto block =
+      level == 0 ? MakeImage<vtkUniformGrid>(17) : MakeImage<vtkUniformGrid>(17, -0.75, 0.75);
+    SetValues(block, level == 0 ? coarse : fine, ofCells);
+    grid->SetSpacing(level, block->GetSpacing());
+    const vtkAMRBox box(block->GetOrigin(), block->GetDimensions(), block->GetSpacing(), origin);
+    grid->SetAMRBox(level, 0, box);
+    grid->SetDataSet(level, 0, block);
+  }
+  grid->SetRefinementRatio(0, 2);
+  return grid;
+}
+
+/// Takes levels, as vtkAMRVolumeMapper does, which not every VTK has.
+class LevelsMapper : public vtkVolumeMapper
+{
+public:
+  static LevelsMapper* New();
+  vtkTypeMacro(LevelsMapper, vtkVolumeMapper);
+  void Render(vtkRenderer*, vtkVolume*) override {}
+  double* GetBounds() override
+  {
+    vtkOverlappingAMR::SafeDownCast(this->GetInputDataObject(0, 0))->GetBounds(this->Bounds);
+    return this->Bounds;
+  }
+
+protected:
+  int FillInputPortInformation(int, vtkInformation* info) override
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkOverlappingAMR");
+    return 1;
+  }
+};
+vtkStandardNewMacro(LevelsMapper);
+
+class GodRaysVolumeGrids : public MediumTest
+{
+protected:
+  vtkNew<vtkGodRaysVolumeModel> Alone;
+  vtkNew<vtkVolume> Smoke;
+
+  GodRaysVolumeGrids()
+  {
+    this->Scene.Window->SetSize(64, 48);
+    // extinction is the value, 0.5 at most
+    vtkNew<vtkPiecewiseFunction> opacities;
+    for (int i = 0; i <= 256; ++i)
+    {
+      opacities->AddPoint(i / 256.0, 1.0 - std::exp(-0.5 * i / 256.0));
+    }
+    vtkNew<vtkColorTransferFunction> white;
+    white->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
+    this->Smoke->GetProperty()->SetScalarOpacity(opacities);
+    this->Smoke->GetProperty()->SetColor(white);
+    this->Smoke->SetPosition(0.0, 0.0, 0.0);
+    vtkGodRaysPass::SetRole(this->Smoke, vtkGodRaysPass::MEDIUM);
+    this->Alone->SetFarLimit(30.0);
+    this->Alone->SetDataResolution(33); // quick
+    this->Rays->SetErrorTolerance(1e-3);
+    this->Rays->SetModel(this->Alone);
+  }
+
+  /// The light of a data set, which must be a medium.
+  vtkSmartPointer<vtkImageData> Draw(vtkDataObject* data)
+  {
+    vtkSmartPointer<vtkAbstractVolumeMapper> mapper;
+    if (data->IsA("vtkUnstructuredGrid"))
+    {
+      mapper = vtkSmartPointer<vtkProjectedTetrahedraMapper>::New();
+    }
+    else if (data->IsA("vtkOverlappingAMR"))
+    {
+      mapper = vtkSmartPointer<LevelsMapper>::New();
+    }
+    else
+    {
+      mapper = vtkSmartPointer<vtkGPUVolumeRayCastMapper>::New();
+    }
+    mapper->SetInputDataObject(data);
+    this->Smoke->SetMapper(mapper);
+    if (!this->Renderer->HasViewProp(this->Smoke))
+    {
+      this->Renderer->AddVolume(this->Smoke);
+      this->SetLight({ 1.0, 0.4, 0.2, 0.0 });
+    }
+    auto light = this->GetScattering();
+    EXPECT_TRUE(Says(this->Rays->GetPlan(), "data of 1 volumes")) << this->Rays->GetPlan();
+    return light;
+  }
+
+  /// The root mean square difference of two pictures, as a fraction of the brightest pixel of them.
+  static double Compare(vtkImageData* a, vtkImageData* b)
+  {
+    double squares = 0.0;
+    double peak = 0.0;
+    for (int i = 0; i < 64 * 48; ++i)
+    {
+      const double x = GetValue(a, i % 64, i / 64);
+      const double y = GetValue(b, i % 64, i / 64);
+      squares += (x - y) * (x - y);
+      peak = std::max({ peak, x, y });
+    }
+    return std::sqrt(squares / (64 * 48)) / peak;
+  }
+
+  /// What the plan says a grid is off by: root mean square, and at most.
+  std::array<double, 2> GetToldErrors()
+  {
+    const std::string plan = this->Rays->GetPlan();
+    const auto read = [&](const std::string& before)
+    {
+      const auto at = plan.find(before);
+      EXPECT_NE(at, std::string::npos) << plan;
+      return at == std::string::npos ? -1.0 : std::stod(plan.substr(at + before.size()));
+    };
+    return { read("points, off by "), read("(at most ") };
+  }
+};
+}
+
+// A linear field is one picture, whatever the grid that tells it.
+TEST_F(GodRaysVolumeGrids, LinearFieldsAreAsTheirImages)
+{
+  const auto whole = this->Draw(SetValues(MakeImage(33), Ramp));
+  EXPECT_FALSE(Says(this->Rays->GetPlan(), "resampled")) << this->Rays->GetPlan();
+  const auto check = [&](const char* name, vtkDataObject* data, double bound, double told)
+  {
+    const double difference = Compare(whole, this->Draw(data));
+    const auto errors = this->GetToldErrors();
+    std::cout << name << ": " << difference << " of the peak, told " << errors[0] << ", at most "
+              << errors[1] << "\n";
+    EXPECT_LT(difference, bound) << name;
+    EXPECT_LT(errors[0], told) << name;
+    EXPECT_LE(errors[0], errors[1]) << name;
+  };
+  auto rectilinear = SetValues(MakeRectilinear(33), Ramp);
+  check("rectilinear", rectilinear, 1e-4, 1e-5);
+  check("tetrahedra", MakeTetrahedra(SetValues(MakeImage(17), Ramp)), 1e-4, 1e-5);
+  check("levels", MakeAMR(Ramp, Ramp, false), 1e-4, 1e-5);
+  // means of cells about a point lack those outside: half a cell of the outermost ones
+  check("cells of an image", SetValues(MakeImage(33), Ramp, true), 1e-3, 0.01);
+  check("cells of a rectilinear grid", SetValues(MakeRectilinear(33), Ramp, true), 1e-3, 0.01);
+  check("cells of levels", MakeAMR(Ramp, Ramp, true), 2e-3, 0.02);
+  // the control: values at the places of an image
+  auto wrong = MakeImage(33);
+  wrong->GetPointData()->SetScalars(rectilinear->GetPointData()->GetScalars());
+  EXPECT_GT(Compare(whole, this->Draw(wrong)), 0.01);
+}
+
+// The error that is told is what VTK's own filters find between the grid and the image.
+TEST_F(GodRaysVolumeGrids, TellTheErrorOfResampling)
+{
+  const auto exact = this->Draw(SetValues(MakeImage(97), Bell));
+  auto grid = MakeTetrahedra(SetValues(MakeImage(25), Bell));
+  double last[2] = { 1.0, 1.0 };
+  for (const int resolution : { 12, 24, 48 })
+  {
+    this->Alone->SetDataResolution(resolution);
+    const double off = Compare(exact, this->Draw(grid));
+    const auto told = this->GetToldErrors();
+
+    vtkNew<vtkResampleToImage> resample;
+    resample->SetInputDataObject(grid);
+    resample->SetSamplingDimensions(resolution, resolution, resolution);
+    vtkNew<vtkPointDataToCellData> toCells; // of tetrahedra the centre has the mean
+    toCells->SetInputData(grid);
+    vtkNew<vtkCellCenters> centers;
+    centers->SetInputConnection(toCells->GetOutputPort());
+    vtkNew<vtkProbeFilter> probe;
+    probe->SetInputConnection(centers->GetOutputPort());
+    probe->SetSourceConnection(resample->GetOutputPort());
+    probe->Update();
+    vtkDataArray* known = toCells->GetOutput()->GetCellData()->GetArray("smoke");
+    vtkDataArray* found = probe->GetOutput()->GetPointData()->GetArray("smoke");
+    double squares = 0.0;
+    for (vtkIdType i = 0; i < known->GetNumberOfTuples(); ++i)
+    {
+      squares += std::pow(known->GetTuple1(i) - found->GetTuple1(i), 2);
+    }
+    const double error = std::sqrt(squares / known->GetNumberOfTuples()) / known->GetRange()[1];
+    std::cout << resolution << " points: told " << told[0] << " (" << told[1] << "), found "
+              << error << ", the picture is off by " << off << "\n";
+    EXPECT_NEAR(told[0] / error, 1.0, 0.1);
+    EXPECT_LT(told[0], 0.6 * last[0]);
+    EXPECT_LT(off, last[1]);
+    last[0] = told[0];
+    last[1] = off;
+  }
+  EXPECT_LT(last[1], 1e-3);
+}
+
+// Where there are two levels the finer one counts.
+TEST_F(GodRaysVolumeGrids, FinerLevelsCount)
+{
+  const auto none = [](const double*) { return 0.0; };
+  const auto inside = [](const double* p) {
+    return 1.0 - std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) }) / 0.75;
+  };
+  const auto expected = this->Draw(SetValues(MakeImage(17, -0.75, 0.75), inside));
+  EXPECT_LT(Compare(expected, this->Draw(MakeAMR(none, inside, false))), 0.01);
+  // the control: the coarse one, where the fine one has nothing
+  EXPECT_GT(Compare(expected, this->Draw(MakeAMR(inside, none, false))), 0.05);
+}
+
+// Outside of cells there is nothing.
+TEST_F(GodRaysVolumeGrids, HaveNothingOutsideOfCells)
+{
+  auto whole = SetValues(MakeImage(25), [](const double*) { return 1.0; });
+  auto all = MakeTetrahedra(whole);
+  const double full = GetMean(this->Draw(all));
+  this->Alone->SetDataResolution(50);
+  vtkNew<vtkPiecewiseFunction>
+    opacities; // 0, of which resampling fills what is outside, is smoke, too
+  opacities->AddPoint(0.0, 0.4);
+  opacities->AddPoint(1.0, 0.4);
+  opacities->AddPoint(1.5, 0.0);
+  this->Smoke->GetProperty()->SetScalarOpacity(opacities);
+  auto half = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  half->SetPoints(all->GetPoints());
+  half->GetPointData()->ShallowCopy(all->GetPointData());
+  half->Allocate(all->GetNumberOfCells());
+  for (vtkIdType i = 0; i < all->GetNumberOfCells(); ++i)
+  {
+    double bounds[6];
+    all->GetCellBounds(i, bounds);
+    if (bounds[1] < 1e-9 || bounds[0] > 1.3)
+    {
+      half->InsertNextCell(all->GetCellType(i), all->GetCell(i)->GetPointIds());
+    }
+  }
+  const auto field = [](const double* p) { return p[0] < 0.0 || p[0] > 1.375 ? 1.0 : 2.0; };
+  auto left = SetValues(MakeImage(50), field);
+  const double expected = GetMean(this->Draw(left));
+  EXPECT_NEAR(GetMean(this->Draw(half)) / expected, 1.0, 1e-3);
+  EXPECT_LT(expected, 0.85 * full);
+}
+
+TEST_F(GodRaysVolumeGrids, AreKeptUntilTheDataChange)
+{
+  auto grid = MakeTetrahedra(SetValues(MakeImage(17), Bell));
+  const double before = GetMean(this->Draw(grid));
+  vtkDataArray* values = grid->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    values->SetTuple1(i, 0.5 * values->GetTuple1(i)); // nobody is told
+  }
+  this->Alone->SetDataScale(2.0);
+  const double scaled = GetMean(this->GetScattering());
+  EXPECT_GT(scaled, 1.3 * before);
+  this->Alone->SetDataScale(1.0);
+  EXPECT_NEAR(GetMean(this->GetScattering()), before, 1e-3 * before);
+  values->Modified();
+  EXPECT_LT(GetMean(this->GetScattering()), 0.8 * before);
+}
+
+// One clear message, and the scene without rays.
+TEST_F(GodRaysVolumeGrids, TellWhatCannotBeAMedium)
+{
+  auto grid = MakeTetrahedra(SetValues(MakeImage(9), Bell));
+  this->Draw(grid);
+  const auto check = [&](const std::string& words, vtkUnstructuredGrid* bad)
+  {
+    vtkNew<vtkProjectedTetrahedraMapper> mapper;
+    mapper->SetInputData(bad);
+    this->Smoke->SetMapper(mapper);
+    std::string plan;
+    this->Scene.Window->Render();
+    plan = this->Rays->GetPlan();
+    int told = 0;
+    for (const std::string& message : this->VTKMessages.Take())
+    {
+      told += Says(message, "a prop tagged MEDIUM") && Says(message, words);
+    }
+    EXPECT_EQ(told, 1) << words << "; " << plan;
+    EXPECT_TRUE(Says(plan, "rays: none")) << plan;
+    this->Draw(grid);
+  };
+  vtkNew<vtkUnstructuredGrid> bare;
+  bare->CopyStructure(grid);
+  check("no scalars at its points or in its cells", bare);
+  vtkNew<vtkUnstructuredGrid> empty;
+  check("has no data", empty);
+  vtkNew<vtkUnstructuredGrid> surface;
+  surface->SetPoints(grid->GetPoints());
+  surface->GetPointData()->ShallowCopy(grid->GetPointData());
+  const vtkIdType triangle[3] = { 0, 1, 90 };
+  surface->InsertNextCell(VTK_TRIANGLE, 3, triangle);
+  check("no cells of three dimensions", surface);
+}
