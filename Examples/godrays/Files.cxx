@@ -9,6 +9,7 @@
 #include "ObjMaterials.h"
 #include "PlyStrips.h"
 #include "Progress.h"
+#include "Series.h"
 #include "UpAxis.h"
 
 #include "vtk3DSImporter.h"
@@ -49,7 +50,6 @@
 #include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkXMLDataElement.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLMultiBlockDataReader.h"
 #include "vtkXMLPImageDataReader.h"
@@ -63,7 +63,6 @@
 #include "vtkXMLRectilinearGridReader.h"
 #include "vtkXMLStructuredGridReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
-#include "vtkXMLUtilities.h"
 
 #include <algorithm>
 #include <cmath>
@@ -417,49 +416,30 @@ void ReadExodus(const std::string& path, FileContents& contents)
 
 //------------------------------------------------------------------------------
 /**
- * ParaView's collection: files by time and part. Those of the time nearest to the one asked for.
+ * Of files by time and part, those of the time nearest to the one asked for.
  */
-void ReadPvd(const std::string& path, FileContents& contents)
+void ReadSeries(const std::string& path, FileContents& contents)
 {
-  const auto root = vtk::TakeSmartPointer(vtkXMLUtilities::ReadElementFromFile(path.c_str()));
-  vtkXMLDataElement* collection = root ? root->FindNestedElementWithName("Collection") : nullptr;
-  if (!collection)
-  {
-    throw Failure(path + ": has no Collection; it is damaged, or not what its name says");
-  }
-  std::vector<std::pair<double, std::string>> parts;
-  for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i)
-  {
-    vtkXMLDataElement* part = collection->GetNestedElement(i);
-    double time = 0.0;
-    part->GetScalarAttribute("timestep", time);
-    if (const char* file = part->GetAttribute("file"))
-    {
-      parts.emplace_back(time, (fs::path(path).parent_path() / file).string());
-      contents.Times.push_back(time);
-    }
-  }
-  if (parts.empty())
-  {
-    throw Failure(path + ": names no files; it is damaged, or not what its name says");
-  }
-  std::sort(contents.Times.begin(), contents.Times.end());
+  const auto parts = ReadSeriesParts(path);
   auto& times = contents.Times;
+  for (const auto& [time, file] : parts)
+  {
+    times.push_back(time);
+  }
+  std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   const double nearest = times[FindStep(contents)];
   for (const auto& [time, file] : parts)
   {
     if (time == nearest)
     {
-      if (fs::path(file).extension() == ".pvd")
-      {
-        throw Failure(path + ": names another .pvd; name its files instead");
-      }
       FileContents part;
       part.Path = file;
       ReadPart(part);
       contents.DataSets.insert(contents.DataSets.end(), part.DataSets.begin(), part.DataSets.end());
       contents.Actors.insert(contents.Actors.end(), part.Actors.begin(), part.Actors.end());
+      contents.Up = part.Up;
+      contents.UpNote = part.UpNote;
     }
   }
 }
@@ -492,12 +472,13 @@ const std::map<std::string, ReadFunction>& Types()
     { ".ply", ReadPly },
     { ".png", ReadData<vtkPNGReader> },
     { ".ppm", ReadPnm },
-    { ".pvd", ReadPvd },
+    { ".pvd", ReadSeries },
     { ".pvti", ReadXml<vtkXMLPImageDataReader> },
     { ".pvtp", ReadXml<vtkXMLPPolyDataReader> },
     { ".pvtr", ReadXml<vtkXMLPRectilinearGridReader> },
     { ".pvts", ReadXml<vtkXMLPStructuredGridReader> },
     { ".pvtu", ReadXml<vtkXMLPUnstructuredGridReader> },
+    { ".series", ReadSeries },
     { ".stl", ReadStl },
     { ".tif", ReadTiff },
     { ".tiff", ReadTiff },

@@ -3,6 +3,7 @@
 #include "GltfFile.h"
 
 #include "Failure.h"
+#include "Json.h"
 
 #include "vtkVersionMacros.h"
 #include "vtksys/SystemTools.hxx"
@@ -27,103 +28,6 @@ constexpr std::size_t ChunkHeader = 8;
 constexpr const char* WhitePicture =
   "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR42mP4//8/AAX+Av4z"
   "EpUUAAAAAElFTkSuQmCC";
-
-/// A member of a JSON object, or, without a name, of an array: views of the text.
-struct Member
-{
-  std::string_view Name;
-  std::string_view Value;
-};
-
-//------------------------------------------------------------------------------
-std::string_view Trim(std::string_view text)
-{
-  constexpr const char* space = " \t\r\n";
-  const auto first = text.find_first_not_of(space);
-  return first == std::string_view::npos
-    ? std::string_view()
-    : text.substr(first, text.find_last_not_of(space) - first + 1);
-}
-
-//------------------------------------------------------------------------------
-std::string_view Unquote(std::string_view text)
-{
-  return text.size() >= 2 && text.front() == '"' ? text.substr(1, text.size() - 2) : text;
-}
-
-//------------------------------------------------------------------------------
-/**
- * The members of a JSON object or array, without what is in them. VTK's importer checks the syntax.
- */
-std::vector<Member> Split(std::string_view text)
-{
-  std::vector<Member> members;
-  text = Trim(text);
-  if (text.empty() || (text.front() != '{' && text.front() != '['))
-  {
-    return members;
-  }
-  Member member;
-  std::size_t begin = 1;
-  int depth = 0;
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i)
-  {
-    const char letter = text[i];
-    if (quoted)
-    {
-      i += letter == '\\';
-      quoted = letter != '"';
-      continue;
-    }
-    quoted = letter == '"';
-    depth += letter == '{' || letter == '[';
-    depth -= letter == '}' || letter == ']';
-    if (letter == ':' && depth == 1)
-    {
-      member.Name = Unquote(Trim(text.substr(begin, i - begin)));
-      begin = i + 1;
-    }
-    else if ((letter == ',' && depth == 1) || depth == 0)
-    {
-      member.Value = Trim(text.substr(begin, i - begin));
-      members.push_back(member);
-      member = Member();
-      begin = i + 1;
-    }
-    if (depth == 0)
-    {
-      break;
-    }
-  }
-  return members;
-}
-
-//------------------------------------------------------------------------------
-std::string_view Find(const std::vector<Member>& members, std::string_view name)
-{
-  for (const Member& member : members)
-  {
-    if (member.Name == name)
-    {
-      return member.Value;
-    }
-  }
-  return {};
-}
-
-//------------------------------------------------------------------------------
-/// The text of a JSON string. The letters that \u writes are left as they are.
-std::string Unescape(std::string_view text)
-{
-  std::string plain;
-  for (std::size_t i = 0; i < text.size(); ++i)
-  {
-    i += text[i] == '\\' && i + 1 < text.size() && text[i + 1] != 'u';
-    plain += text[i];
-  }
-  return plain;
-}
 
 //------------------------------------------------------------------------------
 std::string Escape(const std::string& plain)
@@ -199,15 +103,15 @@ void CheckVersion(const std::string& path, std::string_view version)
 }
 
 //------------------------------------------------------------------------------
-void CheckExtensions(const std::string& path, const std::vector<Member>& document)
+void CheckExtensions(const std::string& path, const std::vector<JsonMember>& document)
 {
   const std::pair<const char*, const char*> unknown[] = { { "KHR_draco_mesh_compression", "Draco" },
     { "EXT_meshopt_compression", "meshopt" } };
-  for (const Member& required : Split(Find(document, "extensionsRequired")))
+  for (const JsonMember& required : SplitJson(FindJson(document, "extensionsRequired")))
   {
     for (const auto& [extension, name] : unknown)
     {
-      if (Unquote(required.Value) == extension)
+      if (UnquoteJson(required.Value) == extension)
       {
         throw Failure(path + ": is compressed with " + name + " (" + extension +
           "), which VTK cannot read; save it without compression");
@@ -243,9 +147,9 @@ GltfFile::GltfFile(const std::string& path)
     file.seekg(0);
     this->Json.assign(std::istreambuf_iterator<char>(file), {});
   }
-  const std::vector<Member> document = Split(this->Json);
-  CheckVersion(path, Unquote(Find(Split(Find(document, "asset")), "version")));
-  CheckVersion(path, Find(document, "meshes").rfind('{', 0) == 0 ? "1" : "2");
+  const std::vector<JsonMember> document = SplitJson(this->Json);
+  CheckVersion(path, UnquoteJson(FindJson(SplitJson(FindJson(document, "asset")), "version")));
+  CheckVersion(path, FindJson(document, "meshes").rfind('{', 0) == 0 ? "1" : "2");
   CheckExtensions(path, document);
   this->ReplaceUris();
 }
@@ -263,22 +167,22 @@ void GltfFile::ReplaceUris()
   std::string json;
   std::size_t copied = 0;
   bool change = false;
-  for (const Member& list : Split(this->Json))
+  for (const JsonMember& list : SplitJson(this->Json))
   {
     const bool ofPictures = list.Name == "images";
     if (!ofPictures && list.Name != "buffers")
     {
       continue;
     }
-    for (const Member& each : Split(list.Value))
+    for (const JsonMember& each : SplitJson(list.Value))
     {
-      const std::string_view text = Unquote(Find(Split(each.Value), "uri"));
+      const std::string_view text = UnquoteJson(FindJson(SplitJson(each.Value), "uri"));
       if (text.empty() || text.rfind("data:", 0) == 0)
       {
         continue;
       }
       std::error_code ignored;
-      const std::string uri = Unescape(text);
+      const std::string uri = UnescapeJson(text);
       const fs::path folder = fs::absolute(this->Path, ignored).parent_path();
       fs::path file = folder / uri;
       change = change || !fs::exists(file, ignored) || NameToRead(uri) != uri;

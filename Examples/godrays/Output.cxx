@@ -3,9 +3,11 @@
 #include "Output.h"
 
 #include "Failure.h"
+#include "LinearPicture.h"
 #include "Temporary.h"
 
 #include "vtkGodRaysEXRWriter.h"
+#include "vtkGodRaysHDRWriter.h"
 #include "vtkGodRaysPass.h"
 #include "vtkImageData.h"
 #include "vtkImageDifference.h"
@@ -125,10 +127,15 @@ void PrintPicture(vtkImageData* picture, std::FILE* file, const std::string& opt
 void CheckPictureName(const std::string& path)
 {
   const std::string extension = GetExtension(path);
-  if (path != "-" && extension != ".png" && extension != ".jpg" && extension != ".jpeg")
+  const std::string types = " .png .jpg .jpeg .exr .hdr ";
+  if (path != "-" && (extension.empty() || types.find(" " + extension + " ") == std::string::npos))
   {
     throw Failure("--output: " + path +
-      " should end in .png or .jpg, or be - for a PNG to the standard output");
+      " should end in .png, .jpg, .exr or .hdr, or be - for a PNG to the standard output");
+  }
+  if (extension == ".exr" && !vtkGodRaysEXRWriter::IsAvailable())
+  {
+    throw Failure("--output: the library was built without OpenEXR; give a name that ends in .hdr");
   }
 }
 
@@ -217,7 +224,23 @@ void CheckDisplay()
 //------------------------------------------------------------------------------
 void WritePicture(vtkRenderWindow* window, const std::string& path, bool transparent)
 {
-  const bool isPng = path == "-" || GetExtension(path) == ".png";
+  const std::string extension = GetExtension(path);
+  if (extension == ".exr" || extension == ".hdr")
+  {
+    vtkSmartPointer<vtkImageWriter> writer;
+    if (extension == ".exr")
+    {
+      writer = vtkSmartPointer<vtkGodRaysEXRWriter>::New();
+    }
+    else
+    {
+      writer = vtkSmartPointer<vtkGodRaysHDRWriter>::New();
+    }
+    writer->SetInputData(TakeLinearPicture(window));
+    WriteWhole(writer.Get(), "--output", path);
+    return;
+  }
+  const bool isPng = path == "-" || extension == ".png";
   const auto picture = TakePicture(window, transparent && isPng);
   if (transparent && isPng)
   {

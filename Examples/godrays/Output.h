@@ -54,7 +54,8 @@ void PrintPicture(vtkImageData* picture, std::FILE* file, const std::string& opt
 
 /**
  * Write what the window shows; - is the standard output. With transparent, a PNG has the window's
- * opacity. Throws Failure when that fails; a file that was there is then as it was.
+ * opacity. An .exr or .hdr has linear light, as TakeLinearPicture() has it. Throws Failure when that fails; a
+ * file that was there is then as it was.
  */
 void WritePicture(vtkRenderWindow* window, const std::string& path, bool transparent);
 

@@ -153,6 +153,12 @@ int vtkGodRaysToneMappingFilter::RequestData(
 }
 
 //------------------------------------------------------------------------------
+double vtkGodRaysToneMappingFilter::Decode(double shown)
+{
+  return shown > 0.0 ? vtkGodRays::DecodeDisplay(shown) : 0.0;
+}
+
+//------------------------------------------------------------------------------
 void vtkGodRaysToneMappingFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -87,6 +87,12 @@ public:
    */
   vtkGetMacro(UsedExposure, double);
 
+  /**
+   * The linear light of a value that is shown, from 0 to 1: the inverse of the transfer. Above 1 the curve
+   * goes on. Negative values count as 0. [IEC61966-2-1]
+   */
+  static double Decode(double shown);
+
 protected:
   vtkGodRaysToneMappingFilter() = default;
   ~vtkGodRaysToneMappingFilter() override = default;

@@ -318,6 +318,13 @@ def write_pvd(path, radii=(0.5,)):
         "".join(lines) + "</Collection>\n</VTKFile>\n")
 
 
+def write_series(path):
+    """A ball, at the times 0 and 1, as ParaView writes it."""
+    write_pvd(path.parent / "series.pvd", (0.5, 0.6))
+    files = [{"name": f"series-pvd-{i}.vtp", "time": i} for i in range(2)]
+    path.write_text(json.dumps({"file-series-version": "1.0", "files": files}, indent=2))
+
+
 def write_all(folder):
     """Write the files and return their paths."""
     bytes_picture = image(heights(type=numpy.uint8))
@@ -351,6 +358,7 @@ def write_all(folder):
         "a.pvtr": lambda p: write(vtkXMLPRectilinearGridWriter(), rectilinear_grid(), p),
         "a.pvts": lambda p: write(vtkXMLPStructuredGridWriter(), structured_grid(), p),
         "a.pvtu": lambda p: write(vtkXMLPUnstructuredGridWriter(), unstructured_grid(), p),
+        "a.vtp.series": write_series,
         "a.stl": lambda p: write(vtkSTLWriter(), bare, p),
         "a.tif": write_geotiff,
         "a.tiff": lambda p: write(vtkTIFFWriter(), bytes_picture, p),

@@ -3,6 +3,7 @@
 """The program godrays (its path is in GODRAYS_PROGRAM): series, films, references, volumes, files of
 options, and the documents made of its tables."""
 
+import json
 import os
 import pathlib
 import re
@@ -13,11 +14,13 @@ import unittest
 
 import numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkIOImage import vtkHDRReader, vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "Python"))
+import exr_reader
 import sample_files
 from test_cli import HEIGHT, WIDTH, ProgramTest, godrays
 
@@ -97,6 +100,30 @@ class Series(OutputTest):
             self.assertAlmostEqual(share / shares[0], (radius / 0.3) ** 2, delta=0.8)
         nearest = self.draw(path, *plain, "--time", 0.6)
         self.assertTrue((nearest == self.picture(names[1])).all())
+
+    def test_a_series_of_paraview_is_as_a_collection(self):
+        collection = self.folder / "steps.pvd"
+        sample_files.write_pvd(collection, (0.3, 0.5, 0.8))
+        series = self.folder / "steps.vtp.series"
+        files = [{"name": f"steps-pvd-{i}.vtp", "time": 0.5 * i} for i in (2, 0, 1)]
+        series.write_text(json.dumps({"file-series-version": "1.0", "files": files}, indent=2))
+        plain = ["--no-rays", "--camera-position", "0,-5,0", "--focal-point", "0,0,0", "--sun", "20,30"]
+        self.write(series, *plain, "--animate", "--output", self.folder / "series-{time}.png")
+        names = sorted(each.name for each in self.folder.glob("series-*.png"))
+        self.assertEqual(names, ["series-0.5.png", "series-0.png", "series-1.png"])
+        for time in "0", "0.5", "1":
+            expected = self.draw(collection, *plain, "--time", time)
+            self.assertTrue((self.picture(f"series-{time}.png") == expected).all())
+        self.assertGreater(abs(self.picture("series-0.png") - self.picture("series-1.png")).max(), 20)
+        self.assertTrue((self.draw(series, *plain) == self.picture("series-0.png")).all())
+        for text, words in (
+            ("{}", ["names no files"]), ('{"files": [{"name": "a.vtp"}]}', ["no number as its time"]),
+            ('{"files": [{"name": "a.vtp", "time": 0}', ["names no files"]), ("x", ["names no files"]),
+            ('{"files": [{"name": "steps.vtp.series", "time": 0}]}', ["another .series"]),
+            ('{"files": [{"name": "none.vtp", "time": 0}]}', ["none.vtp", "no such file"]),
+        ):
+            series.write_text(text)
+            self.fails(series, says=words, codes=[3])
 
     def test_a_picture_of_each_file(self):
         self.write(
@@ -209,6 +236,44 @@ class Output(OutputTest):
             self.assertLess(abs(over_black - black).max(), 2)
             partly = (pixels[..., 3] % 255 > 0).mean()  # without rays, edges alone
             self.assertTrue(partly < 0.05 if rays else partly > 0.2, partly)
+
+    def linear(self, path):
+        """A picture of light, as rows of RGB from the foot."""
+        if path.suffix == ".exr":
+            return numpy.stack([exr_reader.read(path)[0][c] for c in "RGB"], axis=2).astype(float)
+        reader = vtkHDRReader()
+        reader.SetFileName(str(path))
+        reader.Update()
+        light = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+        return light.reshape(HEIGHT, WIDTH, 3).astype(float)
+
+    def test_pictures_of_light(self):
+        """Encoded as screens have it, they are the PNG, and above white they go on."""
+        camera = ["--camera", "180,0", "--sun", "5,10"]
+        names = {"scene": ["--no-rays"], "rays": ["--exposure", 2, "--show", "rays"],
+                 "both": ["--exposure", 2]}
+        light = {}
+        for name, arguments in names.items():
+            path = self.folder / f"{name}.exr"
+            self.write(self.mesh, *camera, *arguments, "--output", path)
+            light[name] = self.linear(path)
+            shown = numpy.clip(light[name], 0, 1)
+            shown = 255 * numpy.where(
+                shown <= 0.0031308, 12.92 * shown, 1.055 * shown ** (1 / 2.4) - 0.055)
+            picture = self.draw(self.mesh, *camera, *arguments)
+            difference = abs(shown - picture).max(axis=2)
+            # Samples of a pixel are averaged as light, not as shown; and below white a PNG's rays are
+            # compressed before they are clipped.
+            self.assertLess((difference[light[name].max(axis=2) < 0.3] > 0.6).mean(), 0.05, name)
+            as_it_is = abs(255 * numpy.clip(light[name], 0, 1) - picture).max(axis=2)
+            self.assertGreater((as_it_is > 10).mean(), 0.5, "it is not linear")
+        self.assertGreater(light["both"].max(), 1.3)
+        added = light["scene"] + light["rays"]
+        self.assertLess(numpy.percentile(abs(light["both"] - added), 99), 1e-3)
+        path = self.folder / "both.hdr"
+        self.write(self.mesh, *camera, *names["both"], "--output", path)
+        brightest = light["both"].max(axis=2, keepdims=True)
+        self.assertLess((abs(self.linear(path) - light["both"]) / brightest).max(), 0.004)
 
     def test_a_reference(self):
         reference = self.folder / "reference.png"

@@ -42,6 +42,15 @@ TEST(ToneMapping, IsEncodedOnce)
   EXPECT_EQ(filter->GetOutput()->GetScalarType(), VTK_UNSIGNED_CHAR);
 }
 
+TEST(ToneMapping, IsUndoneByDecoding)
+{
+  for (const double light : { 0.0, 0.001, 0.0031308, 0.18, 1.0, 7.0 })
+  {
+    EXPECT_NEAR(vtkGodRaysToneMappingFilter::Decode(Encode(light)), light, 1e-6 * (1.0 + light));
+  }
+  EXPECT_EQ(vtkGodRaysToneMappingFilter::Decode(-0.5), 0.0);
+}
+
 TEST(ToneMapping, OfReinhardIsItsFormula)
 {
   vtkNew<vtkGodRaysToneMappingFilter> filter;
