@@ -24,6 +24,7 @@ const std::vector<KeyBinding>& GetKeyBindings()
     { "Up", { "Up" }, Command::Elevation, 1, "light up" },
     { "Down", { "Down" }, Command::Elevation, -1, "light down" },
     { "L", { "l" }, Command::Handle, 0, "show or hide the handle by which the light is dragged" },
+    { "T", { "t" }, Command::Sliders, 0, "show or hide sliders for the numbers of the rays" },
     { "O", { "o" }, Command::RaysAlone, 0, "the rays alone, or the scene with them" },
     { "V", { "v" }, Command::View, 1, "next view: scene, occlusion, rays, depth, error" },
     { "Shift+V", { "V" }, Command::View, -1, "previous view" },

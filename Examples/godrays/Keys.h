@@ -26,6 +26,7 @@ enum class Command
   Azimuth,
   Elevation,
   Handle,
+  Sliders,
   Background,
   ScalarBar,
   Axes,

@@ -57,6 +57,8 @@ public:
   void ShowAxes(bool on);
   bool AreAxesShown() const;
 
+  vtkRenderer* GetRenderer() const { return this->Renderer; }
+
   /**
    * A picture as large as the window, the columns from 0 to before width; none for null.
    */

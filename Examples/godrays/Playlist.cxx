@@ -47,14 +47,21 @@ double GetSeconds()
 
 //------------------------------------------------------------------------------
 Playlist::Playlist(const Options& options)
-  : Settings(options)
+  : Settings(&options)
 {
-  if (!options.Each)
+  this->SetFiles(options.Files);
+}
+
+//------------------------------------------------------------------------------
+void Playlist::SetFiles(const std::vector<std::string>& files)
+{
+  this->Items.clear();
+  if (!this->Settings->Each)
   {
-    this->Items = { options.Files };
+    this->Items = { files };
     return;
   }
-  for (const std::string& file : options.Files)
+  for (const std::string& file : files)
   {
     this->Items.push_back({ file });
   }
@@ -71,7 +78,7 @@ std::unique_ptr<Stage> Playlist::Open(std::size_t item, std::size_t step, const 
 {
   const double start = GetSeconds();
   this->Opened = this->GetFileTime(item);
-  std::optional<double> time = this->Settings.Time;
+  std::optional<double> time = this->Settings->Time;
   if (step < this->Times.size() && (view || step > 0))
   {
     time = this->Times[step];
@@ -100,33 +107,33 @@ std::unique_ptr<Stage> Playlist::Open(std::size_t item, std::size_t step, const 
     this->Step = std::abs(times[i] - *time) < std::abs(times[this->Step] - *time) ? i : this->Step;
   }
   this->Times = std::move(times);
-  if (!this->Settings.Up && !files.front().UpNote.empty())
+  if (!this->Settings->Up && !files.front().UpNote.empty())
   {
     notes.push_back(files.front().UpNote);
   }
   this->Took.Reading = GetSeconds() - start;
   std::optional<Waiting> waiting("preparing " + this->GetName(item));
-  Scene scene = MakeSceneOf(files, this->Settings, notes);
-  const Viewpoint place = view ? *view : MakeView(scene, this->Settings);
+  Scene scene = MakeSceneOf(files, *this->Settings, notes);
+  const Viewpoint place = view ? *view : MakeView(scene, *this->Settings);
   waiting.reset();
   this->HasAdvice = false;
-  if (this->Settings.Rays)
+  if (this->Settings->Rays)
   {
     const auto advice =
-      GetAdvice(scene, place, this->Settings, ::GetPreset(this->Settings).IsMedium);
+      GetAdvice(scene, place, *this->Settings, ::GetPreset(*this->Settings).IsMedium);
     notes.insert(notes.end(), advice.begin(), advice.end());
     this->HasAdvice = !advice.empty();
   }
   for (const std::string& note : notes)
   {
-    if (!this->HasAdvised && !this->Settings.Quiet)
+    if (!this->HasAdvised && !this->Settings->Quiet)
     {
       Messages::Show("godrays: " + note + "\n");
     }
   }
-  this->HasAdvised = !this->Settings.Each; // a film would say it again in each frame
+  this->HasAdvised = !this->Settings->Each; // a film would say it again in each frame
   this->Took.Preparing = GetSeconds() - start - this->Took.Reading;
-  return std::make_unique<Stage>(std::move(scene), place, this->Settings);
+  return std::make_unique<Stage>(std::move(scene), place, *this->Settings);
 }
 
 //------------------------------------------------------------------------------

@@ -30,6 +30,11 @@ public:
   explicit Playlist(const Options& options);
 
   /**
+   * Have these files instead of those of the options.
+   */
+  void SetFiles(const std::vector<std::string>& files);
+
+  /**
    * How many scenes there are: one, or with --each as many as files.
    */
   std::size_t GetSize() const { return this->Items.size(); }
@@ -66,7 +71,7 @@ private:
 
   FileTime GetFileTime(std::size_t item) const;
 
-  const Options& Settings;
+  const Options* Settings;
   std::vector<std::vector<std::string>> Items;
   std::vector<double> Times;
   std::size_t Step = 0;

@@ -12,6 +12,7 @@
 #include "vtkLight.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <sstream>
 #include <utility>
 
@@ -283,6 +284,61 @@ void Stage::SetExposure(double factor)
 }
 
 //------------------------------------------------------------------------------
+std::vector<Stage::Parameter> Stage::GetParameters() const
+{
+  std::vector<Parameter> found = { { "intensity", 0.0, 3.0, this->Rays->GetIntensity() } };
+  if (auto* look = vtkGodRaysRadialSumModel::SafeDownCast(this->Rays->GetModel()))
+  {
+    found.push_back({ "density", 0.0, 1.0, look->GetDensity() });
+    found.push_back({ "decay", 0.9, 1.0, look->GetDecay() });
+    found.push_back({ "glow", 0.0, 1.0, this->Rays->GetBackgroundGlow() });
+  }
+  else if (auto* medium = vtkGodRaysHomogeneousModel::SafeDownCast(this->Rays->GetModel()))
+  {
+    found.push_back({ "optical-depth", 0.0, 2.0, medium->GetOpticalDepth() });
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+void Stage::SetParameter(const std::string& name, double value)
+{
+  if (name == "intensity")
+  {
+    this->Rays->SetIntensity(value);
+    return;
+  }
+  const std::pair<const char*, std::optional<double>*> numbers[] = {
+    { "density", &this->Settings.Density }, { "decay", &this->Settings.Decay },
+    { "glow", &this->Settings.Glow }, { "optical-depth", &this->Settings.OpticalDepth }
+  };
+  for (const auto& [each, number] : numbers)
+  {
+    if (name == each)
+    {
+      *number = value;
+    }
+  }
+  if (this->Look.IsMedium)
+  {
+    SetMedium(this->Rays, this->Settings);
+  }
+  else
+  {
+    SetLook(this->Rays, this->View, this->Settings);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Stage::SetParameters(const Stage& other)
+{
+  this->Settings.Density = other.Settings.Density;
+  this->Settings.Decay = other.Settings.Decay;
+  this->Settings.Glow = other.Settings.Glow;
+  this->Settings.OpticalDepth = other.Settings.OpticalDepth;
+}
+
+//------------------------------------------------------------------------------
 std::string Stage::GetOptions() const
 {
   const auto toText = [](const double values[3])
@@ -320,6 +376,21 @@ std::string Stage::GetOptions() const
   if (this->Rays->GetIntensity() != 1.0)
   {
     text << " --intensity " << this->Rays->GetIntensity();
+  }
+  const std::pair<const char*, std::optional<double>> numbers[] = {
+    { "density", this->Settings.Density }, { "decay", this->Settings.Decay },
+    { "glow", this->Settings.Glow }, { "optical-depth", this->Settings.OpticalDepth }
+  };
+  const auto used = this->GetParameters();
+  for (const auto& [name, number] : numbers)
+  {
+    const std::string option = name;
+    if (number &&
+      std::any_of(
+        used.begin(), used.end(), [&option](const Parameter& each) { return each.Name == option; }))
+    {
+      text << " --" << option << " " << *number;
+    }
   }
   if (this->Settings.Background != "sky")
   {

@@ -20,6 +20,7 @@
 
 #include <optional> // For std::optional
 #include <string>   // For std::string
+#include <vector>   // For std::vector
 
 class Stage
 {
@@ -55,6 +56,29 @@ public:
    * Factor on the physical sky's usual exposure. Without such a sky nothing changes.
    */
   void SetExposure(double factor);
+
+  /// A number of the rays, named as its option.
+  struct Parameter
+  {
+    std::string Name;
+    double Low, High;
+    double Value;
+  };
+
+  /**
+   * Those that the look or medium has, and a useful range of them.
+   */
+  std::vector<Parameter> GetParameters() const;
+
+  /**
+   * Set one of them. Those that were set, as by an option, stay when the look or medium changes.
+   */
+  void SetParameter(const std::string& name, double value);
+
+  /**
+   * Set all that were set of another one.
+   */
+  void SetParameters(const Stage& other);
 
   /**
    * The camera, the light and the look, as options for the command line.

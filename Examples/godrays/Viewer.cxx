@@ -20,6 +20,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
+#include "vtkStringArray.h"
 #include "vtkTextProperty.h"
 #include "vtkWindowToImageFilter.h"
 
@@ -89,6 +90,24 @@ Viewer::Viewer(
     this->Interactor, vtkCommand::CharEvent, [](Viewer*) {}, true);
   this->Observe(
     this->Interactor, vtkCommand::TimerEvent, [](Viewer* self) { self->OnTimer(); }, false);
+  vtkNew<vtkCallbackCommand> drop;
+  drop->SetClientData(this);
+  drop->SetCallback(
+    [](vtkObject*, unsigned long, void* self, void* files)
+    {
+      std::vector<std::string> names;
+      auto* array = static_cast<vtkStringArray*>(files);
+      for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
+      {
+        names.push_back(array->GetValue(i));
+      }
+      if (!names.empty())
+      {
+        static_cast<Viewer*>(self)->TakeDrop(names);
+        static_cast<Viewer*>(self)->Render();
+      }
+    });
+  this->Interactor->AddObserver(vtkCommand::DropFilesEvent, drop, First);
   // Without this observer, VTK 9.1 closes the display at the end, while its loop still reads events.
   this->Observe(
     this->Interactor, vtkCommand::ExitEvent, [](Viewer* self) { self->Interactor->SetDone(true); },
@@ -127,15 +146,26 @@ void Viewer::Observe(vtkObject* object, unsigned long event, void (*call)(Viewer
 void Viewer::Run()
 {
   this->Interactor->Initialize();
-  if (this->Settings.Watch || this->List.GetTimes().size() > 1 || this->List.GetSize() > 1)
-  {
-    this->Interactor->CreateRepeatingTimer(TimerInterval);
-  }
+  this->StartTimer();
   this->Render();
   this->Interactor->Start();
+  this->Numbers.reset();
   this->Over.reset();
   this->View = std::min<int>(this->View, RaysAlone);
   this->RenderPicture(); // VTK 9.3 keeps nothing of what it has shown
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Where something may change by itself.
+ */
+void Viewer::StartTimer()
+{
+  if (!this->HasTimer &&
+    (this->Settings.Watch || this->List.GetTimes().size() > 1 || this->List.GetSize() > 1))
+  {
+    this->HasTimer = this->Interactor->CreateRepeatingTimer(TimerInterval) != 0;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -192,6 +222,9 @@ bool Viewer::Do(const KeyBinding& binding, bool shift)
       break;
     case Command::Handle:
       this->HasHandle = !this->HasHandle;
+      break;
+    case Command::Sliders:
+      this->ShowSliders(!this->Numbers);
       break;
     case Command::View:
       this->SetView((this->View + binding.Step + NumberOfViews) % NumberOfViews);
@@ -426,10 +459,37 @@ void Viewer::TakeStep(int step)
 }
 
 //------------------------------------------------------------------------------
+void Viewer::ShowSliders(bool on)
+{
+  this->Numbers.reset();
+  if (on)
+  {
+    this->Numbers.emplace(this->Interactor, this->Over->GetRenderer());
+    this->Numbers->OnChange(
+      [this](const std::string& name, double value) { this->Shown->SetParameter(name, value); });
+  }
+}
+
+//------------------------------------------------------------------------------
 /**
- * Show another scene; the present one if it cannot be read, and the reason.
+ * Show these files instead of those of the list.
  */
-void Viewer::Open(std::size_t item, std::size_t step, bool keepView)
+void Viewer::TakeDrop(const std::vector<std::string>& files)
+{
+  Playlist former = this->List;
+  this->List.SetFiles(files);
+  if (!this->Open(0, 0, false))
+  {
+    this->List = former;
+  }
+  this->StartTimer();
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Show another scene; the present one if it cannot be read, and the reason. Returns whether it is shown.
+ */
+bool Viewer::Open(std::size_t item, std::size_t step, bool keepView)
 {
   Viewpoint view = this->Shown->GetView();
   std::unique_ptr<Stage> next;
@@ -440,10 +500,11 @@ void Viewer::Open(std::size_t item, std::size_t step, bool keepView)
   catch (const std::exception& failure)
   {
     this->Message = failure.what();
-    return;
+    return false;
   }
   const bool hasGrid = this->Grid;
   this->SetGrid(false);
+  next->SetParameters(*this->Shown);
   next->SetPreset(this->Shown->GetLook());
   next->GetRays()->SetIntensity(this->Shown->GetRays()->GetIntensity());
   next->GetRays()->SetOutput(this->Shown->GetRays()->GetOutput());
@@ -466,6 +527,7 @@ void Viewer::Open(std::size_t item, std::size_t step, bool keepView)
   {
     this->Over->ShowScalarBar(&this->Shown->GetScene());
   }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -642,6 +704,10 @@ void Viewer::UpdateOverlay()
   if (this->Over->IsHelpShown())
   {
     this->Over->ShowHelp(true); // where the window's size has it
+  }
+  if (this->Numbers)
+  {
+    this->Numbers->Show(this->Shown->GetParameters());
   }
   this->Over->ShowMessage(this->Message);
   this->Over->ShowStatus(this->HasStatus ? this->GetStatus() : "");

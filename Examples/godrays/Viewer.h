@@ -11,6 +11,7 @@
 #include "Options.h"
 #include "Overlay.h"
 #include "Playlist.h"
+#include "Sliders.h"
 #include "Stage.h"
 
 #include "vtkNew.h"          // For vtkNew
@@ -20,6 +21,7 @@
 #include <memory>   // For std::unique_ptr
 #include <optional> // For std::optional
 #include <string>   // For std::string
+#include <vector>   // For std::vector
 
 class vtkCubeAxesActor;
 class vtkImageData;
@@ -59,6 +61,7 @@ private:
   void Observe(vtkObject* object, unsigned long event, void (*call)(Viewer*), bool last);
   bool OnKey(const std::string& symbol, bool shift);
   bool Do(const KeyBinding& binding, bool shift);
+  void StartTimer();
   void OnTimer();
   void OnDragLight(double x, double y);
 
@@ -76,8 +79,10 @@ private:
   void SetView(int view);
   void SetGrid(bool on);
   void SetStyle(bool terrain);
-  void Open(std::size_t item, std::size_t step, bool keepView);
+  bool Open(std::size_t item, std::size_t step, bool keepView);
   void TakeStep(int step);
+  void TakeDrop(const std::vector<std::string>& files);
+  void ShowSliders(bool on);
   void WriteScreenshot();
   double GetAspect() const;
   std::string GetStatus() const;
@@ -88,6 +93,7 @@ private:
   const Options& Settings;
   vtkNew<vtkRenderWindowInteractor> Interactor;
   std::optional<Overlay> Over;
+  std::optional<Sliders> Numbers; ///< while they are shown
   Viewpoint Home;
   vtkSmartPointer<vtkCubeAxesActor> Grid;
   std::string Message; ///< until the next key
@@ -100,6 +106,7 @@ private:
   std::optional<double> Divider; ///< fraction of the width
   bool HasHandle = false;
   bool HasStatus = true;
+  bool HasTimer = false;
   bool IsTerrainStyle = false;
   bool IsPlaying = false;
   bool IsRendering = false;

@@ -29,6 +29,27 @@ class KeyEvent(ctypes.Structure):
     ]
 
 
+class ClientMessage(ctypes.Structure):
+    """XClientMessageEvent of Xlib."""
+
+    _fields_ = [
+        ("type", ctypes.c_int), ("serial", ctypes.c_ulong), ("send_event", ctypes.c_int),
+        ("display", ctypes.c_void_p), ("window", ctypes.c_ulong), ("message_type", ctypes.c_ulong),
+        ("format", ctypes.c_int), ("data", ctypes.c_long * 5), ("room", ctypes.c_long * 24),
+    ]
+
+
+class SelectionEvent(ctypes.Structure):
+    """XSelectionEvent of Xlib."""
+
+    _fields_ = [
+        ("type", ctypes.c_int), ("serial", ctypes.c_ulong), ("send_event", ctypes.c_int),
+        ("display", ctypes.c_void_p), ("requestor", ctypes.c_ulong), ("selection", ctypes.c_ulong),
+        ("target", ctypes.c_ulong), ("property", ctypes.c_ulong), ("time", ctypes.c_ulong),
+        ("room", ctypes.c_long * 24),
+    ]
+
+
 class Screen:
     """The X server of DISPLAY, as far as windows are found and keys are pressed there."""
 
@@ -89,6 +110,27 @@ class Screen:
         code = self.x.XKeysymToKeycode(self.display, symbol)
         for kind, mask in ((2, 1), (3, 2)):  # pressed and released
             self.send(window, kind, mask, keycode=code, state=1 if shift else 0)
+
+    def drop(self, window, files):
+        """Files from a program that holds them, which is the screen here: as XDND has it."""
+        def atom(name):
+            self.x.XInternAtom.restype = ctypes.c_ulong
+            return self.x.XInternAtom(self.display, name.encode(), 0)
+        text = "".join(f"file://{file}\r\n" for file in files).encode()
+        kinds = atom("XdndSelection"), atom("text/uri-list")
+        self.x.XChangeProperty(
+            self.display, ctypes.c_ulong(window), *map(ctypes.c_ulong, kinds), 8, 0, text, len(text))
+        for name in "XdndEnter", "XdndPosition":
+            event = ClientMessage(
+                type=33, window=window, message_type=atom(name), format=32,
+                data=(self.root, 5 << 24, 0, 0, 0))
+            self.x.XSendEvent(
+                self.display, ctypes.c_ulong(window), 0, ctypes.c_long(0), ctypes.byref(event))
+        event = SelectionEvent(
+            type=31, requestor=window, selection=kinds[0], target=kinds[1], property=kinds[0])
+        self.x.XSendEvent(
+            self.display, ctypes.c_ulong(window), 0, ctypes.c_long(0), ctypes.byref(event))
+        self.x.XFlush(self.display)
 
     def drag(self, window, start, end):
         """With the left button from a place of the window, from its upper left, to another one."""
@@ -284,6 +326,37 @@ class Viewer(ProgramTest):
         self.assert_same(moved[:, middle - 60 :], rays[:, middle - 60 :])
         picture, _ = self.end()
         self.assert_same(picture[::-1], rays)
+
+    def test_sliders(self):
+        self.open(self.mesh, "--intensity", "0.5")
+        plain = self.steady()
+        shown = self.press("t")
+        is_knob = (abs(shown - (255, 204, 51)).max(axis=2) < 40) & (abs(shown - plain).max(axis=2) > 40)
+        rows, columns = numpy.nonzero(is_knob)
+        self.assertGreater(len(rows), 100, "there are no sliders")
+        self.assertEqual((numpy.diff(numpy.unique(rows)) > 5).sum() + 1, 4, "one for each number")
+        top = rows < rows.min() + 12
+        place = round(columns[top].mean()), round(rows[top].mean())
+        moved = self.drag(place, (place[0] - 25, place[1]))
+        self.assertLess(moved.mean(), shown.mean() - 0.5, "the rays are as strong")
+        again = self.press("t")
+        self.screen.press(self.window, "c")
+        picture, printed = self.end()
+        self.assertRegex(printed, r"--intensity 0\.[01]")
+        self.assertGreater(abs(again - plain).max(), 20)
+        self.assert_same(picture, self.draw(self.mesh, *printed.split(), size=self.SIZE, told=None))
+
+    def test_files_that_are_dropped(self):
+        self.open(self.mesh, "--quiet")
+        plain = self.steady()
+        self.screen.drop(self.window, [self.folder / "none.vtp"])
+        self.wait(lambda: abs(self.look() - plain).max() > 20)  # the message
+        self.press("z")  # a key takes it away
+        self.assert_same(self.press("z"), plain)
+        self.screen.drop(self.window, [self.folder / "a.gltf"])
+        self.wait(lambda: (abs(self.look() - plain).max(axis=2) > 20).mean() > 0.05)
+        picture, _ = self.end()
+        self.assert_same(picture, self.draw(self.folder / "a.gltf", size=self.SIZE, told=None))
 
     def test_views_presets_and_strength(self):
         self.open(self.mesh)
