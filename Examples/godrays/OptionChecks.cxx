@@ -108,6 +108,11 @@ void CheckTogether(const Options& options)
   {
     throw Failure("--sky is drawn over --background; leave out one of them");
   }
+  if (!options.Hdri.empty() &&
+    (options.Background != "sky" || !options.Sky.empty() || options.Transparent))
+  {
+    throw Failure("--hdri is the background; leave out --background, --sky and --transparent");
+  }
   if (options.Sun && std::abs((*options.Sun)[1]) > 90.0)
   {
     throw Failure("--sun: the elevation should be from -90 to 90 degrees");

@@ -295,6 +295,10 @@ void AddLookOptions(Parser& parser, Options& options)
       }
       options.Sky = text;
     });
+  parser.AddCall("--hdri", "FILE",
+    "An environment picture, a .hdr as wide as twice its height, as the background and as light on "
+    "surfaces in place of --fill; its middle is to the north. The sun stays where it is asked for",
+    [&options](const std::string& text) { options.Hdri = text; });
   parser.AddCall("--scalars", "NAME", "Array to colour by, or none",
     [&options](const std::string& text) { options.Scalars = text; });
   parser.AddCall("--colormap", "NAME", "Colours of the array: see --list-colormaps",

@@ -45,7 +45,8 @@ struct Options
 
   // Look.
   std::string Background = "sky";
-  std::string Sky; ///< the atmosphere of a physical sky instead; empty for none
+  std::string Sky;  ///< the atmosphere of a physical sky instead; empty for none
+  std::string Hdri; ///< an environment picture instead; empty for none
   std::string Scalars;
   std::string Colormap;
   std::optional<std::array<double, 2>> Range;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Stage.h"
 
+#include "Environment.h"
+
 #include "vtkCamera.h"
 #include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysHomogeneousModel.h"
@@ -176,7 +178,14 @@ Stage::Stage(Scene scene, const Viewpoint& view, const Options& options)
   PlaceLight(this->Light, view);
   this->Light->SetColor(options.LightColor.data());
   this->Renderer->AddLight(this->Light);
-  AddFill(this->Renderer, this->Data, options.Fill);
+  if (options.Hdri.empty())
+  {
+    AddFill(this->Renderer, this->Data, options.Fill);
+  }
+  else
+  {
+    AddEnvironment(this->Renderer, this->Data, options.Hdri);
+  }
   if (!options.Sky.empty())
   {
     AddSky(this->Renderer, this->Data, options);
@@ -233,6 +242,10 @@ void Stage::SetBackground(const std::string& background)
   {
     this->Renderer->SetBackground(0.0, 0.0, 0.0);
     this->Renderer->SetBackgroundAlpha(0.0);
+  }
+  else if (!this->Settings.Hdri.empty())
+  {
+    this->Renderer->SetBackground(0.0, 0.0, 0.0);
   }
   else if (this->Settings.Sky.empty())
   {

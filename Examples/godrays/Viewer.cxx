@@ -367,9 +367,10 @@ void Viewer::TakeBackground()
 {
   static const char* const backgrounds[] = { "sky", "black", "#101820:#405070", "#808890",
     "white" };
-  if (!this->Settings.Sky.empty())
+  if (!this->Settings.Sky.empty() || !this->Settings.Hdri.empty())
   {
-    this->Message = "the physical sky (--sky) is the background";
+    this->Message = this->Settings.Hdri.empty() ? "the physical sky (--sky) is the background"
+                                                : "the picture of --hdri is the background";
     return;
   }
   const auto* found =

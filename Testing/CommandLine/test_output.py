@@ -275,6 +275,44 @@ class Output(OutputTest):
         brightest = light["both"].max(axis=2, keepdims=True)
         self.assertLess((abs(self.linear(path) - light["both"]) / brightest).max(), 0.004)
 
+    def write_environment(self, name, light, height=64):
+        """A .hdr of bytes without runs: three mantissas of 1/256 each, and an exponent of 0."""
+        pixels = numpy.full((height, 2 * height, 4), 128, numpy.uint8)
+        pixels[..., :3] = numpy.rint(256 * numpy.asarray(light))
+        path = self.folder / name
+        path.write_bytes(
+            f"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {height} +X {2 * height}\n".encode() +
+            pixels.tobytes())
+        return path
+
+    def test_an_environment(self):
+        """It is behind the scene, its middle to the north, and lights surfaces in place of --fill."""
+        light = numpy.full((64, 128, 3), (0.1, 0.2, 0.5))
+        for column, color in (68, (0.5, 0, 0)), (100, (0, 0.5, 0)):  # right of north, and of east
+            light[:, column : column + 3] = color
+        path = self.write_environment("stripes.hdr", light)
+        plain = [self.mesh, "--no-rays", "--sun", "20,10"]
+        for azimuth, stripe in (180, 0), (270, 1), (0, None):
+            picture = self.draw(*plain, "--hdri", path, "--camera", f"{azimuth},0")
+            background = numpy.median(picture[HEIGHT - 3], axis=0)
+            self.assertLess(abs(background - (89, 124, 188)).max(), 3)
+            found = picture[HEIGHT - 3].argmax(axis=1) == stripe
+            self.assertEqual(found.sum() > 3, stripe is not None)
+            if stripe is not None:
+                self.assertGreater(numpy.nonzero(found)[0].mean(), WIDTH / 2)
+        bare = [*plain, "--scalars", "none", "--color", "white", "--camera", "180,0"]
+        for name, color in ("red.hdr", (0.6, 0.1, 0.1)), ("blue.hdr", (0.1, 0.1, 0.6)):
+            picture = self.draw(
+                *bare, "--hdri", self.write_environment(name, numpy.full((64, 128, 3), color)))
+            seen = picture[HEIGHT // 2 - 8 : HEIGHT // 2, WIDTH // 2 - 8 : WIDTH // 2].mean(axis=(0, 1))
+            self.assertEqual(seen.argmax(), numpy.argmax(color))
+            self.assertGreater(seen.max(), 2 * seen.min())
+        square = self.folder / "a.hdr"
+        self.fails(*bare, "--hdri", square, "--output", "x.png", says=["twice as wide"], codes=[3])
+        self.fails(*bare, "--hdri", self.mesh, "--output", "x.png", says=["--hdri", "size of a picture"], codes=[3])
+        self.fails(*bare, "--hdri", "none.hdr", "--output", "x.png", says=["no such file"], codes=[3])
+        self.fails(*bare, "--hdri", path, "--background", "red", says=["leave out"], codes=[2])
+
     def test_a_reference(self):
         reference = self.folder / "reference.png"
         self.write(self.mesh, "--output", reference)

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Environment.h"
+
+#include "Failure.h"
+#include "FileChecks.h"
+
+#include "vtkActor.h"
+#include "vtkGodRaysPass.h"
+#include "vtkHDRReader.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkPBRIrradianceTexture.h"
+#include "vtkPBRLUTTexture.h"
+#include "vtkPBRPrefilterTexture.h"
+#include "vtkProperty.h"
+#include "vtkSkybox.h"
+#include "vtkTexture.h"
+
+#include <filesystem>
+
+namespace
+{
+constexpr double Roughness = 0.6; // a dull surface: the light is to be seen, not its picture
+// As dull surfaces need: VTK's own take seconds where the processor draws.
+constexpr int PrefilterSamples = 64;
+constexpr int IrradianceSize = 32;
+constexpr int TableSize = 128;
+constexpr int TableSamples = 128;
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkTexture> ReadEnvironment(const std::string& path)
+{
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))
+  {
+    throw Failure(
+      "--hdri: " + path + ": there is no such file; check the name and the folder", Failure::File);
+  }
+  vtkNew<vtkHDRReader> reader;
+  try
+  {
+    CheckHdr(path);
+  }
+  catch (const Failure& failure)
+  {
+    throw Failure(std::string("--hdri: ") + failure.what(), Failure::File);
+  }
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  int size[3];
+  reader->GetOutput()->GetDimensions(size);
+  if (size[0] != 2 * size[1])
+  {
+    throw Failure("--hdri: " + path + " has " + std::to_string(size[0]) + " x " +
+        std::to_string(size[1]) +
+        " pixels; give one of all directions, which is twice as wide as high",
+      Failure::File);
+  }
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputConnection(reader->GetOutputPort());
+  texture->SetColorModeToDirectScalars();
+  texture->MipmapOn();
+  texture->InterpolateOn();
+  return texture;
+}
+}
+
+//------------------------------------------------------------------------------
+void AddEnvironment(vtkRenderer* renderer, const Scene& scene, const std::string& path)
+{
+  const auto texture = ReadEnvironment(path);
+  double up[3];
+  double right[3];
+  std::copy(scene.Up.begin(), scene.Up.end(), up);
+  std::copy(scene.East.begin(), scene.East.end(), right);
+  renderer->SetEnvironmentTexture(texture);
+  renderer->SetEnvironmentUp(up);
+  renderer->SetEnvironmentRight(right);
+  renderer->UseImageBasedLightingOn();
+  if (auto* drawn = vtkOpenGLRenderer::SafeDownCast(renderer))
+  {
+    drawn->GetEnvMapPrefiltered()->SetPrefilterMaxSamples(PrefilterSamples);
+    drawn->GetEnvMapIrradiance()->SetIrradianceSize(IrradianceSize);
+    drawn->GetEnvMapLookupTable()->SetLUTSize(TableSize);
+    drawn->GetEnvMapLookupTable()->SetLUTSamples(TableSamples);
+  }
+  for (const auto& prop : scene.Props)
+  {
+    if (auto* actor = vtkActor::SafeDownCast(prop))
+    {
+      actor->GetProperty()->SetInterpolationToPBR();
+      actor->GetProperty()->SetMetallic(0.0);
+      actor->GetProperty()->SetRoughness(Roughness);
+    }
+  }
+  vtkNew<vtkSkybox> box;
+  box->SetProjectionToSphere();
+  box->SetTexture(texture);
+  box->SetFloorPlane(
+    static_cast<float>(up[0]), static_cast<float>(up[1]), static_cast<float>(up[2]), 0.0F);
+  box->SetFloorRight(
+    static_cast<float>(right[0]), static_cast<float>(right[1]), static_cast<float>(right[2]));
+  box->GammaCorrectOn();
+  vtkGodRaysPass::SetRole(box, vtkGodRaysPass::IGNORED);
+  renderer->AddActor(box);
+}
