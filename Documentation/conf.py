@@ -10,6 +10,10 @@ to the sources: GODRAYS_SOURCES in the environment says where these are shown; e
 
 import os
 import re
+import sys
+
+sys.path.insert(0, os.path.dirname(__file__))
+import reference  # beside this file
 
 project = "vtkGodRays"
 author = copyright = "the vtkGodRays authors"
@@ -48,6 +52,12 @@ def link_sources(app, docname, source):
     source[0] = re.sub(r"(\]\()([^)\s]+)\)", replace, source[0])
 
 
+def add_reference(app, docname, source):
+    """The Python reference, from the docstrings of the module that was built."""
+    if docname == "Documentation/PythonReference":
+        source[0] += reference.make()
+
+
 def name_sources(app, pagename, templatename, context, doctree):
     if "body" in context:
         sources = os.environ.get("GODRAYS_SOURCES", f"file://{app.srcdir}").rstrip("/") + "/"
@@ -63,5 +73,6 @@ def write_entry(app, exception):
 
 def setup(app):
     app.connect("source-read", link_sources)
+    app.connect("source-read", add_reference)
     app.connect("html-page-context", name_sources)
     app.connect("build-finished", write_entry)

@@ -6,6 +6,7 @@ import html.parser
 import importlib.util
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -48,6 +49,9 @@ class Site(unittest.TestCase):
             site = pathlib.Path(folder, "site").resolve()
             pages = {path: Page(path.read_text(encoding="utf-8")) for path in site.rglob("*.html")}
             self.assertGreater(len(pages), 60)
+            reference = (site / "Documentation/PythonReference.html").read_text(encoding="utf-8")
+            for name in "enable(", "vtkGodRaysSmokeSource", "SetIntensity":
+                self.assertIn(name, reference)
             dead, sources = [], 0
             for path, page in pages.items():
                 for link in page.links:
@@ -71,6 +75,15 @@ class Site(unittest.TestCase):
             self.assertGreater(sources, 15)
             pictures = {link for page in pages.values() for link in page.links if link.endswith(".jpg")}
             self.assertGreater(len(pictures), 90)
+
+    def test_the_tests_of_the_viewers_table_are_there(self):
+        page = (ROOT / "Documentation/Viewer.md").read_text(encoding="utf-8")
+        names = set(re.findall(r"\btest_(?!output\b|window\b)\w+", page))
+        self.assertGreater(len(names), 20)
+        tests = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "Testing/CommandLine").glob("test_*.py"))
+        self.assertEqual([name for name in sorted(names) if f"def {name}(" not in tests], [])
+        for path in re.findall(r"`(Testing/\S+\.py)`", page):
+            self.assertTrue((ROOT / path).exists(), path)
 
 
 if __name__ == "__main__":
