@@ -9,6 +9,8 @@ import unittest
 import warnings
 
 import godrays
+from godrays._parameters import get_names
+from godrays._properties import snake as to_snake
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow, vtkVersion
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer, vtkRenderWindow
@@ -34,7 +36,7 @@ class Properties(unittest.TestCase):
                 continue
             for method in vars(cls):
                 name = method[3:]
-                snake = godrays._snake(name)
+                snake = to_snake(name)
                 if not method.startswith("Get") or not isinstance(getattr(cls, snake, None), property):
                     continue
                 with self.subTest(f"{cls.__name__}.{snake}"):
@@ -96,14 +98,14 @@ class Properties(unittest.TestCase):
 
     def test_explicit_parameters_are_those_of_the_classes(self):
         keywords = set(godrays.enable.__kwdefaults__)
-        of_pass = {godrays._snake(name) for name in godrays._properties(godrays.vtkGodRaysPass())}
+        of_pass = {to_snake(name) for name in get_names(godrays.vtkGodRaysPass())}
         of_models = set()
         for cls in MODELS:
             one = make(cls)
-            of_models |= {godrays._snake(name) for name in godrays._properties(one)} if one else set()
+            of_models |= {to_snake(name) for name in get_names(one)} if one else set()
         self.assertEqual(keywords - of_pass - of_models, {"medium"})  # which tags volumes
         self.assertGreater(len(keywords), 50)
-        sky = {godrays._snake(name) for name in godrays._properties(godrays.vtkGodRaysSkyPass())}
+        sky = {to_snake(name) for name in get_names(godrays.vtkGodRaysSkyPass())}
         self.assertEqual(set(godrays.sky.__kwdefaults__) - sky, set())
 
 

@@ -21,17 +21,12 @@ as godrays.Error.
 from __future__ import annotations
 
 import math
-import numbers
-import sys
-import weakref
 from typing import TYPE_CHECKING, Any
 
 try:
     import vtkmodules.vtkRenderingOpenGL2  # the OpenGL classes behind vtkRenderer and the like
-    from vtkmodules.vtkCommonCore import vtkObject
     from vtkmodules.vtkCommonDataModel import vtkImageData
-    from vtkmodules.vtkRenderingCore import vtkLight, vtkProp, vtkRenderer, vtkRenderWindow
-    from vtkmodules.vtkRenderingOpenGL2 import vtkImageProcessingPass
+    from vtkmodules.vtkRenderingCore import vtkLight
 
     from .vtkGodRaysFilters import *
     from .vtkGodRaysSources import *
@@ -53,6 +48,7 @@ from ._arrays import tone_map as tone_map
 from ._errors import Error as Error
 from ._errors import GodRaysWarning as GodRaysWarning
 from ._errors import raising as raising
+from ._measure import measure as measure
 from ._migration import from_babylon as from_babylon
 from ._migration import from_blender as from_blender
 from ._migration import from_good_godrays as from_good_godrays
@@ -60,18 +56,26 @@ from ._migration import from_pmndrs as from_pmndrs
 from ._migration import from_threejs as from_threejs
 from ._migration import from_unity as from_unity
 from ._migration import from_unreal as from_unreal
-from ._properties import constant as _constant
+from ._parameters import MODELS as _MODELS
+from ._parameters import add_model as _add_model
+from ._parameters import find_names as _find_names
+from ._parameters import find_settings as _find_settings
+from ._parameters import get_names as _get_names
 from ._properties import set_value as _set_value
-from ._properties import snake as _snake
 from ._render import render as render
+from ._targets import find_angles as _find_angles
+from ._targets import find_renderer as _find_renderer
+from ._targets import find_shining as _find_shining
+from ._targets import rebuild as _rebuild
+from ._targets import refer as _refer
+from ._targets import to_lights as _to_lights
+from ._targets import to_list as _to_list
+from ._targets import to_prop as _to_prop
 from ._version import __version__ as __version__
 
 if TYPE_CHECKING:
     import datetime
-    import os
     from collections.abc import Sequence
-
-    import numpy
 
     from ._typing import Lights, Model, Prop, Props, Role, Target
 
@@ -81,16 +85,6 @@ _ROLES = {
     "light": vtkGodRaysPass.LIGHT,
     "ignored": vtkGodRaysPass.IGNORED,
     "medium": vtkGodRaysPass.MEDIUM,
-}
-
-_STRENGTHS = {"Exposure", "Weight"}  # of a model
-
-_MODELS = {
-    "radial": vtkGodRaysRadialModel,
-    "published": vtkGodRaysPublishedModel,
-    "homogeneous": vtkGodRaysHomogeneousModel,
-    "atmosphere": vtkGodRaysAtmosphereModel,
-    "volume": vtkGodRaysVolumeModel,
 }
 
 
@@ -208,24 +202,24 @@ def enable(
     parameters.update(
         {name: given[name] for name in keywords if name != "medium" and given[name] is not None}
     )
-    renderer = _renderer(target)
+    renderer = _find_renderer(target)
     rays = vtkGodRaysPass.Find(renderer)
     known = rays is not None
     rays = rays or vtkGodRaysPass()
 
     # Look at everything before anything is changed.
-    medium = [_prop(prop) for prop in _list(medium)]
+    medium = [_to_prop(prop) for prop in _to_list(medium)]
     simple = {name.replace("_", "").lower() for name in parameters}
     if medium and preset is None and "model" not in simple and not rays.GetModel().IsA(
         "vtkGodRaysMediumModel"
     ):
         parameters = {**parameters, "model": "volume"}
-    parameters = _with_model(rays, preset, parameters)
-    settings = _settings(rays, parameters)
-    lights = _lights(light)
-    occluders = [_prop(prop) for prop in _list(occluders)]
-    ignored = [_prop(prop) for prop in _list(ignored)]
-    tagged = _shining(renderer)
+    parameters = _add_model(rays, preset, parameters)
+    settings = _find_settings(rays, parameters)
+    lights = _to_lights(light)
+    occluders = [_to_prop(prop) for prop in _to_list(occluders)]
+    ignored = [_to_prop(prop) for prop in _to_list(ignored)]
+    tagged = _find_shining(renderer)
     if sun_at is not None:
         sun_at = [float(number) for number in sun_at]
         if len(sun_at) != 2 or not all(map(math.isfinite, sun_at)):
@@ -259,7 +253,7 @@ def enable(
         rays.ApplyPreset(preset)
     owners = (rays, rays.GetModel(), rays.GetIntegrator())
     for name, value in settings.items():
-        owner = next(owner for owner in owners if name in _properties(owner))
+        owner = next(owner for owner in owners if name in _get_names(owner))
         _set_value(owner, name, value)
 
     if sun_at is not None:
@@ -270,7 +264,7 @@ def enable(
         _rebuild(renderer)
     if hasattr(target, "export_html"):
         _browser.watch(target)
-    rays._target = _weak(target) or _weak(renderer)
+    rays._target = _refer(target) or _refer(renderer)
     return rays
 
 
@@ -310,9 +304,9 @@ def sky(
     given = locals()
     keywords = sky.__kwdefaults__ or {}
     parameters.update({name: given[name] for name in keywords if given[name] is not None})
-    renderer = _renderer(target)
+    renderer = _find_renderer(target)
     own = {"Atmosphere", "Sun", "SunElevation", "SunAzimuth"}
-    settings = _named(parameters, _properties(vtkGodRaysSkyPass()) - own)
+    settings = _find_names(parameters, _get_names(vtkGodRaysSkyPass()) - own)
     if sun is not None and not isinstance(sun, vtkGodRaysSun):
         sun = [float(number) for number in sun]
         if len(sun) not in (2, 3) or len(sun) == 3 and not any(sun):
@@ -333,7 +327,7 @@ def sky(
     if isinstance(sun, vtkGodRaysSun):
         found.SetSun(sun)
     elif sun is not None:
-        angles = sun if len(sun) == 2 else _angles(sun, found.GetSun(), renderer)
+        angles = sun if len(sun) == 2 else _find_angles(sun, found.GetSun(), renderer)
         found.SetSunAzimuth(angles[0])
         found.SetSunElevation(angles[1])
     if light is not None:
@@ -346,7 +340,7 @@ def disable(target: Target) -> None:
 
     ValueError: another pass was given them for its delegate by hand, and has to be given another one.
     """
-    renderer = _renderer(target)
+    renderer = _find_renderer(target)
     rays = vtkGodRaysPass.Find(renderer)
     if rays is None:
         return
@@ -374,7 +368,7 @@ def tag(prop: Prop, role: Role | int) -> None:
         if role not in _ROLES:
             raise ValueError(f"there is no role {role!r}; there are: {', '.join(_ROLES)}")
         role = _ROLES[role]
-    vtkGodRaysPass.SetRole(_prop(prop), role)
+    vtkGodRaysPass.SetRole(_to_prop(prop), role)
 
 
 def sun(
@@ -416,276 +410,6 @@ def sun(
             f"rises at {position.GetSunrise():.2f} h and sets at {position.GetSunset():.2f} h"
         )
     return direction[0], direction[1], direction[2]
-
-
-def measure(
-    target: Target,
-    irradiance: Sequence[float] | float | None = None,
-    file: str | os.PathLike[str] | None = None,
-) -> dict[str, numpy.ndarray]:
-    """What the medium of a scene with god rays is in numbers, for each pixel of its last picture.
-
-    The keys of the dict are the arrays of vtkGodRaysPass.GetMediumImage(): "Radiance" [1/sr, or W/(m2 sr)],
-    "Transmittance", "OpticalDepth" [1], of shape (height, width, 3); "Depth" [scene units], "Distance_m" [m],
-    "Contrast" [1], "MeteorologicalRange_m" [m], of shape (height, width). Rows go from the bottom up. Under
-    the name with "_Error" is a bound of the error, of shape (); its meaning is there.
-
-    target: as of enable(). What is not drawn yet is drawn.
-    irradiance: of a light of colour and intensity 1 [W/m2], one number or three; None for relative radiance.
-    file: a .vti or .exr to write, with units and errors.
-
-    ValueError: the picture has no medium, or the file is of another kind. OSError: it cannot be written.
-    """
-    from vtkmodules.util.numpy_support import vtk_to_numpy
-    from vtkmodules.vtkCommonDataModel import vtkImageData
-    from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
-
-    renderer = _renderer(target)
-    rays = vtkGodRaysPass.Find(renderer)
-    if rays is None:
-        raise ValueError("the renderer has no god rays; call enable() with a medium, such as preset='fog'")
-    suffix = "" if file is None else str(file)[-4:].lower()
-    if file is not None and suffix not in (".vti", ".exr"):
-        raise ValueError(f"file={str(file)!r} should end in .vti or .exr")
-    if suffix == ".exr" and not vtkGodRaysEXRWriter.IsAvailable():
-        raise ValueError("this godrays was built without OpenEXR; write a .vti")
-    asked: tuple[Any, ...] = ()
-    if irradiance is not None:
-        each = [irradiance] * 3 if isinstance(irradiance, (int, float)) else irradiance
-        values = [float(value) for value in each]
-        if len(values) != 3 or not all(0 <= value <= 1e30 for value in values):
-            raise ValueError(f"irradiance={irradiance} should be one number or three, in [0, 1e30]")
-        asked = (values,)
-    image = vtkImageData()
-    if not rays.GetMediumImage(image, *asked):
-        window = renderer.GetRenderWindow()
-        if window is None:
-            raise ValueError("the renderer has no window to draw in; call its AddRenderer() first")
-        window.Render()
-        if not rays.GetMediumImage(image, *asked):
-            raise ValueError("the picture has no light in a medium: " + rays.GetPlan().strip())
-    if file is not None:
-        writer = vtkGodRaysEXRWriter() if suffix == ".exr" else vtkXMLImageDataWriter()
-        if suffix == ".vti":
-            writer.SetDataModeToBinary()  # some readers take no appended data
-        writer.AddObserver("ErrorEvent", lambda *_: None)  # told as an exception
-        writer.SetInputData(image)
-        writer.SetFileName(str(file))
-        writer.Write()
-        if writer.GetErrorCode():
-            raise OSError(f"{file} cannot be written; is there such a folder, and is there room?")
-    found = {}
-    width, height, _ = image.GetDimensions()
-    for data in (image.GetPointData(), image.GetFieldData()):
-        for i in range(data.GetNumberOfArrays()):
-            array = data.GetArray(i)
-            shape = (height, width) if data is image.GetPointData() else ()
-            if array.GetNumberOfComponents() > 1:
-                shape += (array.GetNumberOfComponents(),)
-            found[array.GetName()] = vtk_to_numpy(array).reshape(shape).copy()
-    return found
-
-
-def _renderer(target):
-    if hasattr(target, "GetClientSideObject"):
-        target = _paraview_renderer(target)
-    if isinstance(target, vtkRenderWindow):
-        target = target.GetRenderers().GetFirstRenderer()
-        if target is None:
-            raise ValueError("the render window has no renderer; call AddRenderer() first")
-    if not isinstance(target, vtkRenderer):
-        target = getattr(target, "renderer", target)
-    if not isinstance(target, vtkRenderer):
-        raise TypeError(
-            "god rays need a vtkRenderer, a vtkRenderWindow or a plotter with a renderer, not "
-            f"{type(target).__name__}"
-        )
-    return target
-
-
-def _paraview_renderer(view):
-    """The renderer of a render view of paraview.simple."""
-    client = view.GetClientSideObject()
-    if not hasattr(client, "GetRenderer"):
-        raise TypeError(f"god rays need a render view of ParaView, not a {view.GetXMLLabel()}")
-    if client.IsA("vtkGodRaysRenderView"):
-        raise ValueError(
-            "a Render View (God Rays) has its rays: set its properties, such as view.Preset and "
-            "view.SunElevation"
-        )
-    from paraview import servermanager
-
-    parts = servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
-    if servermanager.ActiveConnection.IsRemote() or parts > 1:
-        raise ValueError(
-            "ParaView's own render view can have god rays in built-in mode alone, not with a "
-            "server or in parallel; use CreateView('GodRaysRenderView') of the plugin"
-        )
-    if client.GetRenderWindow().GetNeverRendered():
-        view.SMProxy.StillRender()  # in which ParaView sets the renderer's pass
-    return client.GetRenderer()
-
-
-def _unwrap(thing):
-    """The VTK object behind a representation or light of paraview.simple; others as they are."""
-    if not hasattr(thing, "GetClientSideObject"):
-        return thing
-    client = thing.GetClientSideObject()
-    if hasattr(client, "GetActiveRepresentation"):
-        client = client.GetActiveRepresentation()
-    if hasattr(client, "GetActor"):
-        client = client.GetActor()
-    return client
-
-
-def _rebuild(renderer):
-    """Have pyvista-render-passes, if a renderer's passes are its, build them anew. False if not."""
-    provider = sys.modules.get("godrays.pyvista_provider")
-    return provider is not None and provider.rebuild(renderer)
-
-
-def _shining(renderer):
-    """The renderer's props that are tagged "light"."""
-    props = renderer.GetViewProps()
-    return [prop for prop in props if vtkGodRaysPass.GetRole(prop) == vtkGodRaysPass.LIGHT]
-
-
-def _is_prop(thing):
-    thing = _unwrap(thing)
-    return isinstance(thing, vtkProp) or isinstance(getattr(thing, "actor", None), vtkProp)
-
-
-def _is_list(thing):
-    if hasattr(thing, "GetClientSideObject"):  # a proxy of ParaView iterates over its properties
-        return False
-    return hasattr(thing, "__iter__") and not isinstance(thing, str) and not _is_prop(thing)
-
-
-def _list(things):
-    if things is None:
-        return []
-    return list(things) if _is_list(things) else [things]
-
-
-def _prop(thing):
-    if not _is_prop(thing):
-        raise TypeError(f"a vtkProp, such as a vtkActor, is needed, not {type(thing).__name__}")
-    thing = _unwrap(thing)
-    return thing if isinstance(thing, vtkProp) else thing.actor
-
-
-def _lights(light):
-    """What `light` of enable() means, as a list of vtkLights and props."""
-    light = _unwrap(light)
-    if light is None:
-        return []
-    if _is_list(light):
-        light = list(light)
-        if len(light) == 3 and all(isinstance(number, numbers.Real) for number in light):
-            return [_sun(light)]
-        return [each for member in light for each in _lights(member)]
-    if isinstance(light, vtkLight):
-        return [light]
-    if _is_prop(light):
-        return [_prop(light)]
-    raise TypeError(
-        "a light is a vtkLight, a vtkProp, three numbers (the direction from which it comes) or a "
-        f"list of these, not {type(light).__name__}"
-    )
-
-
-def _sun(direction):
-    if not any(direction) or not all(map(math.isfinite, direction)):
-        raise ValueError(f"light={tuple(direction)} is no direction; say where the light comes from")
-    sun = vtkLight()
-    sun.SetPosition(*direction)
-    sun.SetFocalPoint(0, 0, 0)
-    return sun
-
-
-def _angles(direction, sun, renderer):
-    """Azimuth and elevation of a direction in the frame of a vtkGodRaysSun [degrees]."""
-    camera = renderer.GetActiveCamera() if sun.GetFrame() == vtkGodRaysSun.CAMERA else None
-    up, north, angles = [0.0] * 3, [0.0] * 3, [0.0] * 2
-    sun.GetAxes(camera, up, north)
-    if not vtkGodRaysSunPosition.ComputeAngles(direction, up, north, angles):
-        raise ValueError("up and north should be directions that are not parallel")
-    return angles
-
-
-def _properties(owner):
-    """The names of an object's own properties, as in SetName and GetName."""
-    is_pass = isinstance(owner, vtkImageProcessingPass)
-    base = vtkImageProcessingPass if is_pass else vtkObject
-    names = set(dir(owner)) - set(dir(base))
-    return {
-        name[3:] for name in names if name.startswith("Set") and "Get" + name[3:] in names
-    } - {"Role"}
-
-
-def _with_model(rays, preset, parameters):
-    """The parameters of enable() with the model that they and the preset ask for, as an object."""
-    names = {name.replace("_", "").lower(): name for name in parameters}
-    model = parameters.get(names.get("model"))
-    if isinstance(model, str):
-        if model not in _MODELS:
-            raise ValueError(f"there is no model {model!r}; there are: {', '.join(_MODELS)}")
-        model = _MODELS[model]()
-        parameters = {**parameters, names["model"]: model}
-    if preset is None:
-        return parameters
-    has = vtkGodRaysPresets.NewModel(preset)
-    if has is None:
-        raise ValueError(f"there is no preset {preset!r}; there are: {vtkGodRaysPresets.ListNames()}")
-    if (model or rays.GetModel()).IsA(has.GetClassName()):
-        return parameters
-    if model is not None:
-        raise ValueError(
-            f"the preset {preset!r} is one of {has.GetClassName()}, not of {model.GetClassName()}"
-        )
-    return {**parameters, "model": has}
-
-
-def _named(parameters, properties):
-    """The parameters under these names of properties, or a TypeError."""
-    names = {name.lower(): name for name in properties}
-    unknown = [name for name in parameters if name.replace("_", "").lower() not in names]
-    if unknown:
-        valid = ", ".join(sorted(_snake(name) for name in names.values()))
-        raise TypeError(f"there is no parameter {', '.join(unknown)}; there are: {valid}")
-    return {names[name.replace("_", "").lower()]: value for name, value in parameters.items()}
-
-
-def _settings(rays, parameters):
-    """The parameters of enable() under their properties' names, or a TypeError."""
-    simple = {name.replace("_", "").lower(): value for name, value in parameters.items()}
-    owners = (
-        rays,
-        simple.get("model") or rays.GetModel(),
-        simple.get("integrator") or _integrator(rays, simple.get("model")),
-    )
-    settings = _named(parameters, set().union(*map(_properties, owners)))
-    for name, value in settings.items():
-        owner = next(owner for owner in owners if name in _properties(owner))
-        if isinstance(value, str):
-            settings[name] = _constant(owner, name, value)
-    if not settings.keys().isdisjoint(_STRENGTHS):
-        settings.setdefault("AutomaticExposure", False)
-    return settings
-
-
-def _integrator(rays, model):
-    """The integrator that the rays will have with a model."""
-    if model is None or rays.GetIntegrator().Supports(model):
-        return rays.GetIntegrator()
-    return model.MakeIntegrator()
-
-
-def _weak(thing):
-    try:
-        return weakref.ref(thing)
-    except TypeError:
-        return None
 
 
 def _enter(rays):

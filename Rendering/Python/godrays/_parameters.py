@@ -1,0 +1,96 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Keywords of enable() and sky() as properties of the pass, its model and its integrator."""
+
+from __future__ import annotations
+
+from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.vtkRenderingOpenGL2 import vtkImageProcessingPass
+
+from ._properties import constant, snake
+from .vtkGodRaysRendering import (
+    vtkGodRaysAtmosphereModel,
+    vtkGodRaysHomogeneousModel,
+    vtkGodRaysPresets,
+    vtkGodRaysPublishedModel,
+    vtkGodRaysRadialModel,
+    vtkGodRaysVolumeModel,
+)
+
+STRENGTHS = {"Exposure", "Weight"}  # of a model
+
+MODELS = {
+    "radial": vtkGodRaysRadialModel,
+    "published": vtkGodRaysPublishedModel,
+    "homogeneous": vtkGodRaysHomogeneousModel,
+    "atmosphere": vtkGodRaysAtmosphereModel,
+    "volume": vtkGodRaysVolumeModel,
+}
+
+
+def get_names(owner):
+    """The names of an object's own properties, as in SetName and GetName."""
+    is_pass = isinstance(owner, vtkImageProcessingPass)
+    base = vtkImageProcessingPass if is_pass else vtkObject
+    names = set(dir(owner)) - set(dir(base))
+    return {
+        name[3:] for name in names if name.startswith("Set") and "Get" + name[3:] in names
+    } - {"Role"}
+
+
+def add_model(rays, preset, parameters):
+    """The parameters of enable() with the model that they and the preset ask for, as an object."""
+    names = {name.replace("_", "").lower(): name for name in parameters}
+    model = parameters.get(names.get("model"))
+    if isinstance(model, str):
+        if model not in MODELS:
+            raise ValueError(f"there is no model {model!r}; there are: {', '.join(MODELS)}")
+        model = MODELS[model]()
+        parameters = {**parameters, names["model"]: model}
+    if preset is None:
+        return parameters
+    has = vtkGodRaysPresets.NewModel(preset)
+    if has is None:
+        raise ValueError(f"there is no preset {preset!r}; there are: {vtkGodRaysPresets.ListNames()}")
+    if (model or rays.GetModel()).IsA(has.GetClassName()):
+        return parameters
+    if model is not None:
+        raise ValueError(
+            f"the preset {preset!r} is one of {has.GetClassName()}, not of {model.GetClassName()}"
+        )
+    return {**parameters, "model": has}
+
+
+def find_names(parameters, properties):
+    """The parameters under these names of properties, or a TypeError."""
+    names = {name.lower(): name for name in properties}
+    unknown = [name for name in parameters if name.replace("_", "").lower() not in names]
+    if unknown:
+        valid = ", ".join(sorted(snake(name) for name in names.values()))
+        raise TypeError(f"there is no parameter {', '.join(unknown)}; there are: {valid}")
+    return {names[name.replace("_", "").lower()]: value for name, value in parameters.items()}
+
+
+def find_settings(rays, parameters):
+    """The parameters of enable() under their properties' names, or a TypeError."""
+    simple = {name.replace("_", "").lower(): value for name, value in parameters.items()}
+    owners = (
+        rays,
+        simple.get("model") or rays.GetModel(),
+        simple.get("integrator") or find_integrator(rays, simple.get("model")),
+    )
+    settings = find_names(parameters, set().union(*map(get_names, owners)))
+    for name, value in settings.items():
+        owner = next(owner for owner in owners if name in get_names(owner))
+        if isinstance(value, str):
+            settings[name] = constant(owner, name, value)
+    if not settings.keys().isdisjoint(STRENGTHS):
+        settings.setdefault("AutomaticExposure", False)
+    return settings
+
+
+def find_integrator(rays, model):
+    """The integrator that the rays will have with a model."""
+    if model is None or rays.GetIntegrator().Supports(model):
+        return rays.GetIntegrator()
+    return model.MakeIntegrator()
