@@ -60,32 +60,40 @@ def warp(terrain):
     return polygons
 
 
-def smoke(renderer):
+def add_plume(renderer, mapper, size, spacing, inlet, seconds, opacities, greys, unit):
+    """The smoke of an inlet (its height and radius) after a time, as a volume; (density, value) for each list."""
     source = godrays.vtkGodRaysSmokeSource()
-    source.SetDimensions(128, 96, 192)
-    source.SetSpacing(1 / 48)
+    source.SetDimensions(*size)
+    source.SetSpacing(spacing)
     source.SetDiffusivity(0.0005)
     source.SetRiseSpeed(0.7)
     source.SetTurbulence(0.7)
-    source.SetSourceCenter(0, 0, 0.3)
-    source.SetSourceRadius(0.13)
+    source.SetSourceCenter(0, 0, inlet[0])
+    source.SetSourceRadius(inlet[1])
     source.SetSourceRate(4)
     source.SetTimeStep(0.99 * source.GetLargestTimeStep())
-    source.UpdateTimeStep(6.5)
+    source.UpdateTimeStep(seconds)
     opacity = vtk.vtkPiecewiseFunction()
     color = vtk.vtkColorTransferFunction()
-    for density, alpha, grey in ((0, 0, 0.25), (0.05, 0.1, 0.27), (0.6, 0.7, 0.5)):
+    for density, alpha in opacities:
         opacity.AddPoint(density, alpha)
-        color.AddRGBPoint(density, grey, grey, grey)
-    mapper = vtk.vtkSmartVolumeMapper()
+    for density, *grey in greys:
+        color.AddRGBPoint(density, *(3 * grey if len(grey) == 1 else grey))
     mapper.SetInputConnection(source.GetOutputPort())
     volume = vtk.vtkVolume()
     volume.SetMapper(mapper)
     volume.GetProperty().SetScalarOpacity(opacity)
     volume.GetProperty().SetColor(color)
-    volume.GetProperty().SetScalarOpacityUnitDistance(0.1)
-    volume.GetProperty().SetInterpolationTypeToLinear()
+    volume.GetProperty().SetScalarOpacityUnitDistance(unit)
     renderer.AddVolume(volume)
+    return volume
+
+
+def smoke(renderer):
+    volume = add_plume(
+        renderer, vtk.vtkSmartVolumeMapper(), (128, 96, 192), 1 / 48, (0.3, 0.13), 6.5,
+        ((0, 0), (0.05, 0.1), (0.6, 0.7)), ((0, 0.25), (0.05, 0.27), (0.6, 0.5)), 0.1)
+    volume.GetProperty().SetInterpolationTypeToLinear()
     ground = vtk.vtkPlaneSource()
     ground.SetOrigin(-30, -30, 0)
     ground.SetPoint1(30, -30, 0)
@@ -99,31 +107,10 @@ def smoke(renderer):
 
 def medium(renderer):
     """Smoke in haze over hills, lit from the side: a volume as the medium."""
-    source = godrays.vtkGodRaysSmokeSource()
-    source.SetDimensions(128, 128, 128)
-    source.SetSpacing(1 / 32)
-    source.SetDiffusivity(0.0005)
-    source.SetRiseSpeed(0.7)
-    source.SetTurbulence(0.7)
-    source.SetSourceCenter(0, 0, 0.3)
-    source.SetSourceRadius(0.3)
-    source.SetSourceRate(4)
-    source.SetTimeStep(0.99 * source.GetLargestTimeStep())
-    source.UpdateTimeStep(6.0)
-    opacity = vtk.vtkPiecewiseFunction()
-    opacity.AddPoint(0.01, 0)
-    opacity.AddPoint(0.6, 0.6)
-    color = vtk.vtkColorTransferFunction()
-    color.AddRGBPoint(0, 0.97, 0.96, 0.95)
-    mapper = vtk.vtkGPUVolumeRayCastMapper()
-    mapper.SetInputConnection(source.GetOutputPort())
-    volume = vtk.vtkVolume()
-    volume.SetMapper(mapper)
-    volume.GetProperty().SetScalarOpacity(opacity)
-    volume.GetProperty().SetColor(color)
-    volume.GetProperty().SetScalarOpacityUnitDistance(0.12)
+    volume = add_plume(
+        renderer, vtk.vtkGPUVolumeRayCastMapper(), (128, 128, 128), 1 / 32, (0.3, 0.3), 6.0,
+        ((0.01, 0), (0.6, 0.6)), ((0, 0.97, 0.96, 0.95),), 0.12)
     volume.SetPosition(0, 0, 0.25)
-    renderer.AddVolume(volume)
     hills = godrays.vtkGodRaysTerrainSource()
     hills.SetDimensions(301, 301)
     hills.SetWidth(24)
