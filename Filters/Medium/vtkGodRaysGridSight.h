@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysGridSight
+ * @brief   what media of data do to the light of one view ray; private to vtkGodRaysGridPicture
+ */
+
+#ifndef vtkGodRaysGridSight_h
+#define vtkGodRaysGridSight_h
+
+#include "vtkGodRaysGrid.h"
+#include "vtkGodRaysGridBlocks.h"
+#include "vtkGodRaysGridLight.h"
+#include "vtkGodRaysGridPicture.h" // For MaximumGrids
+#include "vtkGodRaysGridShadows.h"
+#include "vtkGodRaysSingleScattering.h" // For Parameters
+
+#include <atomic>
+#include <cstddef>
+#include <vector>
+
+class vtkGodRaysGridSight
+{
+public:
+  using Vec2 = vtkGodRays::Vec2;
+  using Vec3 = vtkGodRays::Vec3;
+
+  struct Result
+  {
+    Vec3 Radiance;
+    Vec3 Transmittance;
+  };
+
+  std::vector<vtkGodRaysGrid> Grids;
+  std::vector<vtkGodRaysGridBlocks> AllBlocks;
+  std::vector<vtkGodRaysGridLight> Lights;
+  vtkGodRaysGridShadows Shadows;
+  double LastLight[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 }; // the last is 1 once there is one
+  bool Kept = false;
+  std::atomic<std::size_t> Rays{ 0 };
+  std::atomic<std::size_t> Steps{ 0 };
+
+  // Of a picture.
+  Vec3 Position, Axes[3], Light, LightColor, SpotAxis, Upwards;
+  bool Parallel = false;
+  bool Directional = true;
+  bool Haze = false;
+  bool Grey = false; // all colours are alike but for factors
+  vtkGodRaysMedium Medium;
+  vtkGodRaysSpot Spot;
+  double Tolerance = 1.0 / 255.0;
+  double Brightest = 0.0; // of the picture's radiance without the light's colour; 0: not known yet
+  vtkGodRays::MediumComponent Components[3][2];
+
+  void SetUp(const vtkGodRaysSingleScattering::Parameters& parameters);
+  Result Evaluate(double x, double y, double depth);
+
+private:
+  struct Passage
+  {
+    Vec3 Place;
+    Vec3 Steps;
+    double Begin;
+    double End;
+    double Speed; // points for each unit of length, along the axis along which that is most
+  };
+  struct Ray
+  {
+    Vec3 Origin;
+    Vec3 Along;
+    vtkGodRays::LitRay Lit;
+    double Foot;
+    Passage Passages[vtkGodRaysGridPicture::MaximumGrids];
+  };
+  struct Air // what the medium of formulas is at a place of a ray
+  {
+    Vec3 Scattered = Vec3(0.0); // [1/(length sr)]
+    Vec3 Left = Vec3(1.0);      // of light on its ways to there and on
+    bool Visible = true;
+    double Cosine = 0.0;   // of the angle of scattering
+    double Strength = 1.0; // of the light there, of its irradiance or intensity
+  };
+
+  Air GetAir(const Ray& ray, double s) const;
+  void AddLightDepth(const Vec3& position, float* depth) const;
+  void March(const Ray& ray, double begin, double end, Vec3& depth, Vec3& sum, std::size_t& steps);
+  Vec2 FindShadow(std::size_t i, const Passage& passage, double begin, double end) const;
+  void Cross(const Ray& ray, double begin, double end, const Vec3& depth, Vec3& sum,
+    std::size_t& steps) const;
+  void CrossPart(const Ray& ray, double begin, double end, int parts, double finest,
+    const Vec3& depth, Vec3& sum, std::size_t& steps) const;
+};
+
+#endif
