@@ -99,10 +99,18 @@ vec3 Encode(vec3 light)
                         : EncodeDisplay(light, isPower);
 }
 
+// How much of what leaves no depth counts as something rather than a background: all of it from an eighth
+// on. VTK 9.1 writes T (1 - T) for translucent surfaces without depth peeling, which have that from an
+// opacity of 15 % to one of 85 %.
+float PartOfAlpha(float alpha)
+{
+  return clamp(8.0 * alpha, 0.0, 1.0);
+}
+
 // How much of a pixel shows something rather than a background.
 float DataPart(ivec2 pixel, float alpha)
 {
-  return texelFetch(depth, pixel, 0).r < 1.0 ? 1.0 : alphaShowsData ? clamp(alpha, 0.0, 1.0) : 0.0;
+  return texelFetch(depth, pixel, 0).r < 1.0 ? 1.0 : alphaShowsData ? PartOfAlpha(alpha) : 0.0;
 }
 
 void main()
@@ -155,7 +163,7 @@ void main()
   }
   if (metered)
   {
-    gl_FragData[0] = 3.0 * texCoord.y < 1.0 ? vec4(before, shownOver.a)
+    gl_FragData[0] = 3.0 * texCoord.y < 1.0 ? vec4(before, PartOfAlpha(shownOver.a))
       : 3.0 * texCoord.y < 2.0              ? vec4(base, texelFetch(depth, pixel, 0).r)
                                             : vec4(light, 1.0);
     return;

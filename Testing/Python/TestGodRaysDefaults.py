@@ -9,8 +9,11 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "Gallery"))
 
-import default_scenes
+import numpy
+
+import default_situations
 import defaults
+import godrays
 
 defaults.SIZE = (300, 210)
 
@@ -34,6 +37,26 @@ class Defaults(unittest.TestCase):
                 self.assertGreater(medium.contrast, 1)
             worse += plain.difference > 10 or plain.clipped > 0.5
         self.assertGreater(worse, len(SCENES) // 2, "a plain sum is to fail, or the scenes are too easy")
+
+    def test_translucent_without_peeling(self):
+        """Data that leave neither depth nor their opacity in alpha."""
+        window, renderer = default_situations.make("translucent", defaults.SIZE)
+        renderer.UseDepthPeelingOff()
+        window.SetMultiSamples(0)
+        window.Render()
+        before = defaults.read(window, "colour")
+        data = numpy.abs(before - before[0, 0]).max(-1) > 2
+        self.assertGreater(data.mean(), 0.05)
+        for preset, least in (("default", 0.9), ("haze", 0.88)):
+            rays = godrays.enable(renderer, preset=preset)
+            window.Render()
+            after = defaults.read(window, "colour")
+            numbers = defaults.measure(before, after, data, defaults.get_place(renderer, rays.GetLight(0)))
+            godrays.disable(renderer)
+            print(preset, numbers)
+            with self.subTest(preset):
+                defaults.expect_colors(self, numbers, least)
+        window.Finalize()
 
 
 if __name__ == "__main__":
