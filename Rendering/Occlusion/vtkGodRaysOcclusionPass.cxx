@@ -130,8 +130,9 @@ struct Rectangle
   }
   Rectangle Within(const Rectangle& other) const
   {
-    return { { std::max(this->Bounds[0], other.Bounds[0]), std::min(this->Bounds[1], other.Bounds[1]),
-      std::max(this->Bounds[2], other.Bounds[2]), std::min(this->Bounds[3], other.Bounds[3]) } };
+    return { { std::max(this->Bounds[0], other.Bounds[0]),
+      std::min(this->Bounds[1], other.Bounds[1]), std::max(this->Bounds[2], other.Bounds[2]),
+      std::min(this->Bounds[3], other.Bounds[3]) } };
   }
   void SetScissor(vtkOpenGLState* state) const
   {
