@@ -55,7 +55,7 @@ def link_sources(app, docname, source):
 def add_reference(app, docname, source):
     """The Python reference, from the docstrings of the module that was built."""
     if docname == "Documentation/PythonReference":
-        source[0] += reference.make()
+        source[0] += "\n" + reference.make()
 
 
 def name_sources(app, pagename, templatename, context, doctree):

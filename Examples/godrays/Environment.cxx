@@ -18,6 +18,7 @@
 #include "vtkSkybox.h"
 #include "vtkTexture.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace

@@ -379,11 +379,8 @@ void AddOutputOptions(Parser& parser, Options& options)
     });
   parser.AddCall("-o,--output", "FILE",
     "Write the picture to this .png or .jpg, or as linear light, of which 1 is white, to this .exr "
-    "or "
-    ".hdr, without a window; - is a PNG to the standard output. {name} is the name of the first "
-    "file, {n} the number of the file, {frame} that of the "
-    "picture, "
-    "{time} the time step's",
+    "or .hdr, without a window; - is a PNG to the standard output. {name} is the name of the first "
+    "file, {n} the number of the file, {frame} that of the picture, {time} the time step's",
     [&options](const std::string& text) { options.Output = text; });
   parser.AddCall("--numbers", "FILE",
     "Write what a medium is in numbers, for each pixel, to this .vti or .exr, without a window: "

@@ -306,9 +306,10 @@ std::vector<Stage::Parameter> Stage::GetParameters() const
     found.push_back({ "decay", 0.9, 1.0, look->GetDecay() });
     found.push_back({ "glow", 0.0, 1.0, this->Rays->GetBackgroundGlow() });
   }
-  else if (auto* medium = vtkGodRaysHomogeneousModel::SafeDownCast(this->Rays->GetModel()))
+  else if (auto* medium = vtkGodRaysHomogeneousModel::SafeDownCast(this->Rays->GetModel());
+           medium && medium->GetWorldUnitInMeters() == 0.0)
   {
-    found.push_back({ "optical-depth", 0.0, 2.0, medium->GetOpticalDepth() });
+    found.push_back({ "optical-depth", 0.01, 2.0, medium->GetOpticalDepth() });
   }
   return found;
 }

@@ -107,13 +107,13 @@ class Windows(unittest.TestCase):
             self.skipTest(f"VTK cannot draw in a {name} here: {ran.stderr[-500:]}")
         self.assertEqual(ran.returncode, 0, ran.stderr)
         self.assertNotRegex(ran.stderr, r"vtkGodRays.*(ERR|WARN)|(ERR|WARN)\|.*vtkGodRays")
-        if numpy.abs(pictures["bare"] - self.expected["bare"]).max() > 40:
+        # drivers may take a pixel on an edge for another side
+        if numpy.mean(numpy.abs(pictures["bare"] - self.expected["bare"]) > 40) > 0.002:
             self.skipTest(f"VTK itself draws another picture in a {name}")
         for each, picture in pictures.items():
             with self.subTest(each):
                 difference = numpy.abs(picture - self.expected[each])
                 limit = 0.01 * self.expected[each].max() if each.endswith("light") else 2
-                # drivers may take a pixel on an edge for another side
                 self.assertLess(numpy.mean(difference > limit), 0.002)
 
     def test_of_egl(self):

@@ -7,15 +7,17 @@
 #include "GodRaysTesting.h"
 
 #include "vtkGenericOpenGLRenderWindow.h"
+#include "vtkNew.h"
 
 #include <QApplication>
 #include <QImage>
+#include <QOpenGLContext>
 #include <QSurfaceFormat>
-#include <QVBoxLayout>
 #include <QVTKOpenGLNativeWidget.h>
 
-#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <vector>
 
 using namespace GodRaysTesting;
 

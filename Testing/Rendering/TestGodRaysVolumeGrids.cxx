@@ -31,8 +31,11 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <iostream>
+#include <string>
 
 using namespace GodRaysTesting;
 
