@@ -98,7 +98,7 @@ Frames::Frames(const Options& options)
 {
   if (!options.Output.empty())
   {
-    CheckPictureName(options.Output);
+    CheckPictureName(options.Output, options.Transparent);
     if (options.Output != "-")
     {
       // Of names that are filled in, the folder at least is known.

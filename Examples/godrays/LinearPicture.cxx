@@ -47,7 +47,7 @@ bool DrawInFloats(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> TakeLinearPicture(vtkRenderWindow* window)
+vtkSmartPointer<vtkImageData> TakeLinearPicture(vtkRenderWindow* window, bool transparent)
 {
   auto* drawn = vtkOpenGLRenderWindow::SafeDownCast(window);
   const bool isReady = drawn && (HasFloats(drawn->GetDisplayFramebuffer()) || DrawInFloats(drawn));
@@ -62,14 +62,19 @@ vtkSmartPointer<vtkImageData> TakeLinearPicture(vtkRenderWindow* window)
   window->GetRGBAPixelData(0, 0, size[0] - 1, size[1] - 1, shown, colors);
   auto picture = vtkSmartPointer<vtkImageData>::New();
   picture->SetDimensions(size[0], size[1], 1);
-  picture->AllocateScalars(VTK_FLOAT, 3);
+  const int components = transparent ? 4 : 3;
+  picture->AllocateScalars(VTK_FLOAT, components);
   auto* light = static_cast<float*>(picture->GetScalarPointer());
   for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i)
   {
     for (int c = 0; c < 3; ++c)
     {
-      light[3 * i + c] = static_cast<float>(
+      light[components * i + c] = static_cast<float>(
         vtkGodRaysToneMappingFilter::Decode(std::max(0.0F, colors->GetValue(4 * i + c))));
+    }
+    if (transparent)
+    {
+      light[components * i + 3] = std::clamp(colors->GetValue(4 * i + 3), 0.0F, 1.0F);
     }
   }
   return picture;

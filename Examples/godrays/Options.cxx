@@ -392,7 +392,7 @@ void AddOutputOptions(Parser& parser, Options& options)
   parser.AddFlag("--interactive", options.Interactive,
     "Open a window, also with --output, which is then written when it closes");
   parser.AddFlag("--transparent", options.Transparent,
-    "Leave the background out of a .png: its opacity there is 0");
+    "Leave the background out of a .png or .exr: its opacity there is 0");
   parser.AddCall("--reference", "FILE",
     "Compare the picture with this one, as VTK's tests do, and end with 5 if it differs",
     [&options](const std::string& text) { options.Reference = text; });

@@ -124,7 +124,7 @@ void PrintPicture(vtkImageData* picture, std::FILE* file, const std::string& opt
 }
 
 //------------------------------------------------------------------------------
-void CheckPictureName(const std::string& path)
+void CheckPictureName(const std::string& path, bool transparent)
 {
   const std::string extension = GetExtension(path);
   const std::string types = " .png .jpg .jpeg .exr .hdr ";
@@ -136,6 +136,11 @@ void CheckPictureName(const std::string& path)
   if (extension == ".exr" && !vtkGodRaysEXRWriter::IsAvailable())
   {
     throw Failure("--output: the library was built without OpenEXR; give a name that ends in .hdr");
+  }
+  if (transparent && path != "-" && extension != ".png" && extension != ".exr")
+  {
+    throw Failure("--transparent: a " + extension +
+      " has no opacity; give --output a name that ends in .png or .exr");
   }
 }
 
@@ -236,13 +241,13 @@ void WritePicture(vtkRenderWindow* window, const std::string& path, bool transpa
     {
       writer = vtkSmartPointer<vtkGodRaysHDRWriter>::New();
     }
-    writer->SetInputData(TakeLinearPicture(window));
+    writer->SetInputData(TakeLinearPicture(window, transparent));
     WriteWhole(writer.Get(), "--output", path);
     return;
   }
   const bool isPng = path == "-" || extension == ".png";
-  const auto picture = TakePicture(window, transparent && isPng);
-  if (transparent && isPng)
+  const auto picture = TakePicture(window, transparent);
+  if (transparent)
   {
     SetOpacityOfRays(picture);
   }

@@ -21,9 +21,10 @@ class vtkImageData;
 class vtkRenderWindow;
 
 /**
- * Throws Failure when the extension is none that can be written.
+ * Throws Failure when the extension is none that can be written, or, with transparent, of a type that has
+ * no opacity.
  */
-void CheckPictureName(const std::string& path);
+void CheckPictureName(const std::string& path, bool transparent);
 
 /**
  * Throws Failure, beginning with the option, when the file's folder is missing or may not be written, or
@@ -53,7 +54,7 @@ vtkSmartPointer<vtkImageData> TakePicture(vtkRenderWindow* window, bool transpar
 void PrintPicture(vtkImageData* picture, std::FILE* file, const std::string& option);
 
 /**
- * Write what the window shows; - is the standard output. With transparent, a PNG has the window's
+ * Write what the window shows; - is the standard output. With transparent, a .png or .exr has the window's
  * opacity. An .exr or .hdr has linear light, as TakeLinearPicture() has it. Throws Failure when that fails; a
  * file that was there is then as it was.
  */

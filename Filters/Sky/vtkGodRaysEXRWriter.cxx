@@ -86,19 +86,16 @@ struct File
   {
     const int components = array->GetNumberOfComponents();
     const std::string name = array->GetName() ? array->GetName() : "";
-    if ((components != 1 && components != 3) || (name.empty() && !isScalars))
+    const bool isColor = components == 3 || components == 4;
+    if ((components != 1 && !isColor) || (name.empty() && !isScalars))
     {
       return;
     }
-    static const char* const colors[3] = { "R", "G", "B" };
+    static const char* const colors[4] = { "R", "G", "B", "A" };
     for (int c = 0; c < components; ++c)
     {
-      const std::string layer = isScalars ? "" : components == 3 ? name + "." : name;
-      this->AddChannel(layer +
-          (components == 3 ? colors[c]
-              : isScalars  ? "Y"
-                           : ""),
-        array, c, size);
+      const std::string layer = isScalars ? "" : isColor ? name + "." : name;
+      this->AddChannel(layer + (isColor ? colors[c] : isScalars ? "Y" : ""), array, c, size);
     }
     const char* unit =
       array->HasInformation() ? array->GetInformation()->Get(vtkDataArray::UNITS_LABEL()) : nullptr;
@@ -175,7 +172,7 @@ void vtkGodRaysEXRWriter::Write()
     {
       this->SetErrorCode(vtkErrorCode::FileFormatError);
       vtkErrorMacro(
-        "Cannot write a .exr file: no array has 1 or 3 components. Give others as the input.");
+        "Cannot write a .exr file: no array has 1, 3 or 4 components. Give others as the input.");
       return;
     }
     file.AddNumbers(image->GetFieldData());

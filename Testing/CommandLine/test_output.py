@@ -275,6 +275,40 @@ class Output(OutputTest):
         brightest = light["both"].max(axis=2, keepdims=True)
         self.assertLess((abs(self.linear(path) - light["both"]) / brightest).max(), 0.004)
 
+    def test_an_exr_has_opacity(self):
+        """Premultiplied, as OpenEXR has it: over black it is the picture with a black background."""
+        camera = ["--camera", "180,0", "--sun", "5,10"]
+        opacities = []
+        for rays in ["--exposure", 2], ["--no-rays"]:
+            path = self.folder / "transparent.exr"
+            self.write(self.mesh, *camera, *rays, "--transparent", "--output", path)
+            channels, _ = exr_reader.read(path)
+            self.assertEqual(sorted(channels), ["A", "B", "G", "R"])
+            light = self.linear(path)
+            opacities.append(channels["A"])
+            self.write(self.mesh, *camera, *rays, "--background", "black", "--output", path)
+            self.assertNotIn("A", exr_reader.read(path)[0])
+            self.assertLess(abs(light - self.linear(path)).max(), 1e-3)
+        opacity = opacities[1]
+        self.assertEqual(abs(opacities[0] - opacity).max(), 0, "rays have an opacity")
+        self.assertEqual((opacity.min(), opacity.max()), (0, 1))
+        self.assertEqual(opacity[HEIGHT // 2, WIDTH // 2], 1)
+        self.assertGreater((opacity == 0).mean(), 0.2)
+        png = self.folder / "transparent.png"
+        self.write(self.mesh, *camera, "--no-rays", "--transparent", "--output", png)
+        reader = vtkPNGReader()
+        reader.SetFileName(str(png))
+        reader.Update()
+        pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(float)
+        pixels = pixels.reshape(HEIGHT, WIDTH, 4)
+        self.assertLess(abs(255 * opacity - pixels[..., 3]).max(), 1)
+        for name in "none.hdr", "none.jpg":
+            output = self.folder / name
+            self.fails(
+                self.mesh, "--transparent", "--output", output, codes=[2],
+                says=["--transparent", name[4:], ".png or .exr"])
+            self.assertFalse(output.exists())
+
     def write_environment(self, name, light, height=64):
         """A .hdr of bytes without runs: three mantissas of 1/256 each, and an exponent of 0."""
         pixels = numpy.full((height, 2 * height, 4), 128, numpy.uint8)

@@ -14,7 +14,7 @@ import unittest
 
 import godrays
 import numpy
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDataArray, vtkOutputWindow, vtkPoints, vtkStringOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkCubeSource
@@ -232,6 +232,29 @@ class Numbers(unittest.TestCase):
                     godrays.measure(renderer, file=pathlib.Path(folder, name))
             with self.assertRaisesRegex(ValueError, r"\.vti or \.exr"):
                 godrays.measure(renderer, file="a.png")
+
+    @unittest.skipUnless(godrays.vtkGodRaysEXRWriter.IsAvailable(), "built without OpenEXR")
+    def test_colours_with_opacity(self):
+        values = numpy.arange(24, dtype=numpy.float32).reshape(2, 3, 4)
+        image = vtkImageData()
+        image.SetDimensions(3, 2, 1)
+        for name in "Picture", "Glow":
+            array = numpy_to_vtk((values + len(name)).reshape(6, 4), deep=1)
+            array.SetName(name)
+            image.GetPointData().AddArray(array)
+        image.GetPointData().SetActiveScalars("Picture")
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "layers.exr")
+            writer = godrays.vtkGodRaysEXRWriter()
+            writer.SetInputData(image)
+            writer.SetFileName(str(path))
+            writer.Write()
+            channels, _ = exr_reader.read(path)
+        for layer, name in ("", "Picture"), ("Glow.", "Glow"):
+            for c, letter in enumerate("RGBA"):
+                found = channels.pop(layer + letter)
+                numpy.testing.assert_array_equal(found, values[..., c] + len(name))
+        self.assertEqual(channels, {})
 
     def test_the_code_of_the_page(self):
         text = (ROOT / "Documentation" / "Numbers.md").read_text(encoding="utf-8")
