@@ -164,8 +164,8 @@ void Frames::StartFilm(vtkRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void Frames::Write(
-  vtkRenderWindow* window, const std::string& name, std::size_t number, std::optional<double> time)
+void Frames::Write(vtkRenderWindow* window, const std::string& name, std::size_t number,
+  std::optional<double> time, const std::vector<std::string>& inputs)
 {
   ++this->Count;
   if (!this->Settings.Output.empty())
@@ -173,7 +173,7 @@ void Frames::Write(
     const std::string path = FillTemplate(this->Settings.Output, name, number, this->Count, time);
     if (path != "-")
     {
-      CheckOutput("--output", path, this->Settings.Files);
+      CheckOutput("--output", path, inputs);
     }
     WritePicture(window, path, this->Settings.Transparent);
   }
@@ -181,6 +181,7 @@ void Frames::Write(
   {
     return;
   }
+  CheckOutput("--film", this->Settings.Film, inputs);
   if (this->Part.empty())
   {
     this->StartFilm(window);

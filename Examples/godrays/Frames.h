@@ -15,6 +15,7 @@
 #include <cstdio>   // For std::FILE
 #include <optional> // For std::optional
 #include <string>   // For std::string
+#include <vector>   // For std::vector
 
 class vtkGenericMovieWriter;
 class vtkRenderWindow;
@@ -40,10 +41,11 @@ public:
   void operator=(const Frames&) = delete;
 
   /**
-   * Write what the window shows, of the file of this name and number. Throws Failure.
+   * Write what the window shows, of the file of this name and number; over none of the inputs, which may be
+   * more than were known before. Throws Failure.
    */
   void Write(vtkRenderWindow* window, const std::string& name, std::size_t number,
-    std::optional<double> time);
+    std::optional<double> time, const std::vector<std::string>& inputs);
 
   /**
    * End the film. Throws Failure when it could not be written; there is none then.

@@ -55,6 +55,7 @@ Playlist::Playlist(const Options& options)
 //------------------------------------------------------------------------------
 void Playlist::SetFiles(const std::vector<std::string>& files)
 {
+  this->Files.insert(this->Files.end(), files.begin(), files.end());
   this->Items.clear();
   if (!this->Settings->Each)
   {

@@ -35,6 +35,11 @@ public:
   void SetFiles(const std::vector<std::string>& files);
 
   /**
+   * All files that were given, by the options and since.
+   */
+  const std::vector<std::string>& GetFiles() const { return this->Files; }
+
+  /**
    * How many scenes there are: one, or with --each as many as files.
    */
   std::size_t GetSize() const { return this->Items.size(); }
@@ -73,6 +78,7 @@ private:
 
   const Options* Settings;
   std::vector<std::vector<std::string>> Items;
+  std::vector<std::string> Files;
   std::vector<double> Times;
   std::size_t Step = 0;
   OpeningTimes Took;

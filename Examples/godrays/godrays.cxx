@@ -299,9 +299,10 @@ bool DrawFrames(vtkRenderWindow* window, std::unique_ptr<Stage>& stage, Playlist
       Viewer(window, stage, list, options).Run();
       renderer = stage->GetRenderer();
     }
-    frames.Write(window, list.GetName(at.Item), at.Item + 1, time);
+    frames.Write(window, list.GetName(at.Item), at.Item + 1, time, list.GetFiles());
     if (!options.Numbers.empty())
     {
+      CheckNumbers(options.Numbers, list.GetFiles());
       WriteNumbers(stage->GetRays(), options.Irradiance, options.Numbers);
     }
     if (!options.Reference.empty())

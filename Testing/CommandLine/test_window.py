@@ -5,6 +5,7 @@
 import ctypes
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import time
@@ -357,6 +358,26 @@ class Viewer(ProgramTest):
         self.wait(lambda: (abs(self.look() - plain).max(axis=2) > 20).mean() > 0.05)
         picture, _ = self.end()
         self.assert_same(picture, self.draw(self.folder / "a.gltf", size=self.SIZE, told=None))
+
+    def test_a_file_that_was_dropped_is_not_written_over(self):
+        numbers = self.folder / "dropped.vti"
+        for option, file, arguments in (
+            ("--output", self.folder / "viewer.png", []),
+            ("--numbers", numbers, ["--preset", "haze", "--numbers", numbers]),
+        ):
+            with self.subTest(option):
+                self.open(self.mesh, "--quiet", *arguments)
+                shutil.copy(self.folder / f"a{file.suffix}", file)
+                held = file.read_bytes()
+                plain = self.steady()
+                self.screen.drop(self.window, [file])
+                self.wait(lambda: (abs(self.look() - plain).max(axis=2) > 20).mean() > 0.05)
+                self.screen.press(self.window, "q")
+                _, told = self.program.communicate(timeout=30)
+                self.assertEqual(self.program.returncode, 3, told)
+                for word in option, str(file), "file to be read", "another name":
+                    self.assertIn(word, told)
+                self.assertEqual(file.read_bytes(), held)
 
     def test_views_presets_and_strength(self):
         self.open(self.mesh)
