@@ -1,11 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""README's code in Python, as it stands there, statement by statement: data are seen, and so are shafts."""
+"""README's code in Python, as it stands there: data are seen, and so are shafts."""
 
 import ast
+import os
 import pathlib
 import re
+import subprocess
 import sys
+import tempfile
 import unittest
 
 import numpy
@@ -30,9 +33,32 @@ def read(window):
 
 
 class Readme(unittest.TestCase):
+    def test_first_picture(self):
+        """A program of its own, that has nothing but what stands there."""
+        text = README.read_text(encoding="utf-8")
+        code = re.search(r"## First pictures\n.*?```python\n(.*?)```", text, re.S).group(1)
+        with tempfile.TemporaryDirectory() as folder:
+            pictures = []
+            for rays in True, False:
+                script = code if rays else code.replace("render(", "render(rays=False, data=")
+                done = subprocess.run(
+                    [sys.executable, "-c", script], cwd=folder, capture_output=True, text=True)
+                self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+                self.assertEqual(os.listdir(folder), ["torus.png"])
+                reader = vtk.vtkPNGReader()
+                reader.SetFileName(os.path.join(folder, "torus.png"))
+                reader.Update()
+                values = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(float)
+                pictures.append(values.max(axis=1))
+        after, before = pictures
+        data = before > 60
+        self.assertTrue(0.1 < data.mean() < 0.6, data.mean())
+        low, high = numpy.percentile((after - before)[~data], (10, 90))
+        self.assertGreater(high - low, 20)
+
     def test_python(self):
         text = README.read_text(encoding="utf-8")
-        code = re.search(r"## In Python\n\n```python\n(.*?)```", text, re.S).group(1)
+        code = re.search(r"## In Python\n[^#]*?```python\n(.*?)```", text, re.S).group(1)
         window, renderer = default_scenes.make("cones", (300, 200))
         grid = vtk.vtkCubeAxesActor()
         before = read(window)
