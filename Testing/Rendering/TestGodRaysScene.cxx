@@ -99,7 +99,7 @@ vtkSmartPointer<vtkVolume> MakeCloud(double x, double y, double z)
   return volume;
 }
 
-vtkSmartPointer<vtkSkybox> MakeSkybox()
+vtkSmartPointer<vtkTexture> MakeTexture()
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(16, 8, 1);
@@ -109,11 +109,16 @@ vtkSmartPointer<vtkSkybox> MakeSkybox()
   {
     pixels[i] = static_cast<unsigned char>(40 + (i * 7) % 120);
   }
-  vtkNew<vtkTexture> texture;
+  auto texture = vtkSmartPointer<vtkTexture>::New();
   texture->SetInputData(image);
   texture->InterpolateOn();
+  return texture;
+}
+
+vtkSmartPointer<vtkSkybox> MakeSkybox()
+{
   auto sky = vtkSmartPointer<vtkSkybox>::New();
-  sky->SetTexture(texture);
+  sky->SetTexture(MakeTexture());
   sky->SetProjectionToSphere();
   return sky;
 }
@@ -164,6 +169,12 @@ const Situation Situations[] = {
     {
       scene.Renderer->GradientBackgroundOn();
       scene.Renderer->SetBackground2(0.8, 0.3, 0.1);
+    } },
+  { "TexturedBackground",
+    [](Stage& scene)
+    {
+      scene.Renderer->TexturedBackgroundOn();
+      scene.Renderer->SetBackgroundTexture(MakeTexture());
     } },
   { "Skybox", [](Stage& scene) { scene.Renderer->AddActor(MakeSkybox()); } },
   { "Stencil", [](Stage& scene) { scene.Window->StencilCapableOn(); } },

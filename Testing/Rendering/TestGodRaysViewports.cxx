@@ -13,6 +13,7 @@
 #include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPropPicker.h"
 #include "vtkProperty.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
@@ -24,6 +25,9 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
+#include <vector>
 
 using namespace GodRaysTesting;
 
@@ -440,4 +444,29 @@ TEST(GodRaysSelection, FindsTheSameProps)
   const auto without = select();
   EXPECT_EQ(with, without);
   EXPECT_EQ(without.size(), 6u);
+}
+
+TEST(GodRaysSelection, PickersFindTheSameProps)
+{
+  Messages messages;
+  View view(96, 72, TAGGED);
+  const Pixels lit = GetPixels(view.Window);
+  vtkNew<vtkPropPicker> picker;
+  const auto pick = [&view, &picker]
+  {
+    std::vector<vtkProp*> props;
+    std::vector<double> places;
+    for (int x = 5; x < 96; x += 12)
+    {
+      picker->PickProp(x, 36, view.Renderer);
+      props.push_back(picker->GetViewProp());
+      places.insert(places.end(), picker->GetPickPosition(), picker->GetPickPosition() + 3);
+    }
+    return std::make_pair(props, places);
+  };
+  const auto with = pick();
+  EXPECT_EQ(lit, GetPixels(view.Window));
+  view.Rays->Detach(view.Renderer);
+  EXPECT_EQ(with, pick());
+  EXPECT_GT(std::set<vtkProp*>(with.first.begin(), with.first.end()).size(), 3u);
 }
