@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysProjection.h"
 
+#include "vtkBillboardTextActor3D.h"
 #include "vtkGodRaysView.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLCamera.h"
+#include "vtkPolyData.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 
 namespace
@@ -25,6 +28,38 @@ public:
   }
 };
 vtkStandardNewMacro(StandIn);
+
+/// What a billboard keeps to itself. It lays itself out anew when its renderer has changed, as that does with
+/// its camera: for pixels of the picture, which are not those of what the stand-in projects to.
+class Billboard : public vtkBillboardTextActor3D
+{
+public:
+  /// As the scene has it.
+  static void LayOut(vtkBillboardTextActor3D* text, vtkRenderer* renderer)
+  {
+    if ((text->*&Billboard::IsValid)() && (text->*&Billboard::QuadIsStale)(renderer))
+    {
+      (text->*&Billboard::GenerateQuad)(renderer);
+    }
+  }
+  /// It stays as it is for the renderer as that is now.
+  static void Keep(vtkBillboardTextActor3D* text) { (text->*&Billboard::Quad)->Modified(); }
+};
+
+template <typename Do>
+void ForBillboards(vtkRenderer* renderer, Do&& act)
+{
+  vtkCollectionSimpleIterator iterator;
+  vtkPropCollection* props = renderer->GetViewProps();
+  props->InitTraversal(iterator);
+  while (vtkProp* prop = props->GetNextProp(iterator))
+  {
+    if (auto text = vtkBillboardTextActor3D::SafeDownCast(prop))
+    {
+      act(text);
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -44,7 +79,10 @@ vtkGodRaysProjection::vtkGodRaysProjection(vtkRenderer* renderer, const vtkGodRa
   standIn->SetExplicitProjectionTransformMatrix(projection);
   standIn->UseExplicitProjectionTransformMatrixOn();
   static_cast<StandIn*>(standIn.Get())->Original = this->Camera;
+  ForBillboards(
+    renderer, [renderer](vtkBillboardTextActor3D* text) { Billboard::LayOut(text, renderer); });
   renderer->SetActiveCamera(standIn);
+  ForBillboards(renderer, Billboard::Keep);
 }
 
 //------------------------------------------------------------------------------

@@ -1,0 +1,67 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is written in a scene blocks the same light with a margin about the picture and without one."""
+
+import unittest
+
+import godrays
+import vtkmodules.vtkRenderingFreeType
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import vtkBillboardTextActor3D, vtkLight, vtkRenderer, vtkRenderWindow
+
+WIDTH, HEIGHT = 160, 120
+MARGIN = 0.25
+
+
+class Labels(unittest.TestCase):
+    def setUp(self):
+        self.window = vtkRenderWindow()
+        self.window.SetOffScreenRendering(True)
+        self.window.SetMultiSamples(0)
+        self.window.SetSize(WIDTH, HEIGHT)
+        self.renderer = vtkRenderer()
+        self.window.AddRenderer(self.renderer)
+        camera = self.renderer.GetActiveCamera()
+        camera.SetPosition(0, 0, 10)
+        camera.SetViewAngle(40)
+        camera.SetClippingRange(1, 100)
+        self.rays = godrays.vtkGodRaysPass()
+        self.rays.SetBackgroundGlow(1)  # wherever nothing blocks it
+        self.rays.SetBackgroundGlowFalloff(120)
+        sun = vtkLight()
+        sun.SetPosition(0.1, 0.1, -1)
+        self.rays.AddLight(sun)
+        self.rays.Attach(self.renderer)
+
+    def blocked(self, margin):
+        """In which pixels of the picture no light is."""
+        self.rays.SetLayerMargin(margin)
+        self.window.Render()
+        image = vtkImageData()
+        self.assertTrue(self.rays.GetOcclusionImage(image), self.rays.GetPlan())
+        columns, rows, _ = image.GetDimensions()
+        layer = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(rows, columns, -1)[..., 0]
+        left, low = (columns - WIDTH) // 2, (rows - HEIGHT) // 2
+        return layer[low:low + HEIGHT, left:left + WIDTH] == 0
+
+    def test_billboards(self):
+        text = vtkBillboardTextActor3D()
+        text.SetInput("HH")
+        text.GetTextProperty().SetFontSize(40)
+        text.GetTextProperty().SetBold(True)
+        text.SetForceOpaque(True)
+        text.SetPosition(-1, 0, 0)
+        self.renderer.AddViewProp(text)
+        for turn in range(3):  # the second and third with another camera, and another margin before
+            self.renderer.GetActiveCamera().Azimuth(5 * turn)
+            without = self.blocked(0)
+            wide = self.blocked(MARGIN)
+            print("billboard, pixels that block:", without.sum(), wide.sum(), "differ", (without != wide).sum())
+            self.assertGreater(without.sum(), 500)
+            self.assertLess((without != wide).sum(), 0.02 * without.sum())
+
+
+if __name__ == "__main__":
+    unittest.main()
