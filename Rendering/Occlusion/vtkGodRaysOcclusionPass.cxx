@@ -49,6 +49,7 @@ struct Sorted
   std::vector<vtkProp*> Dimming;        // translucent parts and volumes
   int NotOccluding = 0;
   int Emitters = 0;
+  bool Labels = false; // some have labels, which are in the scene's depth and block no light
 };
 
 /// Into what was sorted before, whose memory serves.
@@ -58,6 +59,7 @@ void Sort(const vtkGodRaysOcclusionPass::Request& request, Sorted& sorted)
   sorted.Dimming.clear();
   sorted.NotOccluding = 0;
   sorted.Emitters = 0;
+  sorted.Labels = false;
   vtkRenderer* renderer = request.Renderer;
   vtkCollectionSimpleIterator iterator;
   vtkPropCollection* props = renderer->GetViewProps();
@@ -85,6 +87,7 @@ void Sort(const vtkGodRaysOcclusionPass::Request& request, Sorted& sorted)
       continue;
     }
     sorted.OccludingProps.push_back(prop);
+    sorted.Labels = sorted.Labels || prop->IsA("vtkAxesActor"); // of a module that we do not need
     sorted.Emitters += role == vtkGodRaysRole::LIGHT ? 1 : 0;
     if (request.Dims && role != vtkGodRaysRole::LIGHT &&
       (prop->HasTranslucentPolygonalGeometry() || vtkGodRaysHasVolume(prop)))
@@ -101,11 +104,12 @@ bool SceneDepthServesFor(const vtkGodRaysOcclusionPass::Request& request, const 
   if (compositor && compositor->IsDistributed())
   {
     // It does on one process alone; translucent parts and emitters need it on all of them.
-    const bool own = sorted.NotOccluding > 0 || sorted.Emitters > 0 || !sorted.Dimming.empty();
+    const bool own =
+      sorted.NotOccluding > 0 || sorted.Emitters > 0 || sorted.Labels || !sorted.Dimming.empty();
     return !vtkGodRaysCompositor::Any(compositor, own || !compositor->HasDepth()) &&
       request.Margin == 0.0;
   }
-  return request.Margin == 0.0 && sorted.NotOccluding == 0;
+  return request.Margin == 0.0 && sorted.NotOccluding == 0 && !sorted.Labels;
 }
 
 /// While it lives, the renderer looks through a camera whose picture includes the margin, if any.

@@ -5,10 +5,12 @@
 import unittest
 
 import godrays
+import numpy
 import vtkmodules.vtkRenderingFreeType
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingAnnotation import vtkAxesActor
 from vtkmodules.vtkRenderingCore import vtkBillboardTextActor3D, vtkLight, vtkRenderer, vtkRenderWindow
 
 WIDTH, HEIGHT = 160, 120
@@ -61,6 +63,24 @@ class Labels(unittest.TestCase):
             print("billboard, pixels that block:", without.sum(), wide.sum(), "differ", (without != wide).sum())
             self.assertGreater(without.sum(), 500)
             self.assertLess((without != wide).sum(), 0.02 * without.sum())
+
+    def test_axes(self):
+        axes = vtkAxesActor()
+        axes.SetTotalLength(2, 2, 2)
+        axes.SetNormalizedLabelPosition(1.5, 1.5, 1.5)  # not before the axes
+        axes.SetVisibility(False)
+        self.renderer.AddViewProp(axes)
+        nothing = self.blocked(0)
+        axes.SetVisibility(True)
+        layers = []
+        for labels, margin in (True, 0), (False, 0), (True, MARGIN), (False, MARGIN):
+            axes.SetAxisLabels(labels)
+            layers.append(self.blocked(margin))
+        print("axes, pixels that block:", [layer.sum() for layer in layers])
+        self.assertEqual(nothing.sum(), 0)
+        self.assertGreater(layers[1].sum(), 100)  # axes block
+        numpy.testing.assert_array_equal(layers[0], layers[1])  # labels do not
+        numpy.testing.assert_array_equal(layers[2], layers[3])
 
 
 if __name__ == "__main__":
