@@ -13,6 +13,7 @@
 #include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPropCollection.h"
 #include "vtkPropPicker.h"
 #include "vtkProperty.h"
 #include "vtkSelection.h"
@@ -20,6 +21,7 @@
 #include "vtkTexture.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <array>
@@ -215,6 +217,59 @@ TEST(GodRaysViewports, WithEdgesBetweenPixelsAreAsWindowsOfTheirSize)
   const Pixels expected = GetPixels(single.Window);
   EXPECT_EQ(part, expected) << CountDifferentPixels(part, expected) << " pixels, by "
                             << GetLargestDifference(part, expected) << " levels";
+}
+
+TEST(GodRaysViewports, MayShareTheirProps)
+{
+  Messages messages;
+  const int w = 64;
+  const int h = 48;
+  for (int content = PLAIN; content < NUMBER_OF_CONTENTS; ++content)
+  {
+    View single(w, h, content);
+    const Pixels expected = GetPixels(single.Window);
+
+    View left(2 * w, h, content);
+    left.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+    vtkNew<vtkRenderer> right;
+    right->SetViewport(0.5, 0.0, 1.0, 1.0);
+    right->SetActiveCamera(left.Renderer->GetActiveCamera());
+    right->SetBackground(left.Renderer->GetBackground());
+    for (int i = 0; i < left.Renderer->GetViewProps()->GetNumberOfItems(); ++i)
+    {
+      right->AddViewProp(vtkProp::SafeDownCast(left.Renderer->GetViewProps()->GetItemAsObject(i)));
+    }
+    right->AddLight(left.Rays->GetLight(0));
+    vtkNew<vtkGodRaysPass> rays;
+    AddPlainly(rays);
+    rays->SetLayerMargin(left.Rays->GetLayerMargin());
+    rays->AddLight(left.Rays->GetLight(0));
+    left.Window->AddRenderer(right);
+    rays->Attach(right);
+    for (int frame = 0; frame < 2; ++frame)
+    {
+      const Pixels picture = GetPixels(left.Window);
+      EXPECT_EQ(Cut(picture, 2 * w, 0, 0, w, h), expected) << content << ", frame " << frame;
+      EXPECT_EQ(Cut(picture, 2 * w, w, 0, w, h), expected) << content << ", frame " << frame;
+    }
+    rays->Detach(right);
+    const Pixels picture = GetPixels(left.Window);
+    EXPECT_EQ(Cut(picture, 2 * w, 0, 0, w, h), expected) << content;
+    EXPECT_NE(Cut(picture, 2 * w, w, 0, w, h), expected) << content;
+  }
+}
+
+TEST(GodRaysViewports, ForgetALampThatIsGone)
+{
+  Messages messages;
+  View never(64, 48, PLAIN);
+  View view(64, 48, LAMP);
+  const Pixels expected = GetPixels(never.Window);
+  EXPECT_NE(GetPixels(view.Window), expected);
+  vtkWeakPointer<vtkProp> lamp = view.Renderer->GetViewProps()->GetLastProp();
+  view.Renderer->RemoveViewProp(lamp);
+  EXPECT_FALSE(lamp) << "it is kept";
+  EXPECT_EQ(GetPixels(view.Window), expected);
 }
 
 TEST(GodRaysLayers, ATopLayerCoversRaysAndRaysOfATopLayerCoverTheBottom)
