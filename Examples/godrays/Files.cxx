@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files.h"
 
+#include "DataChecks.h"
 #include "Failure.h"
 #include "FileChecks.h"
 #include "GltfFile.h"
@@ -39,7 +40,6 @@
 #include "vtkPLYReader.h"
 #include "vtkPNGReader.h"
 #include "vtkPNMReader.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
@@ -49,7 +49,6 @@
 #include "vtkTIFFReader.h"
 #include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLMultiBlockDataReader.h"
 #include "vtkXMLPImageDataReader.h"
@@ -75,64 +74,6 @@
 namespace
 {
 namespace fs = std::filesystem;
-
-//------------------------------------------------------------------------------
-/**
- * Readers do not see whether the points of a cell are there; filters and mappers crash where not.
- */
-void CheckCells(const std::string& path, vtkDataObject* data)
-{
-  std::vector<vtkCellArray*> all;
-  vtkIdType numberOfPoints = 0;
-  if (auto* surface = vtkPolyData::SafeDownCast(data))
-  {
-    all = { surface->GetVerts(), surface->GetLines(), surface->GetPolys(), surface->GetStrips() };
-    numberOfPoints = surface->GetNumberOfPoints();
-  }
-  else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
-  {
-    all = { grid->GetCells() };
-    numberOfPoints = grid->GetNumberOfPoints();
-  }
-  for (vtkCellArray* cells : all)
-  {
-    double range[2] = { 0.0, -1.0 };
-    if (cells && cells->GetNumberOfConnectivityIds() > 0)
-    {
-      cells->GetConnectivityArray()->GetRange(range);
-    }
-    if (range[0] < 0.0 || range[1] >= numberOfPoints || (cells && !cells->IsValid()))
-    {
-      throw Failure(path + ": has a cell with a point that is not there; write it again");
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-/**
- * Readers believe sizes that cannot be, and go on where values are missing; filters then read beyond the end.
- */
-void CheckSizes(const std::string& path, vtkDataSet* data)
-{
-  if (data->GetNumberOfPoints() < 0 || data->GetNumberOfCells() < 0)
-  {
-    throw Failure(path + ": says a size that cannot be; write it again");
-  }
-  const std::pair<vtkFieldData*, vtkIdType> all[] = {
-    { data->GetPointData(), data->GetNumberOfPoints() },
-    { data->GetCellData(), data->GetNumberOfCells() },
-  };
-  for (const auto& [arrays, number] : all)
-  {
-    for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
-    {
-      if (arrays->GetAbstractArray(i)->GetNumberOfTuples() < number)
-      {
-        throw Failure(path + ": has too few values in an array; write it again");
-      }
-    }
-  }
-}
 
 //------------------------------------------------------------------------------
 void AddDataObject(vtkDataObject* object, FileContents& contents)

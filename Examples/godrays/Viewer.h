@@ -23,10 +23,12 @@
 #include <string>   // For std::string
 #include <vector>   // For std::vector
 
+class vtkCamera;
 class vtkCubeAxesActor;
 class vtkImageData;
 class vtkRenderWindow;
 class vtkRenderWindowInteractor;
+class vtkRenderer;
 
 class Viewer
 {
@@ -58,6 +60,8 @@ private:
     NumberOfViews
   };
 
+  static void SetCamera(vtkRenderer* renderer, vtkCamera* from); ///< a copy of it
+  static const char* GetViewName(int view);
   void Observe(vtkObject* object, unsigned long event, void (*call)(Viewer*), bool last);
   bool OnKey(const std::string& symbol, bool shift);
   bool Do(const KeyBinding& binding, bool shift);
