@@ -19,6 +19,7 @@ constexpr int Rows = 48;
 
 constexpr double LeastPartOfMedium = 0.1; // that data leave of its light
 constexpr double MostDataGain = 2.0;      // a stop of a camera
+constexpr double LeastPartOverData = 0.5; // of a medium's light beside them, a stop as well
 constexpr double FewData = 0.005;         // fraction of the picture; fewer count as less
 
 Vec3 ToVector(const std::array<double, 3>& color)
@@ -313,12 +314,16 @@ vtkGodRaysLightMeter::Exposure vtkGodRaysLightMeter::FindExposure(
   const double mostlyLit = fidelity.GetMostlyLit();
   if (!sparesData)
   {
-    result.Everywhere *= FindPartOfMedium(
+    const double part = FindPartOfMedium(
       [&](double x)
       {
         return std::max(fidelity.GetLoss(Fidelity::LIT, x * most, 1.0, 1.0),
           mostlyLit * fidelity.GetLoss(Fidelity::ALL, x * most, 1.0, 1.0));
       });
+    const double beside = std::min(1.0, part / LeastPartOverData);
+    result.Everywhere *= beside;
+    result.OverData = part / beside;
+    result.OverDark = glm::mix(1.0, result.OverData, mostlyLit);
     return result;
   }
   result.OverData = FindPart([&](double x) { return fidelity.GetLoss(Fidelity::LIT, most, x, x); });

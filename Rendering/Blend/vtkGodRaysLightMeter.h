@@ -95,8 +95,8 @@ public:
    * or less, and their 99th percentile MostBrightest or less; largest, if there are no rays. Then it is
    * lowered so far that data keep their colours: over data alone, those that are lit and dark ones each for
    * themselves, if they are to be spared. Else, in a medium, they first gain what it takes of their light on
-   * average, twice as much at most; of its own light they leave 10 % at least, as a medium that only dims
-   * would be none.
+   * average, twice as much at most; its light is lowered over them alone down to half, then everywhere, but
+   * 10 % of it are left at least, as a medium that only dims would be none.
    */
   static Exposure FindExposure(
     const std::vector<Sample>& samples, bool shoulder, double largest, bool sparesData);

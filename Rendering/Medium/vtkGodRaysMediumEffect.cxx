@@ -245,7 +245,7 @@ bool vtkGodRaysMediumEffect::DrawLight(const Frame& frame, const vtkGodRaysLight
 void vtkGodRaysMediumEffect::Join(vtkGodRaysBlendPass::Request& request) const
 {
   request.LargestExposure = 4.0; // its lights' unit is anybody's
-  request.SparesData = false;    // light is where the medium is, before data, too
+  request.SparesData = false;    // light is before data, too, but for a stop at most
   if (this->DimsScene())
   {
     request.Medium = &this->Medium;

@@ -33,6 +33,7 @@ class Defaults(unittest.TestCase):
                 defaults.expect_colors(self, look)
                 defaults.expect_colors(self, medium)
                 self.assertGreater(look.contrast, 0.5 * plain.contrast)
+                self.assertGreater(medium.contrast, 0.5 * plain.contrast)
                 self.assertGreater(look.contrast, 2)
                 self.assertGreater(medium.contrast, 1)
             worse += plain.difference > 10 or plain.clipped > 0.5
