@@ -196,6 +196,7 @@ void Viewer::OnTimer()
  */
 void Viewer::TakeDrop(const std::vector<std::string>& files)
 {
+  this->Message.clear();
   Playlist former = this->List;
   this->List.SetFiles(files);
   if (!this->Open(0, 0, false))
