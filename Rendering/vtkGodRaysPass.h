@@ -199,9 +199,9 @@ public:
    * 2. The rays' mean is at most 0.12, their 99th percentile at most 1 [linear light, 1 is white]. A look is
    * weaker over data alone, over lit and dark ones each as they ask for it, and never stronger than its
    * parameters say. Light in a medium, whose unit is that of the lights, is up to fourfold, and over data
-   * half as strong as beside them, at least; what the medium takes of the data's light on average is made up
-   * for, up to twofold, as if their lamps were as much brighter. While the user drags the camera, the
-   * strength changes gradually.
+   * half as strong as beside them, or less where they would lose their colours; what the medium takes of the
+   * data's light on average is made up for, up to twofold, as if their lamps were as much brighter. While
+   * the user drags the camera, the strength changes gradually.
    * Published sums of shown values are as published. Off, Intensity and the model's parameters are the
    * strength, and a medium dims data by all that it takes. Default is on.
    */

@@ -17,10 +17,11 @@ using vtkGodRays::Vec3;
 constexpr int Columns = 72;
 constexpr int Rows = 48;
 
-constexpr double LeastPartOfMedium = 0.1; // that data leave of its light
-constexpr double MostDataGain = 2.0;      // a stop of a camera
-constexpr double LeastPartOverData = 0.5; // of a medium's light beside them, a stop as well
-constexpr double FewData = 0.005;         // fraction of the picture; fewer count as less
+constexpr double LeastPartOfMedium = 0.03; // that data leave of its light over them
+constexpr double LeastPartBeside = 0.2;    // and beside them
+constexpr double MostDataGain = 2.0;       // a stop of a camera
+constexpr double LeastPartOverData = 0.5;  // of a medium's light beside them, a stop as well
+constexpr double FewData = 0.005;          // fraction of the picture; fewer count as less
 
 Vec3 ToVector(const std::array<double, 3>& color)
 {
@@ -320,7 +321,7 @@ vtkGodRaysLightMeter::Exposure vtkGodRaysLightMeter::FindExposure(
         return std::max(fidelity.GetLoss(Fidelity::LIT, x * most, 1.0, 1.0),
           mostlyLit * fidelity.GetLoss(Fidelity::ALL, x * most, 1.0, 1.0));
       });
-    const double beside = std::min(1.0, part / LeastPartOverData);
+    const double beside = glm::clamp(part / LeastPartOverData, LeastPartBeside, 1.0);
     result.Everywhere *= beside;
     result.OverData = part / beside;
     result.OverDark = glm::mix(1.0, result.OverData, mostlyLit);

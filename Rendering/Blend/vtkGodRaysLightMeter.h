@@ -96,7 +96,8 @@ public:
    * lowered so far that data keep their colours: over data alone, those that are lit and dark ones each for
    * themselves, if they are to be spared. Else, in a medium, they first gain what it takes of their light on
    * average, twice as much at most; its light is lowered over them alone down to half, then everywhere, but
-   * 10 % of it are left at least, as a medium that only dims would be none.
+   * a fifth of it is left beside data, as a medium that only dims would be none; then over data alone, of
+   * which 3 % are left.
    */
   static Exposure FindExposure(
     const std::vector<Sample>& samples, bool shoulder, double largest, bool sparesData);

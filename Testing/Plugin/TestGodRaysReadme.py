@@ -44,6 +44,9 @@ class Readme(Case):
 
         for name in ("lamp", "wall"):
             names[name] = simple.Show(simple.Sphere(Radius=0.1), view)
+        smoke = names["smoke"] = simple.Show(simple.Wavelet(), view)
+        simple.ColorBy(smoke, ("POINTS", "RTData"))
+        smoke.SetRepresentationType("Volume")
         simple.AddLight(view=view)
         run(roles)
         self.assertEqual(rays(view).GetNumberOfLights(), 2)
