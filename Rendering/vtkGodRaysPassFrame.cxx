@@ -440,8 +440,8 @@ bool vtkGodRaysPass::DrawLights(
   frame.ErrorTolerance = frame.Interactive
     ? std::max(this->ErrorTolerance, this->InteractiveErrorTolerance)
     : this->ErrorTolerance;
-  if (GetTiles(self.Window) >
-    1.0) // each tile has an error of its own, and edges of tiles must not show
+  // Each tile has an error of its own, and edges of tiles must not show.
+  if (GetTiles(self.Window) > 1.0)
   {
     frame.ErrorTolerance *= 0.5;
   }

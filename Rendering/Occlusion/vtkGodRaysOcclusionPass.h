@@ -60,9 +60,8 @@ public:
     /// the colour; 0 if it shall be as any other.
     unsigned int OneColorFormat = 0;
     double Margin = 0.0; ///< fraction of the picture on each side
-    bool IsTile =
-      false; ///< of a large picture, beyond which the layer is black, as that of one picture is
-    int Beyond[4] = {}; ///< how much of it is left of, right of, below and above the tile [pixels]
+    bool IsTile = false; ///< of a large picture; beyond that the layer is black
+    int Beyond[4] = {};  ///< how much of it is left of, right of, below and above the tile [pixels]
     bool UntaggedPropsOcclude = true;
     bool LampsOcclude = true; ///< whether props tagged LIGHT block the light of others
     bool Dims = true;         ///< whether translucent props and volumes dim light
