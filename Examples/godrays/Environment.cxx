@@ -9,6 +9,7 @@
 #include "vtkGodRaysPass.h"
 #include "vtkHDRReader.h"
 #include "vtkImageData.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkPBRIrradianceTexture.h"
@@ -73,12 +74,16 @@ void AddEnvironment(vtkRenderer* renderer, const Scene& scene, const std::string
 {
   const auto texture = ReadEnvironment(path);
   double up[3];
-  double right[3];
+  double east[3];
+  double north[3];
   std::copy(scene.Up.begin(), scene.Up.end(), up);
-  std::copy(scene.East.begin(), scene.East.end(), right);
+  std::copy(scene.East.begin(), scene.East.end(), east);
+  vtkMath::Cross(up, east, north);
   renderer->SetEnvironmentTexture(texture);
+  // The picture's middle is in the direction that VTK calls right, for its light, and from 9.6 on for the
+  // background. Before that the background's middle is a quarter turn from what it calls right.
   renderer->SetEnvironmentUp(up);
-  renderer->SetEnvironmentRight(right);
+  renderer->SetEnvironmentRight(north);
   renderer->UseImageBasedLightingOn();
   if (auto* drawn = vtkOpenGLRenderer::SafeDownCast(renderer))
   {
@@ -102,7 +107,7 @@ void AddEnvironment(vtkRenderer* renderer, const Scene& scene, const std::string
   box->SetFloorPlane(
     static_cast<float>(up[0]), static_cast<float>(up[1]), static_cast<float>(up[2]), 0.0F);
   box->SetFloorRight(
-    static_cast<float>(right[0]), static_cast<float>(right[1]), static_cast<float>(right[2]));
+    static_cast<float>(east[0]), static_cast<float>(east[1]), static_cast<float>(east[2]));
   box->GammaCorrectOn();
   vtkGodRaysPass::SetRole(box, vtkGodRaysPass::IGNORED);
   renderer->AddActor(box);

@@ -341,6 +341,13 @@ class Output(OutputTest):
             seen = picture[HEIGHT // 2 - 8 : HEIGHT // 2, WIDTH // 2 - 8 : WIDTH // 2].mean(axis=(0, 1))
             self.assertEqual(seen.argmax(), numpy.argmax(color))
             self.assertGreater(seen.max(), 2 * seen.min())
+        light = numpy.full((64, 128, 3), 0.05)
+        light[:, 64:] = 0.6  # to the east
+        picture = self.draw(*bare, "--hdri", self.write_environment("east.hdr", light))
+        left, right = (
+            picture[HEIGHT // 2, WIDTH // 2 + side : WIDTH // 2 + side + 3].mean()
+            for side in (-16, 14))
+        self.assertGreater(right, 1.5 * left)
         square = self.folder / "a.hdr"
         self.fails(*bare, "--hdri", square, "--output", "x.png", says=["twice as wide"], codes=[3])
         self.fails(*bare, "--hdri", self.mesh, "--output", "x.png", says=["--hdri", "size of a picture"], codes=[3])
