@@ -6,7 +6,7 @@ Usage: pvbatch parallel_scenes.py <folder> [<scene>...], under mpirun with as ma
 wanted; or with Python, as a client of the server at GODRAYS_SERVER_PORT, which renders if
 GODRAYS_REMOTE_RENDERING is 1, and does not if it is 0.
 
-Each <scene>.png has rays, each <scene>-plain.png none; as a client, each <scene>-dragged.png and
+Each <scene>.png has rays, each <scene>-plain.png none; of a server that renders, each <scene>-dragged.png and
 <scene>-plain-dragged.png is what the window shows while the camera is dragged, reduced by REDUCTION. If GODRAYS_FRAMES
 says how many frames to time, pictures are larger, and times.json has of each scene: the seconds of
 each frame with rays and without, and of the pass's stages where the pictures are joined.
@@ -194,23 +194,24 @@ def time_frames(view):
     return frames, stages
 
 
+IS_SERVED = os.environ.get("GODRAYS_REMOTE_RENDERING") == "1"
 times = {}
 for name in sys.argv[2:] or SCENES:
     view = make_view(size=SIZE, SunElevation=6.0, SunAzimuth=3.0)
     if "GODRAYS_REMOTE_RENDERING" in os.environ:
-        view.RemoteRenderThreshold = 0.0 if os.environ["GODRAYS_REMOTE_RENDERING"] == "1" else 1e9
+        view.RemoteRenderThreshold = 0.0 if IS_SERVED else 1e9
     SCENES[name](view)
     simple.Render(view)
     assert view.PlaceSun == 0
     path = os.path.join(FOLDER, name)
     simple.SaveScreenshot(path + ".png", view)
-    if "GODRAYS_REMOTE_RENDERING" in os.environ:
+    if IS_SERVED:
         save_dragged(view, path + "-dragged.png")
     if FRAMES:
         times[name] = dict(zip(("frames", "stages"), time_frames(view)))
     view.UseGodRays = 0
     simple.SaveScreenshot(path + "-plain.png", view)
-    if "GODRAYS_REMOTE_RENDERING" in os.environ:
+    if IS_SERVED:
         save_dragged(view, path + "-plain-dragged.png")
     if FRAMES:
         times[name]["plain"], _ = time_frames(view)
