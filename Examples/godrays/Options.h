@@ -85,6 +85,9 @@ struct Options
   bool Stats = false;
   bool ListPresets = false;
   bool ListColormaps = false;
+  std::string Configuration; ///< a file of options instead of the user's
+  bool NoConfiguration = false;
+  std::string Document; ///< the kind of one to print
 };
 
 /**
@@ -92,11 +95,5 @@ struct Options
  * then been printed. Throws Failure when there is a mistake in it.
  */
 std::optional<Options> ParseCommandLine(int argc, char* argv[]);
-
-/**
- * A colour, given as r,g,b from 0 to 1, as #rrggbb, or by its name in VTK. Throws Failure,
- * beginning with what, when it is none of these.
- */
-Vector3 ParseColor(const std::string& what, const std::string& text);
 
 #endif

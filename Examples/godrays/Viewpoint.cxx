@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Viewpoint.h"
 
+#include "CameraMaker.h"
+
 #include "vtkCamera.h"
 #include "vtkGodRaysSunPlacer.h"
 #include "vtkMath.h"
@@ -14,8 +16,6 @@
 
 namespace
 {
-constexpr double ViewAngle = 30.0;
-constexpr double TerrainViewAngle = 42.0;
 constexpr double LookAzimuth = 335.0; // a little from the right
 constexpr double Pitch = -6.0;
 constexpr double LowestPitch = -15.0;
@@ -27,17 +27,10 @@ constexpr double HighestHorizon = 0.8;   // in the picture, if there is to be a 
 constexpr double SunAbovePicture = 10.0; // elevation
 constexpr double TerrainPitch = -3.0;
 constexpr double ParallelTerrainPitch = -15.0;
-constexpr double LongestShareOfPicture = 0.74;
 constexpr double BestCoverage = 0.3; // of the picture by the data
 constexpr double MostOfWidth = 0.84; // of the picture
 constexpr double MostOfHeight = 0.8;
 constexpr double LeastMargin = 0.07; // of half its width or height
-
-//------------------------------------------------------------------------------
-Vector3 Add(const Vector3& a, double factor, const Vector3& b)
-{
-  return { a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2] };
-}
 
 //------------------------------------------------------------------------------
 class ViewpointMaker
@@ -46,22 +39,14 @@ public:
   ViewpointMaker(const Scene& scene, const Options& options)
     : Data(scene)
     , Settings(options)
-    , Aspect(static_cast<double>(options.Size[0]) / options.Size[1])
+    , Cameras(scene, options)
   {
-    scene.Bounds.GetCenter(this->Center.data());
-    this->Diagonal = scene.Bounds.GetDiagonalLength();
-    this->Diagonal = this->Diagonal > 0.0 ? this->Diagonal : 1.0;
-    // A picture that is higher than wide sees as much in its width.
-    const double tangent = std::tan(0.5 * vtkMath::RadiansFromDegrees(ViewAngle));
-    const double usual =
-      2.0 * vtkMath::DegreesFromRadians(std::atan(tangent / std::min(this->Aspect, 1.0)));
-    this->Angle = options.ViewAngle.value_or(scene.IsTerrain() ? TerrainViewAngle : usual);
   }
 
   Viewpoint Make()
   {
     this->Result.LightIsLamp = this->Settings.Light.has_value();
-    this->Result.LightPosition = this->Settings.Light.value_or(this->Center);
+    this->Result.LightPosition = this->Settings.Light.value_or(this->Cameras.Center);
     if (this->Settings.Sun)
     {
       this->Result.LightDirection =
@@ -69,7 +54,7 @@ public:
     }
     this->PlaceCamera();
     const bool cameraIsFree = !this->Settings.CameraPosition && !this->Settings.FocalPoint &&
-      !this->Settings.ViewUp && !this->StandsOnTerrain();
+      !this->Settings.ViewUp && !this->Cameras.StandsOnTerrain();
     if (cameraIsFree)
     {
       this->FillPicture(this->Result.Camera);
@@ -95,11 +80,11 @@ private:
   {
     if (this->Settings.CameraPosition || this->Settings.FocalPoint)
     {
-      this->Result.Camera = this->MakeCamera(this->GetLookAzimuth(), this->GetPitch());
+      this->Result.Camera = this->Cameras.Make(this->GetLookAzimuth(), this->GetPitch());
     }
     else if (this->Settings.Sun || this->Settings.Light || !this->Data.IsTerrain())
     {
-      this->Result.Camera = this->MakeCamera(this->GetLookAzimuth(), this->GetPitch());
+      this->Result.Camera = this->Cameras.Make(this->GetLookAzimuth(), this->GetPitch());
     }
     else
     {
@@ -113,7 +98,7 @@ private:
    */
   void ChooseLook()
   {
-    const double middle = this->StandHeight;
+    const double middle = this->Cameras.StandHeight;
     double azimuth = 0.0;
     double best = -VTK_DOUBLE_MAX;
     for (const double each :
@@ -127,19 +112,19 @@ private:
     double height = middle;
     for (const double factor : { 0.4, 2.0, 3.5 })
     {
-      this->StandHeight = factor * middle;
+      this->Cameras.StandHeight = factor * middle;
       if (this->TryLook(azimuth, best))
       {
-        height = this->StandHeight;
+        height = this->Cameras.StandHeight;
       }
     }
-    this->StandHeight = height;
+    this->Cameras.StandHeight = height;
   }
 
   //----------------------------------------------------------------------------
   bool TryLook(double azimuth, double& best)
   {
-    auto camera = this->MakeCamera(azimuth, this->GetPitch());
+    auto camera = this->Cameras.Make(azimuth, this->GetPitch());
     const double score = this->ChooseLight(camera, false);
     if (score <= best)
     {
@@ -151,10 +136,10 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  bool StandsOnTerrain() const { return this->Data.IsTerrain() && !this->Settings.Parallel; }
-
-  //----------------------------------------------------------------------------
-  bool IsFlat() const { return this->Data.GetExtent(this->Data.Up) < 1e-3 * this->Diagonal; }
+  bool IsFlat() const
+  {
+    return this->Data.GetExtent(this->Data.Up) < 1e-3 * this->Cameras.Diagonal;
+  }
 
   //----------------------------------------------------------------------------
   /**
@@ -165,7 +150,7 @@ private:
     Vector3 direction = this->Result.LightDirection;
     if (this->Settings.Light)
     {
-      direction = Add(*this->Settings.Light, -1.0, this->Center);
+      direction = Add(*this->Settings.Light, -1.0, this->Cameras.Center);
     }
     else if (!this->Settings.Sun)
     {
@@ -200,143 +185,14 @@ private:
     {
       // A sun that is higher than such a view has it cannot be in the picture.
       const double highest = this->Data.IsTerrain() ? 10.0 : HighestPitch;
-      const double pitch =
-        elevation > highest + 0.5 * this->Angle ? Pitch : elevation - 0.28 * this->Angle;
+      const double pitch = elevation > highest + 0.5 * this->Cameras.Angle
+        ? Pitch
+        : elevation - 0.28 * this->Cameras.Angle;
       return std::clamp(pitch, Pitch, highest);
     }
     return !this->Data.IsTerrain() ? Pitch
       : this->Settings.Parallel    ? ParallelTerrainPitch
                                    : TerrainPitch;
-  }
-
-  //----------------------------------------------------------------------------
-  vtkSmartPointer<vtkCamera> MakeCamera(double azimuth, double pitch) const
-  {
-    auto camera = vtkSmartPointer<vtkCamera>::New();
-    const Vector3 look = this->Data.GetDirection(azimuth, pitch);
-    camera->SetViewUp(this->Data.Up.data());
-    camera->SetViewAngle(this->Angle);
-    camera->SetParallelProjection(this->Settings.Parallel);
-    if (this->StandsOnTerrain())
-    {
-      this->StandOnTerrain(camera, azimuth, look);
-    }
-    else
-    {
-      this->ShowWhole(camera, look);
-    }
-    this->ApplySettings(camera);
-    this->SetClippingRange(camera);
-    return camera;
-  }
-
-  //----------------------------------------------------------------------------
-  void StandOnTerrain(vtkCamera* camera, double azimuth, const Vector3& look) const
-  {
-    const Vector3 ahead = this->Data.GetDirection(azimuth, 0.0);
-    const double length = this->Data.GetExtent(ahead);
-    Vector3 position = Add(this->Center, -0.45 * length, ahead);
-    const double ground = this->Data.GetHighest(position, 0.12 * length);
-    const double level = vtkMath::Dot(position.data(), this->Data.Up.data());
-    const double clearance = this->StandHeight * this->Data.GetExtent(this->Data.Up);
-    position = Add(position, ground + clearance - level, this->Data.Up);
-    const Vector3 focus = Add(position, 0.5 * length, look);
-    camera->SetPosition(position.data());
-    camera->SetFocalPoint(focus.data());
-  }
-
-  //----------------------------------------------------------------------------
-  void ShowWhole(vtkCamera* camera, const Vector3& look) const
-  {
-    Vector3 right;
-    Vector3 up;
-    vtkMath::Cross(look.data(), this->Data.Up.data(), right.data());
-    if (vtkMath::Normalize(right.data()) == 0.0)
-    {
-      right = this->Data.East;
-    }
-    vtkMath::Cross(right.data(), look.data(), up.data());
-    const double tangent =
-      LongestShareOfPicture * std::tan(0.5 * vtkMath::RadiansFromDegrees(this->Angle));
-    double distance = 0.0;
-    double halfHeight = 0.0;
-    for (int i = 0; i < 8; ++i)
-    {
-      Vector3 corner;
-      this->Data.Bounds.GetCorner(i, corner.data());
-      const Vector3 arm = Add(corner, -1.0, this->Center);
-      const double x = std::abs(vtkMath::Dot(arm.data(), right.data())) / this->Aspect;
-      const double y = std::abs(vtkMath::Dot(arm.data(), up.data()));
-      const double depth = vtkMath::Dot(arm.data(), look.data());
-      halfHeight = std::max(halfHeight, std::max(x, y) / LongestShareOfPicture);
-      distance = std::max(distance, std::max(x, y) / tangent - depth);
-    }
-    distance = distance > 0.0 ? distance : this->Diagonal;
-    const Vector3 position = Add(this->Center, -distance, look);
-    camera->SetFocalPoint(this->Center.data());
-    camera->SetPosition(position.data());
-    camera->SetParallelScale(halfHeight > 0.0 ? halfHeight : this->Diagonal);
-    if (std::abs(vtkMath::Dot(look.data(), this->Data.Up.data())) > 0.999)
-    {
-      camera->SetViewUp(this->Data.North.data());
-    }
-  }
-
-  //----------------------------------------------------------------------------
-  void ApplySettings(vtkCamera* camera) const
-  {
-    if (this->Settings.FocalPoint)
-    {
-      // Keep the direction in which the camera looks.
-      const Vector3& focus = *this->Settings.FocalPoint;
-      Vector3 position;
-      camera->GetPosition(position.data());
-      Vector3 former;
-      camera->GetFocalPoint(former.data());
-      position = Add(Add(position, -1.0, former), 1.0, focus);
-      camera->SetFocalPoint(focus.data());
-      camera->SetPosition(position.data());
-    }
-    if (this->Settings.CameraPosition)
-    {
-      const Vector3 focus = this->Settings.FocalPoint.value_or(this->Center);
-      camera->SetFocalPoint(focus.data());
-      camera->SetPosition(this->Settings.CameraPosition->data());
-    }
-    if (this->Settings.ViewUp)
-    {
-      camera->SetViewUp(this->Settings.ViewUp->data());
-    }
-    double look[3];
-    double up[3];
-    camera->GetDirectionOfProjection(look);
-    camera->GetViewUp(up);
-    vtkMath::Normalize(up);
-    if (std::abs(vtkMath::Dot(look, up)) > 0.9999)
-    {
-      camera->SetViewUp(this->Data.North.data()); // straight up or down
-    }
-  }
-
-  //----------------------------------------------------------------------------
-  void SetClippingRange(vtkCamera* camera) const
-  {
-    double bounds[6];
-    this->Data.Bounds.GetBounds(bounds);
-    double position[3];
-    double look[3];
-    camera->GetPosition(position);
-    camera->GetDirectionOfProjection(look);
-    double far = 0.0;
-    for (int i = 0; i < 8; ++i)
-    {
-      const double corner[3] = { bounds[i & 1], bounds[2 + (i >> 1 & 1)], bounds[4 + (i >> 2)] };
-      double arm[3];
-      vtkMath::Subtract(corner, position, arm);
-      far = std::max(far, vtkMath::Dot(arm, look));
-    }
-    far = far > 0.0 ? 1.01 * far : this->Diagonal;
-    camera->SetClippingRange(1e-3 * far, far);
   }
 
   //----------------------------------------------------------------------------
@@ -349,7 +205,7 @@ private:
     }
     auto placer = vtkSmartPointer<vtkGodRaysSunPlacer>::New();
     placer->SetLowest(lowest);
-    placer->Find(props, camera, this->Aspect);
+    placer->Find(props, camera, this->Cameras.Aspect);
     return placer;
   }
 
@@ -379,7 +235,7 @@ private:
           box[2 * j + 1] = std::max(box[2 * j + 1], 0.5 * (lamp[j] + 1.0));
         }
       }
-      this->Turn(camera, box[0] + box[1] - 1.0, box[2] + box[3] - 1.0);
+      this->Cameras.Turn(camera, box[0] + box[1] - 1.0, box[2] + box[3] - 1.0);
       const double factor = std::min({ std::sqrt(BestCoverage / placer->GetCoverage()),
         MostOfWidth / (box[1] - box[0]), MostOfHeight / (box[3] - box[2]) });
       double position[3];
@@ -387,7 +243,7 @@ private:
       camera->GetPosition(position);
       camera->GetDirectionOfProjection(look);
       const double distance =
-        std::sqrt(vtkMath::Distance2BetweenPoints(position, this->Center.data()));
+        std::sqrt(vtkMath::Distance2BetweenPoints(position, this->Cameras.Center.data()));
       const double way = distance * (1.0 - 1.0 / std::clamp(factor, 0.5, 2.5));
       if (camera->GetParallelProjection())
       {
@@ -396,14 +252,14 @@ private:
       else
       {
         Vector3 arm;
-        vtkMath::Subtract(this->Center.data(), position, arm.data());
+        vtkMath::Subtract(this->Cameras.Center.data(), position, arm.data());
         vtkMath::Normalize(arm.data());
         Vector3 focus;
         camera->GetFocalPoint(focus.data());
         camera->SetPosition(Add({ position[0], position[1], position[2] }, way, arm).data());
         camera->SetFocalPoint(Add(focus, way, arm).data());
       }
-      this->SetClippingRange(camera);
+      this->Cameras.SetClippingRange(camera);
     }
   }
 
@@ -417,7 +273,7 @@ private:
     const bool isLamp = this->Result.LightIsLamp;
     const Vector3& light = isLamp ? this->Result.LightPosition : this->Result.LightDirection;
     double point[4] = { light[0], light[1], light[2], isLamp ? 1.0 : 0.0 };
-    camera->GetCompositeProjectionTransformMatrix(this->Aspect, -1.0, 1.0)
+    camera->GetCompositeProjectionTransformMatrix(this->Cameras.Aspect, -1.0, 1.0)
       ->MultiplyPoint(point, point);
     place[0] = point[0] / point[3];
     place[1] = point[1] / point[3];
@@ -432,8 +288,8 @@ private:
   void GoToSunAtEdge()
   {
     constexpr int rounds = 4;
-    const double tangent = std::tan(0.5 * vtkMath::RadiansFromDegrees(this->Angle));
-    const double tangents[2] = { tangent * this->Aspect, tangent };
+    const double tangent = std::tan(0.5 * vtkMath::RadiansFromDegrees(this->Cameras.Angle));
+    const double tangents[2] = { tangent * this->Cameras.Aspect, tangent };
     vtkSmartPointer<vtkCamera> camera = this->Result.Camera;
     double nearest = VTK_DOUBLE_MAX;
     double sun[2];
@@ -459,7 +315,7 @@ private:
       double pitch = 0.0;
       this->Data.GetAngles(look, azimuth, pitch);
       pitch = std::clamp(pitch + turn[1], LowestPitch, HighestPitch);
-      camera = this->MakeCamera(azimuth + turn[0], pitch);
+      camera = this->Cameras.Make(azimuth + turn[0], pitch);
       this->FillPicture(camera);
     }
   }
@@ -487,36 +343,8 @@ private:
       const double middle = 0.5 * (0.5 * (low + high) + light[i]);
       turn[i] = std::clamp(middle, std::min(high - room, 0.0), std::max(low + room, 0.0));
     }
-    this->Turn(camera, turn[0], turn[1]);
-    this->SetClippingRange(camera);
-  }
-
-  //----------------------------------------------------------------------------
-  /**
-   * Bring a place of the picture, from -1 to 1, to its middle.
-   */
-  void Turn(vtkCamera* camera, double x, double y) const
-  {
-    if (!camera->GetParallelProjection())
-    {
-      const double tangent = std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
-      camera->Yaw(-vtkMath::DegreesFromRadians(std::atan(x * this->Aspect * tangent)));
-      camera->Pitch(vtkMath::DegreesFromRadians(std::atan(y * tangent)));
-      return;
-    }
-    vtkMatrix4x4* toView = camera->GetModelViewTransformMatrix();
-    Vector3 way;
-    for (int i = 0; i < 3; ++i)
-    {
-      way[i] = camera->GetParallelScale() *
-        (x * this->Aspect * toView->GetElement(0, i) + y * toView->GetElement(1, i));
-    }
-    Vector3 position;
-    Vector3 focus;
-    camera->GetPosition(position.data());
-    camera->GetFocalPoint(focus.data());
-    camera->SetPosition(Add(position, 1.0, way).data());
-    camera->SetFocalPoint(Add(focus, 1.0, way).data());
+    this->Cameras.Turn(camera, turn[0], turn[1]);
+    this->Cameras.SetClippingRange(camera);
   }
 
   //----------------------------------------------------------------------------
@@ -566,7 +394,7 @@ private:
   {
     vtkNew<vtkMatrix4x4> toWorld;
     vtkMatrix4x4::Invert(
-      camera->GetCompositeProjectionTransformMatrix(this->Aspect, -1.0, 1.0), toWorld);
+      camera->GetCompositeProjectionTransformMatrix(this->Cameras.Aspect, -1.0, 1.0), toWorld);
     Vector3 ends[2];
     for (int i = 0; i < 2; ++i)
     {
@@ -581,7 +409,7 @@ private:
     double elevation = 0.0;
     this->Data.GetAngles(direction, azimuth, elevation);
     this->Result.LightIsLamp = camera->GetParallelProjection() != 0 || elevation < 0.0;
-    this->Result.LightPosition = Add(ends[1], this->Diagonal, direction);
+    this->Result.LightPosition = Add(ends[1], this->Cameras.Diagonal, direction);
     if (this->Result.LightIsLamp && !this->Settings.Sky.empty())
     {
       this->Result.LightIsLamp = false;
@@ -591,11 +419,7 @@ private:
 
   const Scene& Data;
   const Options& Settings;
-  double Aspect;
-  double Angle;
-  double Diagonal;
-  double StandHeight = 0.2; ///< above the ground, as a fraction of the relief
-  Vector3 Center;
+  CameraMaker Cameras;
   Viewpoint Result;
 };
 }
