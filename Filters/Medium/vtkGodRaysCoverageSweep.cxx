@@ -561,10 +561,6 @@ private:
         grids, weighs ? *range.first : 0.0, weighs ? *range.second : 0.0, this->Shadows.Ladder);
     }
     vtkGodRaysShadowGrids turned = grids;
-    for (double* axis : turned.Axes)
-    {
-      std::swap(axis[0], axis[1]);
-    }
     for (vtkGodRaysShadowGrids::Grid& grid : turned.Grids)
     {
       for (double* axis : grid.Axes)

@@ -109,16 +109,10 @@ private:
   bool Hides(const vtkGodRaysShadowGrids& map, const Vec3& offset, const Vec3& place,
     std::ptrdiff_t& texel) const
   {
-    if (!this->Directional)
-    {
-      const double distance = std::max(vtkGodRays::length(place), 1e-300);
-      const double direction[3] = { place.x / distance, place.y / distance, place.z / distance };
-      return map.GetDistance(direction, &texel) < distance;
-    }
-    const auto along = [&](const double* axis)
-    { return axis[0] * place.x + axis[1] * place.y + axis[2] * place.z; };
-    return map.GetHeight(along(map.Axes[0]), along(map.Axes[1]), &texel) >
-      vtkGodRays::dot(offset, this->Light);
+    const double distance = this->Directional ? 1.0 : std::max(vtkGodRays::length(place), 1e-300);
+    const double at[3] = { place.x / distance, place.y / distance, place.z / distance };
+    return this->Directional ? map.GetHeight(at, &texel) > vtkGodRays::dot(offset, this->Light)
+                             : map.GetDistance(at, &texel) < distance;
   }
 
   const vtkGodRaysShadowGrids* Map = nullptr;

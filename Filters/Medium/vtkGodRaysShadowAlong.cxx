@@ -30,7 +30,8 @@ DarkEnds FindDarkEnds(const CoverageSettings& settings, const vtkGodRaysShadowGr
   if (!grids.Point)
   {
     // Ahead, all up to the occluder is dark; behind the eye, all beyond it.
-    const double height = grids.GetHeight(0.0, 0.0, &ends.BeforeTexel);
+    const double eye[3] = { 0.0, 0.0, 0.0 };
+    const double height = grids.GetHeight(eye, &ends.BeforeTexel);
     ends.FromTexel = ends.BeforeTexel;
     const float depth = static_cast<float>(std::max(height * light[2], 0.0));
     ends.Before = isAhead ? depth : 0.0f;
@@ -68,8 +69,8 @@ DarkEnds FindDarkEndsOfPixel(const CoverageSettings& settings, const CoverageIma
   const bool isAhead = settings.Light[2] > 0.0;
   const double x = (column - image.Center[0]) * settings.PixelSize;
   const double y = (row - image.Center[1]) * settings.PixelSize;
-  const double height = grids.GetHeight(x * grids.Axes[0][0] + y * grids.Axes[0][1],
-    x * grids.Axes[1][0] + y * grids.Axes[1][1], &ends.BeforeTexel);
+  const double place[3] = { x, y, 0.0 };
+  const double height = grids.GetHeight(place, &ends.BeforeTexel);
   ends.FromTexel = ends.BeforeTexel;
   const float depth = static_cast<float>(isAhead ? height : -height);
   ends.Before = isAhead ? std::max(depth, 0.0f) : 0.0f;

@@ -38,7 +38,7 @@ struct vtkGodRaysShadowGrids
     double Low[2] = { 0.0, 0.0 };   // edges, along Axes [scene units; of a point light, 1]
     double Texel[2] = { 1.0, 1.0 }; // their widths, alike
     std::ptrdiff_t First = 0;       // texel, in a layer
-    // Of a point light: across it, and away from it; of length 1.
+    // Across the light, and away from it, of length 1; of a directional light those of the first grid.
     double Axes[3][3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } };
   };
   /// Texels as those of all grids together are, from Grid::First on with its Stride.
@@ -54,11 +54,8 @@ struct vtkGodRaysShadowGrids
   int NumberOfLayers = 0;        // 0 if all that blocks light is opaque
   bool Colored = false;          // whether the colours' parts differ
   bool Point = false;
-  double Axes[2][3] = { { 1.0, 0.0, 0.0 },
-    { 0.0, 1.0, 0.0 } };     // across a directional light; of length 1
-  double HeightAtZero = 0.0; // along the direction to the light, of depth 0 [scene units]
-  double HeightAtOne = 0.0;
-  double Range[2] = { 0.0, 1.0 }; // of a point light: distances along an axis of depths 0 and 1
+  // Distances along the third axis of depths 0 and 1, from a point light or the eye [scene units].
+  double Range[2] = { 0.0, 1.0 };
 
   /// Where a line from the eye leaves a level, along an axis that it goes along in a direction of that
   /// sign. The level is looked up to there.
@@ -73,6 +70,12 @@ struct vtkGodRaysShadowGrids
   {
     return (this->Range[1] - depth * (this->Range[1] - this->Range[0])) /
       (this->Range[1] * this->Range[0]);
+  }
+
+  /// The distance from the eye towards a directional light, of a depth.
+  double GetHeight(double depth) const
+  {
+    return depth * (this->Range[0] - this->Range[1]) - this->Range[0];
   }
 
   /// As if the occluders were those of a layer alone.
@@ -117,10 +120,14 @@ struct vtkGodRaysShadowGrids
     return 1e30;
   }
 
-  /// The height of the occluder about a place (a, b) along the axes; Nothing if there is none. If there is
-  /// one, texel tells which of a layer's texels has it.
-  float GetHeight(double a, double b, std::ptrdiff_t* texel = nullptr) const
+  /// The height of the occluder on a directional light's way through a place; Nothing if there is none. If
+  /// there is one, texel tells which of a layer's texels has it.
+  float GetHeight(const double place[3], std::ptrdiff_t* texel = nullptr) const
   {
+    const auto along = [&](const double axis[3])
+    { return axis[0] * place[0] + axis[1] * place[1] + axis[2] * place[2]; };
+    const double a = along(this->Grids[0].Axes[0]);
+    const double b = along(this->Grids[0].Axes[1]);
     for (int level = this->Levels - 1; level >= 0; --level)
     {
       const Grid& grid = this->Grids[level];
@@ -135,9 +142,7 @@ struct vtkGodRaysShadowGrids
         {
           *texel = grid.First + at;
         }
-        return depth < 1.0f ? static_cast<float>(this->HeightAtZero +
-                                depth * (this->HeightAtOne - this->HeightAtZero))
-                            : Nothing;
+        return depth < 1.0f ? static_cast<float>(this->GetHeight(depth)) : Nothing;
       }
     }
     return Nothing;

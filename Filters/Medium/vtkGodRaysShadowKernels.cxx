@@ -140,6 +140,7 @@ private:
       offset[i] =
         SetFloat(perLength * this->Start + (this->Offset[i] - grid.Low[i]) / grid.Texel[i]);
     }
+    const double heightAtZero = this->Grids.GetHeight(0.0);
     const auto stride = hn::Set(di, static_cast<int>(grid.Stride));
     for (int j = begin; j < end; j += GetLanes())
     {
@@ -153,9 +154,8 @@ private:
         hn::StoreU(hn::GatherIndex(d, layer->Dark[c] + grid.First, texel), d,
           this->Memory.Part[c].data() + place + j);
       }
-      const Float h =
-        hn::MulAdd(depth, SetFloat(this->Grids.HeightAtOne - this->Grids.HeightAtZero),
-          SetFloat(this->Grids.HeightAtZero));
+      const Float h = hn::MulAdd(
+        depth, SetFloat(this->Grids.GetHeight(1.0) - heightAtZero), SetFloat(heightAtZero));
       const Float t = hn::MulAdd(middle, SetFloat(this->Width), SetFloat(this->Start));
       const auto empty = hn::Ge(depth, SetFloat(1.0));
       if (this->Settings.Parallel)

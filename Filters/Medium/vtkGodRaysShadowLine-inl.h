@@ -291,7 +291,7 @@ protected:
     double most = 0.0;
     for (int i = 0; i < 2; ++i)
     {
-      const Vec3 axis(this->Grids.Axes[i][0], this->Grids.Axes[i][1], this->Grids.Axes[i][2]);
+      const Vec3 axis(grid.Axes[i][0], grid.Axes[i][1], grid.Axes[i][2]);
       this->Direction[i] = dot(across, axis);
       this->Offset[i] = this->Settings.Parallel ? dot(start, axis) : 0.0;
       most = std::max(most, std::abs(this->Direction[i]) / grid.Texel[i]);

@@ -409,8 +409,8 @@ void vtkGodRaysShadowMap::Fit(const vtkGodRaysMediumIntegrator::Request& request
     vtkMatrix4x4::MultiplyPoint(request.View->WorldToView, world, view);
     std::copy_n(view, 3, this->Corners[i]);
   }
-  this->Perspective = this->Grids.Point = !request.Light->IsInfinite();
-  if (this->Perspective)
+  this->Grids.Point = !request.Light->IsInfinite();
+  if (this->Grids.Point)
   {
     this->FitPoint(request);
   }
@@ -484,17 +484,11 @@ void vtkGodRaysShadowMap::FitDirectional(const vtkGodRaysMediumIntegrator::Reque
     high[k] = (fitsView ? seenHigh[k] : high[k]) + around;
   }
   this->NumberOfFaces = 1;
-  this->Range[0] = -high[2] - around;
-  this->Range[1] = -low[2] + around;
+  this->Grids.Range[0] = -high[2] - around;
+  this->Grids.Range[1] = -low[2] + around;
   this->Texel = std::max(high[0] - low[0], high[1] - low[1]);
   this->SetFace(0, axes, Eye, low, high);
-  for (int k = 0; k < 2; ++k)
-  {
-    std::copy_n(axes[k], 3, this->Grids.Axes[k]);
-  }
   this->Grids.Levels = 1;
-  this->Grids.HeightAtZero = -this->Range[0];
-  this->Grids.HeightAtOne = -this->Range[1];
   this->Nest(axes, low, high);
 }
 
@@ -584,11 +578,11 @@ void vtkGodRaysShadowMap::FitPoint(const vtkGodRaysMediumIntegrator::Request& re
     }
   }
   const double widest = std::sqrt(3.0); // the tangent of 60 degrees
-  this->Range[1] = this->Grids.Range[1] = 1.001 * farthest;
+  this->Grids.Range[1] = 1.001 * farthest;
   if (nearest > 0.0 && std::max(tangents[0], tangents[1]) < widest)
   {
     this->NumberOfFaces = 1;
-    this->Range[0] = this->Grids.Range[0] = 0.999 * nearest;
+    this->Grids.Range[0] = 0.999 * nearest;
     const double high[2] = { 1.001 * tangents[0] + 1e-6, 1.001 * tangents[1] + 1e-6 };
     const double low[2] = { -high[0], -high[1] };
     this->Texel = 2.0 * std::max(high[0], high[1]);
@@ -597,7 +591,7 @@ void vtkGodRaysShadowMap::FitPoint(const vtkGodRaysMediumIntegrator::Request& re
     return;
   }
   this->NumberOfFaces = 6;
-  this->Range[0] = this->Grids.Range[0] = 1e-4 * farthest;
+  this->Grids.Range[0] = 1e-4 * farthest;
   this->Texel = 2.0;
   for (int face = 0; face < 6; ++face)
   {
@@ -634,19 +628,19 @@ void vtkGodRaysShadowMap::SetFace(int face, const double axes[3][3], const doubl
   {
     shift[k] = -vtkMath::Dot(axes[k], origin);
   }
-  const double nearest = this->Range[0];
-  const double farthest = this->Range[1];
+  const double nearest = this->Grids.Range[0];
+  const double farthest = this->Grids.Range[1];
   const double depth = farthest - nearest;
   for (int column = 0; column < 4; ++column)
   {
     const auto along = [&](int k) { return column < 3 ? axes[k][column] : shift[k]; };
     const double one = column == 3 ? 1.0 : 0.0;
-    const double w = this->Perspective ? -along(2) : one;
+    const double w = this->Grids.Point ? -along(2) : one;
     for (int k = 0; k < 2; ++k)
     {
       m[4 * k + column] = (2.0 * along(k) - (low[k] + high[k]) * w) / (high[k] - low[k]);
     }
-    m[8 + column] = this->Perspective
+    m[8 + column] = this->Grids.Point
       ? ((farthest + nearest) * -along(2) - 2.0 * farthest * nearest * one) / depth
       : (-2.0 * along(2) - (farthest + nearest) * one) / depth;
     m[12 + column] = w;
@@ -657,7 +651,8 @@ void vtkGodRaysShadowMap::SetFace(int face, const double axes[3][3], const doubl
 void vtkGodRaysShadowMap::Set(vtkShaderProgram* program) const
 {
   program->SetUniformi("mapSize", this->Size);
-  const float range[2] = { static_cast<float>(this->Range[0]), static_cast<float>(this->Range[1]) };
+  const float range[2] = { static_cast<float>(this->Grids.Range[0]),
+    static_cast<float>(this->Grids.Range[1]) };
   program->SetUniform2f("mapRange", range);
   program->SetUniformf("texel", static_cast<float>(this->Texel));
   float matrices[6 * 16]; // columns first

@@ -117,11 +117,9 @@ private:
   vtkSmartPointer<vtkCamera> Camera;
   int Size = 0; // of a face [pixels]
   int NumberOfFaces = 0;
-  double Corners[8][3];           // of the occluders' bounds, in view coordinates
-  double ViewToMap[6][16];        // view coordinates to clip coordinates of a face
-  double Range[2] = { 0.0, 1.0 }; // distances of window depths 0 and 1
-  double Texel = 0.0; // width of a pixel, at distance 1 from a point light [scene units]
-  bool Perspective = false;
+  double Corners[8][3];    // of the occluders' bounds, in view coordinates
+  double ViewToMap[6][16]; // view coordinates to clip coordinates of a face
+  double Texel = 0.0;      // width of a pixel, at distance 1 from a point light [scene units]
 };
 
 #endif

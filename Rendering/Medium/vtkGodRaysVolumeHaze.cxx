@@ -252,11 +252,9 @@ struct Rays
     const double b = grid.Low[1] + j * grid.Texel[1];
     for (int k = 0; k < 3; ++k)
     {
-      const double across = this->Grids.Point
-        ? a * grid.Axes[0][k] + b * grid.Axes[1][k] + grid.Axes[2][k]
-        : a * this->Grids.Axes[0][k] + b * this->Grids.Axes[1][k];
+      const double across = a * grid.Axes[0][k] + b * grid.Axes[1][k];
       start[k] = this->Grids.Point ? this->Light[k] : across;
-      change[k] = this->Grids.Point ? across : -this->Towards[k];
+      change[k] = this->Grids.Point ? across + grid.Axes[2][k] : -this->Towards[k];
     }
     return vtkMath::Norm(change);
   }
@@ -283,7 +281,7 @@ struct Rays
     const vtkGodRaysShadowGrids& g = this->Grids;
     const double depth = g.Point
       ? (1.0 / std::max(at, 1e-30) - g.GetNearness(0.0)) / (g.GetNearness(1.0) - g.GetNearness(0.0))
-      : (-at - g.HeightAtZero) / (g.HeightAtOne - g.HeightAtZero);
+      : (at - g.Range[0]) / (g.Range[1] - g.Range[0]);
     return static_cast<float>(std::min(std::max(depth, 0.0), 0.9999999));
   }
 };

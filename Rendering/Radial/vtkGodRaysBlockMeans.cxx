@@ -36,14 +36,6 @@ constexpr std::size_t LeastPlans = 8; // that are kept, or one for each light of
 using Plan = vtkGodRaysBlockPlan;
 constexpr int NumberOfWedges = Plan::NumberOfWedges;
 
-const Plan::Effort* ChooseEffort(
-  const vtkGodRaysMarch& march, const vtkGodRaysRadialIntegrator::Request& request, bool& kept)
-{
-  const int largest = vtkTextureObject::GetMaximumTextureSize(request.Window);
-  return Plan::ChooseEffort(march, request.ErrorTolerance, largest, kept);
-}
-
-//------------------------------------------------------------------------------
 void SetVector(vtkShaderProgram* program, const char* name, double x, double y)
 {
   const float values[2] = { static_cast<float>(x), static_cast<float>(y) };
@@ -97,7 +89,7 @@ struct vtkGodRaysBlockMeans::Internals
   std::size_t Lights = 0;                   // of this frame, up to now
   std::size_t FormerLights = 0;             // of the frame before
 
-  Plan* Prepare(const vtkGodRaysRadialIntegrator::Request& request);
+  Plan* Prepare(const vtkGodRaysRadialIntegrator::Request& request, const vtkGodRaysMarch& march);
   bool Bind(vtkOpenGLRenderWindow* window, vtkGodRaysTarget& target, int width, int height,
     unsigned int format);
   bool DrawMeans(const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan);
@@ -106,7 +98,8 @@ struct vtkGodRaysBlockMeans::Internals
 };
 
 //------------------------------------------------------------------------------
-Plan* vtkGodRaysBlockMeans::Internals::Prepare(const vtkGodRaysRadialIntegrator::Request& request)
+Plan* vtkGodRaysBlockMeans::Internals::Prepare(
+  const vtkGodRaysRadialIntegrator::Request& request, const vtkGodRaysMarch& march)
 {
   if (request.Result->IsEmpty()) // the first light of a frame
   {
@@ -114,9 +107,9 @@ Plan* vtkGodRaysBlockMeans::Internals::Prepare(const vtkGodRaysRadialIntegrator:
     this->Lights = 0;
   }
   ++this->Lights;
-  const vtkGodRaysMarch march = request.GetMarch();
   bool kept = false;
-  const Plan::Effort* effort = ChooseEffort(march, request, kept);
+  const Plan::Effort* effort = Plan::ChooseEffort(
+    march, request.ErrorTolerance, vtkTextureObject::GetMaximumTextureSize(request.Window), kept);
   const bool oneChannel = request.Layer->HasOneChannel();
   const auto found = std::find_if(this->Plans.begin(), this->Plans.end(),
     [&](const auto& plan) { return plan->Is(march, effort, oneChannel); });
@@ -258,13 +251,15 @@ vtkGodRaysBlockMeans::vtkGodRaysBlockMeans()
 vtkGodRaysBlockMeans::~vtkGodRaysBlockMeans() = default;
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysBlockMeans::Keeps(const vtkGodRaysRadialIntegrator::Request& request)
+bool vtkGodRaysBlockMeans::Keeps(
+  const vtkGodRaysRadialIntegrator::Request& request, const vtkGodRaysMarch& march)
 {
-  const vtkGodRaysMarch march = request.GetMarch();
   const int size = std::min(march.LayerSize[0], march.LayerSize[1]);
+  const int largest = vtkTextureObject::GetMaximumTextureSize(request.Window);
+  const double tolerance = request.ErrorTolerance;
   bool kept = false;
-  const Plan::Effort* effort = ChooseEffort(march, request, kept);
-  if ((!kept && vtkGodRaysClippedTaps::CountTaps(request) <= vtkGodRaysMarch::MostTaps) ||
+  const Plan::Effort* effort = Plan::ChooseEffort(march, tolerance, largest, kept);
+  if ((!kept && vtkGodRaysClippedTaps::CountTaps(march, tolerance) <= vtkGodRaysMarch::MostTaps) ||
     size < vtkGodRaysMarch::SmallestSweep || march.GetLongest() < vtkGodRaysMarch::ShortestSweep ||
     march.K > SteepestKernel || march.K < SteepestGrowth)
   {
@@ -277,18 +272,18 @@ bool vtkGodRaysBlockMeans::Keeps(const vtkGodRaysRadialIntegrator::Request& requ
   {
     return false;
   }
-  return Plan::CountLines(march, *effort) <=
-    vtkTextureObject::GetMaximumTextureSize(request.Window);
+  return Plan::CountLines(march, *effort) <= largest;
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysBlockMeans::Integrate(const vtkGodRaysRadialIntegrator::Request& request)
+bool vtkGodRaysBlockMeans::Integrate(
+  const vtkGodRaysRadialIntegrator::Request& request, const vtkGodRaysMarch& march)
 {
   Internals& self = *this->Internal;
   vtkTextureObject* layer = request.Layer->GetColor();
   layer->SetWrapS(vtkTextureObject::ClampToBorder);
   layer->SetWrapT(vtkTextureObject::ClampToBorder);
-  const Plan* plan = self.Prepare(request);
+  const Plan* plan = self.Prepare(request, march);
   return self.DrawMeans(request, *plan) && self.DrawSums(request, *plan) &&
     self.DrawPicture(request, *plan);
 }

@@ -51,15 +51,16 @@ public:
    * Of very small tolerances of large pictures, for which taps would be too many, it keeps what it
    * can, and not on noise. It does not for marches below 8 pixels, layers below 32 pixels, kernels
    * that end within few pixels (k > 30) or grow steeply (k < -5), marches past a light in the layer, and
-   * where lines would have to be closer together than textures are large. The model must be a
-   * vtkGodRaysRadialModel, the context current.
+   * where lines would have to be closer together than textures are large. The march is the request's, of a
+   * vtkGodRaysRadialModel; the context is current.
    */
-  static bool Keeps(const vtkGodRaysRadialIntegrator::Request& request);
+  static bool Keeps(
+    const vtkGodRaysRadialIntegrator::Request& request, const vtkGodRaysMarch& march);
 
   /**
    * Add the light of one layer to the result. Returns false, after an error, if that failed.
    */
-  bool Integrate(const vtkGodRaysRadialIntegrator::Request& request);
+  bool Integrate(const vtkGodRaysRadialIntegrator::Request& request, const vtkGodRaysMarch& march);
 
   /// What the last Integrate() did, in one line.
   std::string Describe() const;

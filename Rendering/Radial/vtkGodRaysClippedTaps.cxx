@@ -24,11 +24,16 @@ constexpr double KernelEnd = 17.0;
 // NoiseError h^2/sqrt(pixels that are summed) [of the peak]; measured.
 constexpr double NoiseError = 0.1;
 
-double ChooseTapsPerPixel(const vtkGodRaysMarch& march, double tolerance)
+// How long marches are within the layer, about [pixels].
+double GetLength(const vtkGodRaysMarch& march)
 {
   const double size = std::min(march.LayerSize[0], march.LayerSize[1]);
-  const double length = std::min(0.5 * march.GetLongest(), 0.5 * size);
-  const double summed = std::max(1.0, length / std::max(1.0, std::abs(march.K)));
+  return std::min(0.5 * march.GetLongest(), 0.5 * size);
+}
+
+double ChooseTapsPerPixel(const vtkGodRaysMarch& march, double tolerance)
+{
+  const double summed = std::max(1.0, GetLength(march) / std::max(1.0, std::abs(march.K)));
   const double perPixel =
     std::sqrt(march.GetGrowth() * NoiseError / (tolerance * std::sqrt(summed)));
   return std::min(std::max(1.0, perPixel), 16.0);
@@ -42,9 +47,9 @@ vtkGodRaysClippedTaps::vtkGodRaysClippedTaps()
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysClippedTaps::Integrate(const vtkGodRaysRadialIntegrator::Request& request)
+bool vtkGodRaysClippedTaps::Integrate(
+  const vtkGodRaysRadialIntegrator::Request& request, const vtkGodRaysMarch& march)
 {
-  const vtkGodRaysMarch march = request.GetMarch();
   this->TapsPerPixel = ChooseTapsPerPixel(march, request.ErrorTolerance);
   const bool oneChannel = request.Layer->HasOneChannel();
   if (!request.Result->BindToAdd())
@@ -86,12 +91,9 @@ bool vtkGodRaysClippedTaps::Integrate(const vtkGodRaysRadialIntegrator::Request&
 }
 
 //------------------------------------------------------------------------------
-double vtkGodRaysClippedTaps::CountTaps(const vtkGodRaysRadialIntegrator::Request& request)
+double vtkGodRaysClippedTaps::CountTaps(const vtkGodRaysMarch& march, double tolerance)
 {
-  const vtkGodRaysMarch march = request.GetMarch();
-  const double size = std::min(march.LayerSize[0], march.LayerSize[1]);
-  const double length = std::min(0.5 * march.GetLongest(), 0.5 * size);
-  return ChooseTapsPerPixel(march, request.ErrorTolerance) * length * march.PictureSize[0] *
+  return ChooseTapsPerPixel(march, tolerance) * GetLength(march) * march.PictureSize[0] *
     march.PictureSize[1];
 }
 

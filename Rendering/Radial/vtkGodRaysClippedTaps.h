@@ -24,12 +24,13 @@ public:
 
   /**
    * Add the light of one layer to the result, to request.ErrorTolerance (root mean square, of the
-   * peak). The model must be a vtkGodRaysRadialModel. Returns false, after an error, if that failed.
+   * peak). The march is the request's, of a vtkGodRaysRadialModel. Returns false, after an error, if that
+   * failed.
    */
-  bool Integrate(const vtkGodRaysRadialIntegrator::Request& request);
+  bool Integrate(const vtkGodRaysRadialIntegrator::Request& request, const vtkGodRaysMarch& march);
 
-  /// How many taps the picture takes, about.
-  static double CountTaps(const vtkGodRaysRadialIntegrator::Request& request);
+  /// How many taps a picture takes to a tolerance, about.
+  static double CountTaps(const vtkGodRaysMarch& march, double tolerance);
 
   /// What the last Integrate() did, in one line.
   std::string Describe() const;

@@ -5,6 +5,7 @@
 #include "vtkGodRaysBlockMeans.h"
 #include "vtkGodRaysClippedTaps.h"
 #include "vtkGodRaysLight.h"
+#include "vtkGodRaysMarch.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysRadialModel.h"
 #include "vtkGodRaysRadialSweep.h"
@@ -132,9 +133,10 @@ bool vtkGodRaysEpipolarIntegrator::Internals::IntegrateOnProcessor(const Request
 //------------------------------------------------------------------------------
 bool vtkGodRaysEpipolarIntegrator::Internals::IntegrateOnGraphics(const Request& request)
 {
-  const bool keeps = vtkGodRaysBlockMeans::Keeps(request);
-  const bool done =
-    keeps ? this->BlockMeans.Integrate(request) : this->ClippedTaps.Integrate(request);
+  const vtkGodRaysMarch march = request.GetMarch();
+  const bool keeps = vtkGodRaysBlockMeans::Keeps(request, march);
+  const bool done = keeps ? this->BlockMeans.Integrate(request, march)
+                          : this->ClippedTaps.Integrate(request, march);
   this->Plan =
     "in shaders: " + (keeps ? this->BlockMeans.Describe() : this->ClippedTaps.Describe());
   return done;

@@ -153,11 +153,8 @@ public:
   /// Whether the terrain leaves a place to the sun, as the shadow map has it.
   bool IsLit(const Vec3& place) const
   {
-    const Vec3 view(place.x, place.y, -place.z);
-    const auto along = [&](const double* axis)
-    { return axis[0] * view.x + axis[1] * view.y + axis[2] * view.z; };
-    return this->Shadows.GetHeight(along(this->Shadows.Axes[0]), along(this->Shadows.Axes[1])) <=
-      vtkGodRays::dot(place, this->ToSun);
+    const double view[3] = { place.x, place.y, -place.z };
+    return this->Shadows.GetHeight(view) <= vtkGodRays::dot(place, this->ToSun);
   }
 
   /// Extinction at a place of the grid [1/scene unit].
@@ -231,8 +228,8 @@ private:
       camera.Right[i] = right[i];
       camera.Up[i] = up[i];
       camera.Forward[i] = -this->ToSun[i];
-      this->Shadows.Axes[0][i] = i == 2 ? -right[i] : right[i];
-      this->Shadows.Axes[1][i] = i == 2 ? -up[i] : up[i];
+      this->Shadows.Grids[0].Axes[0][i] = i == 2 ? -right[i] : right[i];
+      this->Shadows.Grids[0].Axes[1][i] = i == 2 ? -up[i] : up[i];
     }
     camera.Parallel = true;
     camera.Medium.FarLimit = length;
@@ -262,8 +259,8 @@ private:
     grid.Low[1] = vtkGodRays::dot(middle, up) - 0.5 * extent;
     grid.Texel[0] = grid.Texel[1] = texel;
     this->Shadows.Levels = 1;
-    this->Shadows.HeightAtZero = vtkGodRays::dot(middle, this->ToSun);
-    this->Shadows.HeightAtOne = this->Shadows.HeightAtZero - length;
+    this->Shadows.Range[0] = -vtkGodRays::dot(middle, this->ToSun);
+    this->Shadows.Range[1] = this->Shadows.Range[0] + length;
   }
 
   Picture Map;

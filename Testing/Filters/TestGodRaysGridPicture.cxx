@@ -346,10 +346,10 @@ TEST(GridPicture, SurfacesThrowShadowsOnData)
   shadows.Levels = 1;
   shadows.Grids[0].Depths = depths.data();
   shadows.Grids[0].Stride = size;
-  shadows.Axes[1][1] = 0.0; // along x and, forwards, z
-  shadows.Axes[1][2] = 1.0;
-  shadows.HeightAtZero = 2.0;
-  shadows.HeightAtOne = 1.0;
+  shadows.Grids[0].Axes[1][1] = 0.0; // along x and, forwards, z
+  shadows.Grids[0].Axes[1][2] = 1.0;
+  shadows.Range[0] = -2.0;
+  shadows.Range[1] = -1.0;
   const double low[2] = { -4.0, 2.0 };
   for (int i = 0; i < 2; ++i)
   {

@@ -174,9 +174,10 @@ class Maps
 public:
   Maps(vtkPolyData* data, const double light[3], double half, int size, int levels)
   {
-    vtkMath::Perpendiculars(light, this->Grids.Axes[0], this->Grids.Axes[1], 0.3);
-    this->Grids.HeightAtZero = 4.0 * half;
-    this->Grids.HeightAtOne = -4.0 * half;
+    auto& axes = this->Grids.Grids[0].Axes;
+    vtkMath::Perpendiculars(light, axes[0], axes[1], 0.3);
+    this->Grids.Range[0] = -4.0 * half;
+    this->Grids.Range[1] = 4.0 * half;
     this->Grids.Levels = levels;
     for (int level = 0; level < levels; ++level)
     {
@@ -239,7 +240,7 @@ private:
       for (int k = 0; k < 2; ++k)
       {
         places[i][k] =
-          (vtkMath::Dot(point, this->Grids.Axes[k]) - grid.Low[k]) / grid.Texel[k] - 0.5;
+          (vtkMath::Dot(point, this->Grids.Grids[0].Axes[k]) - grid.Low[k]) / grid.Texel[k] - 0.5;
         const double place = std::min(std::max(places[i][k], -1.0), grid.Size[k] + 0.0);
         low[k] = std::min(low[k], std::max(static_cast<int>(std::ceil(place)), 0));
         high[k] =
@@ -260,8 +261,8 @@ private:
           continue;
         }
         const double height = a * places[0][2] + b * places[1][2] + (1.0 - a - b) * places[2][2];
-        const double depth = (this->Grids.HeightAtZero - height) /
-          (this->Grids.HeightAtZero - this->Grids.HeightAtOne);
+        const double depth =
+          (-height - this->Grids.Range[0]) / (this->Grids.Range[1] - this->Grids.Range[0]);
         float& least = this->Depths[level][static_cast<std::size_t>(y) * grid.Stride + x];
         least = std::min(least, static_cast<float>(depth));
       }

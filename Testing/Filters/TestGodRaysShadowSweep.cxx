@@ -125,9 +125,10 @@ public:
   {
     std::copy_n(light, 3, this->Light);
     vtkMath::Normalize(this->Light);
-    vtkMath::Perpendiculars(this->Light, this->Grids.Axes[0], this->Grids.Axes[1], 0.3);
-    this->Grids.HeightAtZero = 40.0;
-    this->Grids.HeightAtOne = -40.0;
+    auto& axes = this->Grids.Grids[0].Axes;
+    vtkMath::Perpendiculars(this->Light, axes[0], axes[1], 0.3);
+    this->Grids.Range[0] = -40.0;
+    this->Grids.Range[1] = 40.0;
     this->Grids.Levels = levels;
     for (int level = 0; level < levels; ++level)
     {
@@ -140,9 +141,7 @@ public:
 
   bool IsLit(const double place[3]) const override
   {
-    return vtkMath::Dot(place, this->Light) >
-      this->Grids.GetHeight(
-        vtkMath::Dot(place, this->Grids.Axes[0]), vtkMath::Dot(place, this->Grids.Axes[1]));
+    return vtkMath::Dot(place, this->Light) > this->Grids.GetHeight(place);
   }
 
 private:
@@ -152,8 +151,8 @@ private:
     for (const Ball& ball : this->Balls)
     {
       const double square = ball.Radius * ball.Radius -
-        std::pow(a - vtkMath::Dot(ball.Center, this->Grids.Axes[0]), 2) -
-        std::pow(b - vtkMath::Dot(ball.Center, this->Grids.Axes[1]), 2);
+        std::pow(a - vtkMath::Dot(ball.Center, this->Grids.Grids[0].Axes[0]), 2) -
+        std::pow(b - vtkMath::Dot(ball.Center, this->Grids.Grids[0].Axes[1]), 2);
       if (square > 0.0)
       {
         height = std::max(height, vtkMath::Dot(ball.Center, this->Light) + std::sqrt(square));
@@ -476,7 +475,8 @@ TEST(ShadowSweep, ThePixelOfTheLight)
   Sweep sweep;
   const double lit = Execute(sweep, parameters, ends).Get(10, 5);
   parameters.Shadows = &map.Grids;
-  const double end = std::max(0.0f, map.Grids.GetHeight(0.0, 0.0));
+  const double eye[3] = { 0.0, 0.0, 0.0 };
+  const double end = std::max(0.0f, map.Grids.GetHeight(eye));
   const double far = parameters.Medium.FarLimit;
   const double share = (std::exp(-0.1 * end) - std::exp(-0.1 * far)) / (1.0 - std::exp(-0.1 * far));
   EXPECT_GT(end, 0.0);
@@ -496,10 +496,10 @@ TEST(ShadowSweep, AllDarkIsDark)
     parameters.Shadows = &grids;
     Sweep sweep;
     const double brightest = Execute(sweep, parameters, ends).GetMaximum();
-    vtkMath::Perpendiculars(parameters.Light, grids.Axes[0], grids.Axes[1], 0.3);
+    vtkMath::Perpendiculars(parameters.Light, grids.Grids[0].Axes[0], grids.Grids[0].Axes[1], 0.3);
     grids.Levels = 1;
-    grids.HeightAtZero = 1000.0;
-    grids.HeightAtOne = -1000.0;
+    grids.Range[0] = -1000.0;
+    grids.Range[1] = 1000.0;
     grids.Grids[0].Depths = roof.data();
     grids.Grids[0].Stride = 64;
     for (int k = 0; k < 2; ++k)

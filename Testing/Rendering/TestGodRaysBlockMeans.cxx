@@ -9,6 +9,7 @@
 #include "vtkGodRaysBlockMeans.h"
 #include "vtkGodRaysClippedTaps.h"
 #include "vtkGodRaysLight.h"
+#include "vtkGodRaysMarch.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysRadialModel.h"
 #include "vtkGodRaysReferenceFilter.h"
@@ -148,7 +149,8 @@ protected:
   bool Keeps(const Light& clip)
   {
     this->Result.Begin(this->Window, this->Size[0], this->Size[1], GL_RGBA32F);
-    return vtkGodRaysBlockMeans::Keeps(this->MakeRequest(clip));
+    const auto request = this->MakeRequest(clip);
+    return vtkGodRaysBlockMeans::Keeps(request, request.GetMarch());
   }
 
   vtkSmartPointer<vtkImageData> Integrate(
@@ -161,8 +163,8 @@ protected:
     const auto request = this->MakeRequest(clip);
     glFinish();
     const auto start = std::chrono::steady_clock::now();
-    EXPECT_TRUE(method == BLOCKS ? this->Blocks.Integrate(request)
-        : method == CLIPPED      ? this->Clipped.Integrate(request)
+    EXPECT_TRUE(method == BLOCKS ? this->Blocks.Integrate(request, request.GetMarch())
+        : method == CLIPPED      ? this->Clipped.Integrate(request, request.GetMarch())
                                  : this->Taps->Integrate(request));
     glFinish();
     this->Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
