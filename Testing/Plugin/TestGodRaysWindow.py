@@ -27,7 +27,7 @@ WIDTH, HEIGHT = 1400, 1040
 VIEW = slice(250, 980), slice(320, 1380)  # rows and columns of the view's inside
 PANEL = slice(600, 980), slice(10, 260)  # of the properties of the view
 LANTERN = 495  # its column in the view
-LIMIT = 120  # seconds
+LIMIT = 400  # seconds, on a busy machine
 
 
 @contextlib.contextmanager
