@@ -1,12 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Without a screen: windows of EGL and of OSMesa, which VTK 9.4 chooses at run time, show what one with a screen does.
+"""Windows of EGL and of OSMesa, which need no screen and VTK 9.4 chooses at run time, and Mesa's driver softpipe show
+what a window of the screen does.
 
 Run with a file's name, it draws a scene in the window that the environment asks for, and writes it there.
 """
 
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -54,7 +56,7 @@ def draw(file):
     camera.SetViewAngle(40)
     camera.SetClippingRange(1, 100)
     pictures = {"bare": shown(window)}
-    print("drawn by VTK", flush=True)
+    print("drawn by VTK", window.ReportCapabilities(), flush=True)
     for medium in (None, "haze"):
         with godrays.enable(renderer, light=(0.3, 0.2, -1), preset=medium) as rays:
             name = medium or "look"
@@ -78,9 +80,9 @@ class Windows(unittest.TestCase):
             raise RuntimeError(ran.stderr)
 
     @staticmethod
-    def draw_in(name):
+    def draw_in(name, **settings):
         """What the program said, and the pictures, by name."""
-        environment = dict(os.environ)
+        environment = {**os.environ, **settings}
         environment.pop(CHOICE, None)
         if name:
             environment[CHOICE] = name
@@ -100,16 +102,18 @@ class Windows(unittest.TestCase):
 
     def check(self, name):
         ran, pictures = self.draw_in(name)
-        said = ran.stdout.split("\n")
-        if said[0] != name:
+        if ran.stdout.split("\n")[0] != name:
             self.skipTest(f"this VTK has no {name}")
-        if "drawn by VTK" not in said:
+        if "drawn by VTK" not in ran.stdout:
             self.skipTest(f"VTK cannot draw in a {name} here: {ran.stderr[-500:]}")
+        self.compare(name, ran, pictures)
+
+    def compare(self, name, ran, pictures):
         self.assertEqual(ran.returncode, 0, ran.stderr)
         self.assertNotRegex(ran.stderr, r"vtkGodRays.*(ERR|WARN)|(ERR|WARN)\|.*vtkGodRays")
         # drivers may take a pixel on an edge for another side
         if numpy.mean(numpy.abs(pictures["bare"] - self.expected["bare"]) > 40) > 0.002:
-            self.skipTest(f"VTK itself draws another picture in a {name}")
+            self.skipTest(f"VTK itself draws another picture with {name}")
         for each, picture in pictures.items():
             with self.subTest(each):
                 difference = numpy.abs(picture - self.expected[each])
@@ -121,6 +125,13 @@ class Windows(unittest.TestCase):
 
     def test_of_osmesa(self):
         self.check("vtkOSOpenGLRenderWindow")
+
+    def test_of_softpipe(self):
+        """OpenGL 3.3, of which nothing is compiled."""
+        ran, pictures = self.draw_in(None, GALLIUM_DRIVER="softpipe", LIBGL_ALWAYS_SOFTWARE="1")
+        if not re.search("OpenGL renderer string: *softpipe", ran.stdout):
+            self.skipTest("there is no softpipe here")
+        self.compare("softpipe", ran, pictures)
 
 
 if __name__ == "__main__":
