@@ -7,16 +7,66 @@ import inspect
 import re
 
 
-def block(text):
-    return f"```text\n{text.strip()}\n```\n"
+def block(text, language="text"):
+    return f"```{language}\n{text.strip()}\n```\n"
+
+
+class Plain(str):
+    """An annotation, shown without the quotes of one that is not evaluated."""
+
+    def __repr__(self):
+        return str(self)
+
+
+def write_signature(name, signature):
+    """The call in one line, or with a line for each parameter."""
+    parts, result = [], ""
+    for parameter in signature.parameters.values():
+        if parameter.kind == parameter.KEYWORD_ONLY and not any(part.startswith("*") for part in parts):
+            parts.append("*")
+        if isinstance(parameter.annotation, str):
+            parameter = parameter.replace(annotation=Plain(parameter.annotation))
+        parts.append(str(parameter))
+    if signature.return_annotation is not signature.empty:
+        result = f" -> {signature.return_annotation}"
+    line = f"{name}({', '.join(parts)}){result}"
+    return line if len(line) <= 100 else f"{name}(\n" + "".join(f"    {part},\n" for part in parts) + f"){result}"
+
+
+def escape(text):
+    """Text that Markdown shows as it is, but for code between backticks."""
+    parts = re.split(r"(`+[^`]*`+)", text)
+    return "".join(part if i % 2 else re.sub(r"([*<\[\]])", r"\\\1", part) for i, part in enumerate(parts))
+
+
+def write_text(text, parameters):
+    """A docstring as Markdown: its "name: meaning" is an item of a list where there is such a parameter."""
+    lines, in_item = [], False
+    for line in text.splitlines():
+        found = re.match(r"\**([a-z_]+(?:, [a-z_]+)*): (.*)", line)
+        names = found[1].split(", ") if found else []
+        if names and set(names) <= set(parameters):
+            if not in_item:
+                lines.append("")
+            line = f"- {', '.join(f'`{name}`' for name in names)}: {escape(found[2])}"
+            in_item = True
+        elif in_item and line.startswith("    "):
+            line = f"  {escape(line.strip())}"
+        elif line.startswith("    "):  # code
+            in_item = False
+        else:
+            if in_item and line:
+                lines.append("")
+            in_item = in_item and not line
+            line = escape(line)
+        lines.append(line)
+    return re.sub(r"\n{3,}", "\n\n", "\n".join(lines).strip()) + "\n"
 
 
 def describe_function(name, function):
-    try:
-        signature = str(inspect.signature(function))
-    except (TypeError, ValueError):
-        signature = "(...)"
-    return f"### {name}\n\n" + block(f"{name}{signature}\n\n{inspect.getdoc(function) or ''}")
+    signature = inspect.signature(function)
+    return (f"### {name}\n\n" + block(write_signature(name, signature), "python") + "\n" +
+        write_text(inspect.getdoc(function) or "", signature.parameters))
 
 
 def describe_class(name, kind):

@@ -338,6 +338,8 @@ def sky(
 def disable(target: Target) -> None:
     """Take the god rays off a renderer, window or plotter; nothing happens if it has none.
 
+    target: as of enable().
+
     ValueError: another pass was given them for its delegate by hand, and has to be given another one.
     """
     renderer = _find_renderer(target)
@@ -363,7 +365,15 @@ def presets() -> dict[str, str]:
 
 
 def tag(prop: Prop, role: Role | int) -> None:
-    """Say what a prop does to light: "occluder", "light", "ignored", "medium" or "automatic"."""
+    """Say what a prop does to light.
+
+    prop: a vtkProp, such as a vtkActor, or what stands for one in vedo and ParaView.
+    role: "occluder" blocks light, "light" shines, "ignored" does neither, "medium" scatters light, as a
+        volume of smoke does; "automatic", the default, blocks light unless untagged_props_occlude=False.
+        Or a constant of vtkGodRaysPass.
+
+    TypeError: it is no prop; ValueError: there is no such role.
+    """
     if isinstance(role, str):
         if role not in _ROLES:
             raise ValueError(f"there is no role {role!r}; there are: {', '.join(_ROLES)}")

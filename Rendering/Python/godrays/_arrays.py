@@ -18,7 +18,12 @@ if TYPE_CHECKING:
 
 
 def to_image(array: Any) -> vtkImageData:
-    """A vtkImageData with a copy of an array's numbers; VTK has the bottom row first."""
+    """A vtkImageData with a copy of an array's numbers; VTK has the bottom row first.
+
+    array: the picture [row, column] or [row, column, channel], the top row first.
+
+    ValueError: it is no such array.
+    """
     import numpy
     from vtkmodules.util.numpy_support import numpy_to_vtk
 
@@ -40,7 +45,12 @@ def to_image(array: Any) -> vtkImageData:
 
 
 def to_array(image: vtkImageData) -> Any:
-    """An array with a copy of an image's numbers, of the type that they have; [row, column] if it is grey."""
+    """An array with a copy of an image's numbers, of the type that they have; [row, column] if it is grey.
+
+    image: a vtkImageData; its active scalars count. Of the array the top row is the first.
+
+    Error: the image is empty.
+    """
     import numpy
     from vtkmodules.util.numpy_support import vtk_to_numpy
 
