@@ -473,6 +473,11 @@ public:
    * of Radiance, ErrorTolerance, or what was measured of it if the integrator has VerifyPixels; its
    * UNITS_LABEL says of what it is a part. A WorldUnitInMeters of 0 counts as 1.
    *
+   * With volumes tagged MEDIUM the field data have DataExtinction_per_m_Error [m^-1], too: how far extinction
+   * is from that of their grids at the centres of at most 20 000 cells, root mean square, and
+   * DataExtinction_per_m_MaxError, the largest difference there; both of the volume that is worst, and 0
+   * for images of points, which are taken as they are.
+   *
    * Returns false, and empties the image, when the model is no medium, and in the cases of
    * GetScatteringImage(). An irradiance out of its range is an error.
    */

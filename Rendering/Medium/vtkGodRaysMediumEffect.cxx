@@ -274,6 +274,13 @@ bool vtkGodRaysMediumEffect::FillNumbers(const Reading& reading, vtkImageData* i
     const bool hasData = this->HadData && left.size() == 3 * reading.WindowDepths.size();
     vtkGodRaysMediumNumbers::Fill(reading, this->LastView, this->Medium, this->LastUnit,
       hasData ? left.data() : nullptr, 4.0 * this->DataError, image);
+    if (this->HadData)
+    {
+      double mean;
+      double largest;
+      this->Data.GetResamplingErrors(mean, largest);
+      vtkGodRaysMediumNumbers::AddDataErrors(mean, largest, this->LastUnit, image);
+    }
   }
   return this->HasNumbers;
 }

@@ -53,6 +53,12 @@ void AddNumber(vtkImageData* image, const std::string& name, double value, const
   image->GetFieldData()->AddArray(array);
 }
 
+// The length of the scene's unit [m], as a factor.
+double GetMeters(double unit)
+{
+  return unit > 0.0 ? unit : 1.0;
+}
+
 // The largest errors of a part of a picture.
 struct Errors
 {
@@ -209,7 +215,7 @@ void vtkGodRaysMediumNumbers::Fill(const vtkGodRaysEffect::Reading& reading,
   const auto contrasts = AddArray(image, "Contrast", 1, "1");
   const auto ranges = AddArray(image, "MeteorologicalRange_m", 1, "m");
 
-  const double meters = unit > 0.0 ? unit : 1.0;
+  const double meters = GetMeters(unit);
   double perLight[3]; // a light of 1 has an irradiance of pi in the pass
   for (int c = 0; c < 3; ++c)
   {
@@ -266,4 +272,13 @@ void vtkGodRaysMediumNumbers::Fill(const vtkGodRaysEffect::Reading& reading,
   AddNumber(image, "Contrast_Error", errors.Contrast, "1");
   AddNumber(image, "MeteorologicalRange_m_Error", errors.Range, "fraction of the range");
   AddNumber(image, "WorldUnitInMeters", unit, "m");
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysMediumNumbers::AddDataErrors(
+  double mean, double largest, double unit, vtkImageData* image)
+{
+  const std::string name = "DataExtinction_per_m_";
+  AddNumber(image, name + "Error", mean / GetMeters(unit), "m-1, root mean square");
+  AddNumber(image, name + "MaxError", largest / GetMeters(unit), "m-1");
 }

@@ -28,6 +28,11 @@ public:
   static void Fill(const vtkGodRaysEffect::Reading& reading, const vtkGodRaysView& view,
     const vtkGodRaysMedium& medium, double unit, const float* veil, double veilError,
     vtkImageData* image);
+
+  /**
+   * Add how far the extinction of data is off by resampling [1/scene unit]: root mean square, and at most.
+   */
+  static void AddDataErrors(double mean, double largest, double unit, vtkImageData* image);
 };
 
 #endif

@@ -95,15 +95,6 @@ struct Table
     low = std::min(static_cast<int>(inside), TableSize - 2);
     part = static_cast<float>(inside - low);
   }
-
-  float GetExtinction(double value) const
-  {
-    int low;
-    float part;
-    this->Find(value, low, part);
-    const float* known = this->Extinction.data() + low;
-    return known[0] + part * (known[1] - known[0]);
-  }
 };
 
 /// What cropping and clipping planes cut off of a volume, in coordinates of its data.
@@ -250,10 +241,13 @@ std::string FindFault(vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* proper
       "opacity is taken";
 }
 
-/// How far what a grid tells is from what the data are, where these are known.
+/// How far what a grid tells is from what the data are, where these are known. They may be outside of the
+/// range of the image's values, for which there is a table.
 vtkGodRaysVolumeGrid::Error FindError(const std::vector<vtkGodRaysVolumeImage::Sample>& samples,
-  vtkImageData* image, const Table& table, const Cut& cut, const vtkGodRaysGrid& grid)
+  vtkImageData* image, vtkVolumeProperty* property, const Cut& cut, const vtkGodRaysGrid& grid)
 {
+  vtkPiecewiseFunction* opacities = property->GetScalarOpacity(0);
+  const double unit = property->GetScalarOpacityUnitDistance(0);
   vtkGodRaysVolumeGrid::Error error;
   double peak = 0.0;
   double squares = 0.0;
@@ -270,7 +264,8 @@ vtkGodRaysVolumeGrid::Error FindError(const std::vector<vtkGodRaysVolumeImage::S
     {
       place[i] -= image->GetExtent()[2 * i];
     }
-    const double known = table.GetExtinction(sample.Value);
+    const double opacity = vtkMath::ClampValue(opacities->GetValue(sample.Value), 0.0, 1.0);
+    const double known = vtkGodRays::OpacityExtinction(opacity, unit);
     const double told =
       vtkGodRaysGridPlace(grid, Vec3(place[0], place[1], place[2])).Read(grid.Extinction, 1, 0);
     peak = std::max(peak, known);
@@ -282,6 +277,7 @@ vtkGodRaysVolumeGrid::Error FindError(const std::vector<vtkGodRaysVolumeImage::S
   {
     error.Mean = std::sqrt(squares / static_cast<double>(count)) / peak;
     error.Largest /= peak;
+    error.Whole = peak * grid.Scale;
   }
   return error;
 }
@@ -357,6 +353,6 @@ std::string vtkGodRaysVolumeGrid::Read(vtkProp* prop, const Numbers& numbers,
   }
   grid.PhaseFunction = numbers.PhaseFunction;
   grid.Asymmetry = numbers.Asymmetry;
-  error = FindError(data.GetSamples(), image, table, cut, grid);
+  error = FindError(data.GetSamples(), image, property, cut, grid);
   return "";
 }

@@ -37,6 +37,7 @@ public:
   {
     double Mean = 0.0; // root mean square
     double Largest = 0.0;
+    double Whole = 0.0; // what they are fractions of [1/scene unit]
   };
 
   /**

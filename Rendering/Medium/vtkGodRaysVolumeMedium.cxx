@@ -273,6 +273,18 @@ void vtkGodRaysVolumeMedium::End()
 }
 
 //------------------------------------------------------------------------------
+void vtkGodRaysVolumeMedium::GetResamplingErrors(double& mean, double& largest) const
+{
+  mean = 0.0;
+  largest = 0.0;
+  for (const vtkGodRaysVolumeGrid::Error& error : this->Errors)
+  {
+    mean = std::max(mean, error.Mean * error.Whole);
+    largest = std::max(largest, error.Largest * error.Whole);
+  }
+}
+
+//------------------------------------------------------------------------------
 std::string vtkGodRaysVolumeMedium::Describe() const
 {
   if (this->Light == 0)

@@ -67,6 +67,12 @@ public:
   ///@}
 
   /**
+   * How far extinction is from that of grids that were resampled, in the worst of them [1/scene unit]: root
+   * mean square, and at most.
+   */
+  void GetResamplingErrors(double& mean, double& largest) const;
+
+  /**
    * What was drawn, for the plan.
    */
   std::string Describe() const;

@@ -6,6 +6,7 @@
 #include "../Filters/GodRaysGridScenes.h"
 #include "GodRaysMediumTesting.h"
 
+#include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysVolumeModel.h"
 
 #include "vtkAMRBox.h"
@@ -14,6 +15,7 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkDataSetTriangleFilter.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
@@ -232,6 +234,15 @@ protected:
     return std::sqrt(squares / (64 * 48)) / peak;
   }
 
+  /// A number of the last frame's medium; below 0 if it has none of this name.
+  double GetNumber(const char* name)
+  {
+    vtkNew<vtkImageData> numbers;
+    EXPECT_TRUE(this->Rays->GetMediumImage(numbers)) << this->Rays->GetPlan();
+    vtkDataArray* array = numbers->GetFieldData()->GetArray(name);
+    return array ? array->GetTuple1(0) : -1.0;
+  }
+
   /// What the plan says a grid is off by: root mean square, and at most.
   std::array<double, 2> GetToldErrors()
   {
@@ -279,7 +290,10 @@ TEST_F(GodRaysVolumeGrids, LinearFieldsAreAsTheirImages)
 // The error that is told is what VTK's own filters find between the grid and the image.
 TEST_F(GodRaysVolumeGrids, TellTheErrorOfResampling)
 {
+  this->Alone->SetWorldUnitInMeters(20.0);
   const auto exact = this->Draw(SetValues(MakeImage(97), Bell));
+  EXPECT_EQ(this->GetNumber("DataExtinction_per_m_Error"), 0.0); // nothing was resampled
+  EXPECT_EQ(this->GetNumber("DataExtinction_per_m_MaxError"), 0.0);
   auto grid = MakeTetrahedra(SetValues(MakeImage(25), Bell));
   double last[2] = { 1.0, 1.0 };
   for (const int resolution : { 12, 24, 48 })
@@ -302,20 +316,53 @@ TEST_F(GodRaysVolumeGrids, TellTheErrorOfResampling)
     vtkDataArray* known = toCells->GetOutput()->GetCellData()->GetArray("smoke");
     vtkDataArray* found = probe->GetOutput()->GetPointData()->GetArray("smoke");
     double squares = 0.0;
+    double largest = 0.0;
     for (vtkIdType i = 0; i < known->GetNumberOfTuples(); ++i)
     {
-      squares += std::pow(known->GetTuple1(i) - found->GetTuple1(i), 2);
+      const double difference = std::abs(known->GetTuple1(i) - found->GetTuple1(i));
+      squares += difference * difference;
+      largest = std::max(largest, difference);
     }
     const double error = std::sqrt(squares / known->GetNumberOfTuples()) / known->GetRange()[1];
     std::cout << resolution << " points: told " << told[0] << " (" << told[1] << "), found "
               << error << ", the picture is off by " << off << "\n";
     EXPECT_NEAR(told[0] / error, 1.0, 0.1);
+    const double peak = known->GetRange()[1];
+    const double perMeter = 0.5 / 20.0; // the extinction of a value of 1
+    const double mean = this->GetNumber("DataExtinction_per_m_Error");
+    EXPECT_NEAR(mean / (perMeter * peak * error), 1.0, 0.1);
+    // of some of the cells
+    EXPECT_NEAR(told[1] / (largest / peak), 1.0, 0.1);
+    EXPECT_NEAR(this->GetNumber("DataExtinction_per_m_MaxError") / (perMeter * largest), 1.0, 0.1);
     EXPECT_LT(told[0], 0.6 * last[0]);
     EXPECT_LT(off, last[1]);
     last[0] = told[0];
     last[1] = off;
   }
   EXPECT_LT(last[1], 1e-3);
+
+  // of the worst volume
+  const double worst = this->GetNumber("DataExtinction_per_m_Error");
+  EXPECT_GT(worst, 0.0);
+  vtkNew<vtkGPUVolumeRayCastMapper> mapper;
+  mapper->SetInputData(SetValues(MakeImage(9), Bell));
+  vtkNew<vtkVolume> image;
+  image->SetMapper(mapper);
+  image->SetProperty(this->Smoke->GetProperty());
+  vtkGodRaysPass::SetRole(image, vtkGodRaysPass::MEDIUM);
+  this->Renderer->AddVolume(image);
+  this->Scene.Window->Render();
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "data of 2 volumes")) << this->Rays->GetPlan();
+  EXPECT_EQ(this->GetNumber("DataExtinction_per_m_Error"), worst);
+
+  // haze alone has no such number
+  this->Renderer->RemoveVolume(image);
+  this->Renderer->RemoveVolume(this->Smoke);
+  vtkNew<vtkGodRaysHomogeneousModel> haze;
+  haze->SetFarLimit(30.0);
+  this->Rays->SetModel(haze);
+  this->Scene.Window->Render();
+  EXPECT_LT(this->GetNumber("DataExtinction_per_m_Error"), 0.0);
 }
 
 // Where there are two levels the finer one counts.

@@ -31,7 +31,9 @@ def measure(
     The keys of the dict are the arrays of vtkGodRaysPass.GetMediumImage(): "Radiance" [1/sr, or W/(m2 sr)],
     "Transmittance", "OpticalDepth" [1], of shape (height, width, 3); "Depth" [scene units], "Distance_m" [m],
     "Contrast" [1], "MeteorologicalRange_m" [m], of shape (height, width). Rows go from the bottom up. Under
-    the name with "_Error" is a bound of the error, of shape (); its meaning is there.
+    the name with "_Error" is a bound of the error, of shape (); its meaning is there. With volumes as the
+    medium "DataExtinction_per_m_Error" and "DataExtinction_per_m_MaxError" [1/m] tell what resampling them
+    has changed, of shape ().
 
     target: as of enable(). What is not drawn yet is drawn.
     irradiance: of a light of colour and intensity 1 [W/m2], one number or three; None for relative radiance.
