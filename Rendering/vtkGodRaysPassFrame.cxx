@@ -263,6 +263,7 @@ bool vtkGodRaysPass::Internals::FindExposure(
   {
     return true;
   }
+  request.AlphaLayers = vtkGodRaysLightMeter::FindAlphaLayers(renderer);
   // of a picture whose whole was drawn before
   const bool isPart = GetTiles(this->Window) > 1.0 ||
     (this->Window->GetStereoRender() && !renderer->GetActiveCamera()->GetLeftEye());

@@ -61,10 +61,15 @@ def read(window, buffer):
     return values.reshape(image.GetDimensions()[1], image.GetDimensions()[0], -1).astype(float)
 
 
+def to_light(picture):
+    """Linear light of what sRGB shows, from 0 to 255."""
+    shown = picture / 255
+    return numpy.where(shown <= 0.04045, shown / 12.92, ((shown + 0.055) / 1.055) ** 2.4)
+
+
 def to_lab(picture):
     """CIE 1976 L*a*b* of what sRGB shows, from 0 to 255."""
-    shown = picture / 255
-    light = numpy.where(shown <= 0.04045, shown / 12.92, ((shown + 0.055) / 1.055) ** 2.4)
+    light = to_light(picture)
     matrix = [[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]]
     xyz = light @ numpy.transpose(matrix) / (0.9505, 1.0, 1.089)
     x, y, z = numpy.moveaxis(

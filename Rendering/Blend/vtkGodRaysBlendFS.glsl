@@ -36,6 +36,7 @@ uniform float surroundLight; // of rays before a light background where they lea
 uniform float surroundPart;  // by which it is darker where there are none
 uniform float mostLightness; // by which data change, if only their lightness does
 uniform bool alphaShowsData; // it is 0 where nothing is drawn
+uniform float alphaLayers;   // which count as data as much as they hide together
 uniform vec2 cells;          // of the pictures that a meter reads
 
 //VTK::GodRays::Terms
@@ -99,12 +100,11 @@ vec3 Encode(vec3 light)
                         : EncodeDisplay(light, isPower);
 }
 
-// How much of what leaves no depth counts as something rather than a background: all of it from an eighth
-// on. VTK 9.1 writes T (1 - T) for translucent surfaces without depth peeling, which have that from an
-// opacity of 15 % to one of 85 %.
+// How much of what leaves no depth counts as something rather than a background: what several such layers
+// hide, so that smoke has no outline. Formula: 1 - (1 - a)^n.
 float PartOfAlpha(float alpha)
 {
-  return clamp(8.0 * alpha, 0.0, 1.0);
+  return 1.0 - pow(clamp(1.0 - alpha, 0.0, 1.0), alphaLayers);
 }
 
 // How much of a pixel shows something rather than a background.

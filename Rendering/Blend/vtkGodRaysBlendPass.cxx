@@ -159,6 +159,10 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
     program->SetUniformf("mostLightness", static_cast<float>(request.MostLightness));
     program->SetUniformi("alphaShowsData", request.AlphaShowsData ? 1 : 0);
   }
+  if (request.Depth)
+  {
+    program->SetUniformf("alphaLayers", static_cast<float>(request.AlphaLayers));
+  }
   if (metered)
   {
     const float cells[2] = { static_cast<float>(request.Cells[0]),

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysLightMeter.h"
 
+#include "vtkActor2D.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +24,14 @@ constexpr double LeastPartOfMedium = 0.03; // that data leave of its light over 
 constexpr double LeastPartBeside = 0.2;    // and beside them
 constexpr double MostDataGain = 2.0;       // a stop of a camera
 constexpr double LeastPartOverData = 0.5;  // of a medium's light beside them, a stop as well
-constexpr double FewData = 0.005;          // fraction of the picture; fewer count as less
+
+// The opacity of volumes is in alpha, and that of surfaces whose depth is peeled: two layers spare the
+// colours of what is thin without an outline. Without peeling VTK 9.1 leaves T (1 - T) of surfaces that let
+// T through, 0.13 where they hide 15 % or 85 %, which is to count as nearly all.
+constexpr double TrueAlphaLayers = 2.0;
+constexpr double BlendedAlphaLayers = 30.0;
+
+constexpr double FewData = 0.005; // fraction of the picture; fewer count as less
 
 Vec3 ToVector(const std::array<double, 3>& color)
 {
@@ -271,6 +281,27 @@ bool vtkGodRaysLightMeter::Read(
                                                    : 0.0;
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+double vtkGodRaysLightMeter::FindAlphaLayers(vtkRenderer* renderer)
+{
+  if (renderer->GetUseDepthPeeling())
+  {
+    return TrueAlphaLayers;
+  }
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator iterator;
+  props->InitTraversal(iterator);
+  while (vtkProp* prop = props->GetNextProp(iterator))
+  {
+    if (prop->GetVisibility() && !vtkActor2D::SafeDownCast(prop) &&
+      prop->HasTranslucentPolygonalGeometry())
+    {
+      return BlendedAlphaLayers;
+    }
+  }
+  return TrueAlphaLayers;
 }
 
 //------------------------------------------------------------------------------

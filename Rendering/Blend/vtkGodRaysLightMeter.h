@@ -24,6 +24,7 @@
 #include <array>
 #include <vector>
 
+class vtkRenderer;
 class vtkWindow;
 
 class vtkGodRaysLightMeter
@@ -53,6 +54,12 @@ public:
    * if that failed; the framebuffer that was bound is bound again.
    */
   bool Read(vtkGodRaysBlendPass* blending, const vtkGodRaysBlendPass::Request& request);
+
+  /**
+   * How many layers of the alpha that a renderer's props leave count as data as much as they hide together;
+   * see PartOfAlpha() in the shader.
+   */
+  static double FindAlphaLayers(vtkRenderer* renderer);
 
   /// Whether alpha is 0 where nothing is drawn, as far as was read.
   bool AlphaShowsData() const { return this->HasAlpha; }

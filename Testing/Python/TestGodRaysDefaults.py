@@ -11,6 +11,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Documentat
 
 import numpy
 
+import default_scenes
 import default_situations
 import defaults
 import godrays
@@ -57,6 +58,31 @@ class Defaults(unittest.TestCase):
             print(preset, numbers)
             with self.subTest(preset):
                 defaults.expect_colors(self, numbers)
+        window.Finalize()
+
+    def test_smoke_has_no_outline(self):
+        """Light is held back over a volume by as much as it hides, not at once where it begins."""
+        window, renderer = default_scenes.make("smoke", (200, 140))
+        window.SetMultiSamples(0)
+        window.Render()
+        before = defaults.to_light(defaults.read(window, "colour"))
+        alpha = defaults.read(window, "alpha")[..., 3] / 255
+        rays = godrays.enable(renderer)
+        window.Render()
+        change = defaults.to_light(defaults.read(window, "colour")) - before
+        light = rays.scattering[::-1] * rays.GetExposure()
+        # light that 8 bits show and that the shoulder does not hold back
+        clear = (light.max(-1) > 0.02) & (light.max(-1) < 0.4)
+
+        parts = []
+        for least in numpy.arange(0, 0.6, 0.05):
+            chosen = clear & (alpha > least) & (alpha <= least + 0.05)
+            self.assertGreater(chosen.sum(), 20)
+            parts.append(numpy.median((change / numpy.maximum(light, 1e-6))[chosen]))
+        print("light over smoke of growing opacity:", numpy.round(parts, 2))
+        self.assertGreater(parts[0], 0.9)
+        self.assertLess(parts[-1], 0.3)
+        self.assertLess(-numpy.diff(parts).min(), 0.2)
         window.Finalize()
 
 
