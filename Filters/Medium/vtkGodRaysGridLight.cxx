@@ -4,6 +4,12 @@
 
 #include "vtkSMPTools.h"
 
+namespace
+{
+// Along an axis: depths bend where the way's end moves from a face of the grid to the next, and at a lamp.
+constexpr int LeastNodes = 20;
+}
+
 //------------------------------------------------------------------------------
 void vtkGodRaysGridLight::Build(const vtkGodRaysGrid& grid, const Vec3& light, bool directional)
 {
@@ -22,7 +28,7 @@ void vtkGodRaysGridLight::Build(const vtkGodRaysGrid& grid, const Vec3& light, b
   {
     const int points = grid.Points[this->Order[i]];
     // Aside there are columns before the grid and behind it, too.
-    const int nodes = std::max(2, i == 0 ? points / 2 : points / 2 - 3);
+    const int nodes = std::max(points / 2, LeastNodes) - (i == 0 ? 0 : 3);
     this->Distance[i] = (points - 1.0) / (nodes - 1);
     this->Size[i] = i == 0 ? nodes : nodes + 3;
   }

@@ -13,6 +13,7 @@ using vtkGodRays::Vec3;
 
 const double Infinity = std::numeric_limits<double>::infinity();
 constexpr int FarParts = 16; // an eighth of the parts of what of a ray is outside of data, at most
+constexpr double FourPi = 12.566370614359172;
 constexpr double PartOfCrossing = 0.15; // of the tolerance, for each of these
 
 using Blocks = vtkGodRaysGridBlocks;
@@ -100,7 +101,8 @@ vtkGodRaysGridSight::Air vtkGodRaysGridSight::GetAir(const Ray& ray, double s) c
   if (!this->Directional)
   {
     air.Visible = vtkGodRays::IsInSpot(lit, s, r);
-    air.Strength = vtkGodRays::SpotFactor(lit, s, r) / (r * r);
+    air.Strength = vtkGodRays::SpotFactor(lit, s, r);
+    air.Square = r * r;
   }
   if (!this->Haze)
   {
@@ -153,11 +155,50 @@ void vtkGodRaysGridSight::AddLightDepth(const Vec3& position, float* depth) cons
 }
 
 //------------------------------------------------------------------------------
+// Into how many pieces, alike as a lamp sees them, a step falls.
+int vtkGodRaysGridSight::CountPieces(const vtkGodRays::LitRay& lit, double begin, double end) const
+{
+  return this->Directional || !(begin < end)
+    ? 1
+    : static_cast<int>(
+        1.0 + lit.Distance * vtkGodRays::PointAirlight(lit.Foot, lit.Distance, begin, end) / 0.15);
+}
+
+//------------------------------------------------------------------------------
+// What data leave of the light at a place.
+vtkGodRays::Vec3 vtkGodRaysGridSight::GetArriving(const Vec3& position) const
+{
+  float way[3] = { 0.0f, 0.0f, 0.0f };
+  this->AddLightDepth(position, way);
+  return vtkGodRays::exp(-Vec3(way[0], way[1], way[2]));
+}
+
+//------------------------------------------------------------------------------
+// The logarithm of how much more there is of light, or of what scatters it, at one place than at the other.
+double vtkGodRaysGridSight::Air::GetChange(const Air& other) const
+{
+  if (this->Visible != other.Visible)
+  {
+    return Infinity;
+  }
+  double change = 0.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    for (const Vec3 Air::*part : { &Air::Left, &Air::Scattered })
+    {
+      const double low = std::min((this->*part)[c], (other.*part)[c]);
+      const double high = std::max((this->*part)[c], (other.*part)[c]);
+      change = high > 1e-30 ? std::max(change, std::log(high / std::max(low, 1e-30))) : change;
+    }
+  }
+  return change;
+}
+
+//------------------------------------------------------------------------------
 // A part of the ray that is in data, block by block.
 void vtkGodRaysGridSight::March(
-  const Ray& ray, double begin, double end, Vec3& depth, Vec3& sum, std::size_t& steps)
+  const Ray& ray, double begin, double end, Vec3& depth, Vec3& sum, std::size_t& steps) const
 {
-  const int colours = this->Grey ? 1 : 3;
   const int count = static_cast<int>(this->Grids.size());
   double cell = end; // the shortest one
   for (int i = 0; i < count; ++i)
@@ -165,15 +206,15 @@ void vtkGodRaysGridSight::March(
     const Passage& passage = ray.Passages[i];
     cell = passage.Begin < passage.End ? std::min(cell, 1.0 / passage.Speed) : cell;
   }
-  Vec3 edge(1.0);      // what surfaces leave of the light at s
-  bool isNext = false; // it is that of the step before
+  Front front;
   for (double s = begin; s < end;)
   {
-    // How far everything is in one block, and into how many steps that is divided.
+    // How far everything is in one block, and into how many steps data divide that.
     double last = end;
     double parts = 1.0;
     double fastest = 0.0;
-    bool empty = true;
+    double thickest = 0.0;
+    bool outside = true;
     const double ahead = s + 1e-9 * (cell + s);
     const double left = std::exp(-std::min({ depth.x, depth.y, depth.z }));
     for (int i = 0; i < count; ++i)
@@ -189,89 +230,31 @@ void vtkGodRaysGridSight::March(
         last = ahead < passage.Begin ? std::min(last, passage.Begin) : last;
         continue;
       }
+      outside = false;
       double exit;
       const Vec2 range = this->AllBlocks[i].Get(
         passage.Place + ahead * passage.Steps, passage.Place, passage.Steps, ahead, exit);
       last = std::min({ last, std::max(exit, ahead), passage.End });
-      if (range.y > 0.0)
-      {
-        const double length = Blocks::BlockSize / passage.Speed;
-        const double change =
-          (range.y - range.x + 0.5 * range.y * range.y * length) * length * left;
-        parts = std::max(parts,
-          std::clamp(std::sqrt(change / (4.0 * this->Tolerance)), 1.0, 2.0 * Blocks::BlockSize) *
-            (last - s) / length);
-        empty = false;
-      }
+      const double length = Blocks::BlockSize / passage.Speed;
+      const double change = (range.y - range.x + 0.5 * range.y * range.y * length) * length * left;
+      parts = std::max(parts,
+        std::clamp(std::sqrt(change / (4.0 * this->Tolerance)), 1.0, 2.0 * Blocks::BlockSize) *
+          (last - s) / length);
+      thickest += range.y;
     }
-    if (empty && !this->Haze)
+    if (outside && this->Haze)
     {
-      s = last;
-      isNext = false;
-      continue;
+      this->Cross(ray, s, last, depth, sum, steps);
     }
-    const double coarse = empty ? (last - s) * fastest / 4.0 : parts;
-    const int number = static_cast<int>(std::clamp(std::ceil(coarse), 1.0, 512.0));
-    const double step = (last - s) / number;
-    edge = isNext ? edge : this->Shadows.Get(ray.Origin + s * ray.Along);
-    isNext = true;
-    Air air;
-    for (int k = 0; k < number; ++k, ++steps)
+    if (outside || (thickest == 0.0 && !this->Haze))
     {
-      const double middle = s + (k + 0.5) * step;
-      const Vec3 position = ray.Origin + middle * ray.Along;
-      Vec3 extinction(0.0);
-      Vec3 scattered(0.0);
-      if (k == 0 || !this->Directional)
-      {
-        air = this->GetAir(ray, this->Directional ? 0.5 * (s + last) : middle);
-      }
-      for (int i = 0; i < count && !empty; ++i)
-      {
-        const Passage& passage = ray.Passages[i];
-        if (middle < passage.Begin || middle > passage.End)
-        {
-          continue;
-        }
-        const vtkGodRaysGrid& grid = this->Grids[i];
-        const Place place(grid, passage.Place + middle * passage.Steps);
-        const double phase =
-          grid.Scale * vtkGodRays::Phase({ grid.PhaseFunction, grid.Asymmetry }, air.Cosine);
-        for (int c = 0; c < colours; ++c)
-        {
-          const double value = place.Read(grid.Extinction, grid.Bands, grid.Bands == 1 ? 0 : c);
-          extinction[c] += grid.Scale * value;
-          scattered[c] += phase *
-            (grid.ScatteringBands == 0 ? grid.Albedo[c] * value
-                                       : place.Read(grid.Scattering, grid.ScatteringBands,
-                                           grid.ScatteringBands == 1 ? 0 : c));
-        }
-      }
-      float way[3] = { 0.0f, 0.0f, 0.0f };
-      const Vec3 sunlit = this->Shadows.GetMean(
-        ray.Origin, ray.Along, s + k * step, s + (k + 1) * step, 2.0 / fastest, edge);
-      const bool lit = air.Visible && sunlit != Vec3(0.0);
-      if (lit)
-      {
-        this->AddLightDepth(position, way);
-      }
-      for (int c = 0; c < colours; ++c)
-      {
-        const double thick = step * extinction[c];
-        if (lit)
-        {
-          // Of the step: the mean of what is left on its way to the eye.
-          const double arrives =
-            std::exp(-depth[c] - way[c]) * vtkGodRays::MeanExponential(thick) * step;
-          sum[c] += air.Strength * sunlit[c] * air.Left[c] *
-            (scattered[c] * arrives + air.Scattered[c] * (arrives - step));
-        }
-        depth[c] += thick;
-      }
+      front.IsKnown = false;
     }
-    if (this->Grey)
+    else
     {
-      depth.y = depth.z = depth.x;
+      const double cells = (last - s) * fastest;
+      this->MarchBlock(ray, s, last, thickest > 0.0 ? parts : std::max(1.0, cells / 4.0), cells,
+        thickest, front, depth, sum, steps);
     }
     s = last;
     if (!this->Haze && left < 0.02 * this->Tolerance)
@@ -279,6 +262,122 @@ void vtkGodRaysGridSight::March(
       return;
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// In at least so many steps. What comes to the data may change more than they do: in haze, in the shadow of
+// other data, and near a lamp, as seen from which steps are then alike.
+void vtkGodRaysGridSight::MarchBlock(const Ray& ray, double begin, double end, double parts,
+  double cells, double thickest, Front& front, Vec3& depth, Vec3& sum, std::size_t& steps) const
+{
+  const int colours = this->Grey ? 1 : 3;
+  const vtkGodRays::LitRay& lit = ray.Lit;
+  Vec3 position = ray.Origin + begin * ray.Along;
+  if (!front.IsKnown)
+  {
+    front = { true, false, this->Shadows.Get(position), this->GetAir(ray, begin), Vec3(1.0) };
+  }
+  Front next = { true, false, front.Edge, this->GetAir(ray, end), Vec3(1.0) };
+  const double change = this->Haze ? front.Medium.GetChange(next.Medium) : 0.0;
+  parts = std::max(parts, std::min(change / 0.1, 8.0 * Blocks::BlockSize));
+  const double left = std::exp(-std::min({ depth.x, depth.y, depth.z }));
+  const Vec3& haze = front.Medium.Scattered;
+  const double thickness =
+    (end - begin) * left * (thickest + FourPi * std::max({ haze.x, haze.y, haze.z }));
+  next.HasArriving = thickness > this->Tolerance;
+  if (next.HasArriving)
+  {
+    front.Arriving = front.HasArriving ? front.Arriving : this->GetArriving(position);
+    next.Arriving = this->GetArriving(ray.Origin + end * ray.Along);
+    const Vec3 jump = vtkGodRays::abs(next.Arriving - front.Arriving);
+    const double wanted =
+      thickness * std::max({ jump.x, jump.y, jump.z }) / (2.0 * this->Tolerance);
+    parts = std::max(parts, std::min(wanted, cells));
+  }
+  const int number = static_cast<int>(std::clamp(std::ceil(parts - 1e-6), 1.0, 512.0));
+  const bool isEven = this->Directional && change < 0.1;
+  Air air = front.Medium;
+  air.Left = 0.5 * (front.Medium.Left + next.Medium.Left);
+  air.Scattered = 0.5 * (front.Medium.Scattered + next.Medium.Scattered);
+  double from = begin;
+  int part = 0;   // of the steps into which data divide the block
+  int piece = 0;  // of it, as a lamp sees them
+  int pieces = 0; // how many there are
+  for (; part < number; ++steps)
+  {
+    const double first = begin + part * (end - begin) / number;
+    const double last = part + 1 < number ? begin + (part + 1) * (end - begin) / number : end;
+    if (piece == 0)
+    {
+      pieces = this->CountPieces(lit, first, last);
+    }
+    const auto find = [&](double t)
+    {
+      return pieces > 1 ? vtkGodRays::MediumPlace(lit, first, last, t / pieces)
+                        : first + t * (last - first);
+    };
+    const double to = piece + 1 < pieces ? find(piece + 1.0) : last;
+    const double middle = find(piece + 0.5);
+    const double step = to - from;
+    piece = (piece + 1) % pieces;
+    part += piece == 0 ? 1 : 0;
+    position = ray.Origin + middle * ray.Along;
+    if (!isEven)
+    {
+      air = this->GetAir(ray, middle);
+    }
+    Vec3 extinction(0.0);
+    Vec3 scattered(0.0);
+    for (std::size_t i = 0; i < this->Grids.size() && thickest > 0.0; ++i)
+    {
+      const Passage& passage = ray.Passages[i];
+      if (!(passage.Begin < passage.End) || middle < passage.Begin || middle > passage.End)
+      {
+        continue;
+      }
+      const vtkGodRaysGrid& grid = this->Grids[i];
+      const Place place(grid, passage.Place + middle * passage.Steps);
+      const double phase =
+        grid.Scale * vtkGodRays::Phase({ grid.PhaseFunction, grid.Asymmetry }, air.Cosine);
+      for (int c = 0; c < colours; ++c)
+      {
+        const double value = place.Read(grid.Extinction, grid.Bands, grid.Bands == 1 ? 0 : c);
+        extinction[c] += grid.Scale * value;
+        scattered[c] += phase *
+          (grid.ScatteringBands == 0 ? grid.Albedo[c] * value
+                                     : place.Read(grid.Scattering, grid.ScatteringBands,
+                                         grid.ScatteringBands == 1 ? 0 : c));
+      }
+    }
+    float way[3] = { 0.0f, 0.0f, 0.0f };
+    const Vec3 sunlit = this->Shadows.GetMean(
+      ray.Origin, ray.Along, from, to, 2.0 * (end - begin) / cells, next.Edge);
+    const bool isLit = air.Visible && sunlit != Vec3(0.0);
+    if (isLit)
+    {
+      this->AddLightDepth(position, way);
+    }
+    const double comes = air.Strength *
+      (this->Directional ? step : vtkGodRays::PointAirlight(lit.Foot, lit.Distance, from, to));
+    for (int c = 0; c < colours; ++c)
+    {
+      const double thick = step * extinction[c];
+      if (isLit)
+      {
+        // Of the step: the mean of what is left on its way to the eye.
+        const double arrives = std::exp(-depth[c] - way[c]) * vtkGodRays::MeanExponential(thick);
+        sum[c] += comes * sunlit[c] * air.Left[c] *
+          (scattered[c] * arrives + air.Scattered[c] * (arrives - 1.0));
+      }
+      depth[c] += thick;
+    }
+    from = to;
+  }
+  if (this->Grey)
+  {
+    depth.y = depth.z = depth.x;
+  }
+  front = next;
 }
 
 //------------------------------------------------------------------------------
@@ -424,7 +523,7 @@ void vtkGodRaysGridSight::CrossPart(const Ray& ray, double begin, double end, in
     for (int c = 0; c < 3 && air.Visible; ++c)
     {
       node.Value[c] =
-        air.Strength * air.Left[c] * air.Scattered[c] * std::expm1(-depth[c] - way[c]);
+        air.Strength / air.Square * air.Left[c] * air.Scattered[c] * std::expm1(-depth[c] - way[c]);
     }
     return node;
   };

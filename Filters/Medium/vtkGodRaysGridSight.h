@@ -78,12 +78,28 @@ private:
     Vec3 Left = Vec3(1.0);      // of light on its ways to there and on
     bool Visible = true;
     double Cosine = 0.0;   // of the angle of scattering
-    double Strength = 1.0; // of the light there, of its irradiance or intensity
+    double Strength = 1.0; // of the light there, of its irradiance or intensity, but for
+    double Square = 1.0;   // the square of the distance that it is divided by
+
+    double GetChange(const Air& other) const;
+  };
+  struct Front // what is where a ray has been followed to
+  {
+    bool IsKnown = false;
+    bool HasArriving = false;
+    Vec3 Edge; // what surfaces leave of the light
+    Air Medium;
+    Vec3 Arriving; // what data leave of it
   };
 
   Air GetAir(const Ray& ray, double s) const;
   void AddLightDepth(const Vec3& position, float* depth) const;
-  void March(const Ray& ray, double begin, double end, Vec3& depth, Vec3& sum, std::size_t& steps);
+  int CountPieces(const vtkGodRays::LitRay& lit, double begin, double end) const;
+  Vec3 GetArriving(const Vec3& position) const;
+  void March(
+    const Ray& ray, double begin, double end, Vec3& depth, Vec3& sum, std::size_t& steps) const;
+  void MarchBlock(const Ray& ray, double begin, double end, double parts, double cells,
+    double thickest, Front& front, Vec3& depth, Vec3& sum, std::size_t& steps) const;
   Vec2 FindShadow(std::size_t i, const Passage& passage, double begin, double end) const;
   void Cross(const Ray& ray, double begin, double end, const Vec3& depth, Vec3& sum,
     std::size_t& steps) const;

@@ -258,6 +258,51 @@ TEST(GridPicture, IsTheTruthToItsTolerance)
 }
 
 //------------------------------------------------------------------------------
+// Where data alone would do with few steps: what else changes within one has to count.
+TEST(GridPicture, IsTheTruthWhereDataAreEven)
+{
+  const auto make = [](double x, double y, double z, double half, int n, const Field& field)
+  {
+    const double bounds[6] = { x - half, x + half, y - half, y + half, z - half, z + half };
+    const int points[3] = { n, n, n };
+    return MakeImage(bounds, points, field);
+  };
+  const auto even = [](double value) { return [value](double, double, double) { return value; }; };
+  const auto ball = [](double x, double y, double z)
+  { return 0.1 + 4.0 * std::exp(-10.0 * (x * x + (y - 0.9) * (y - 0.9) + (z + 6.0) * (z + 6.0))); };
+  const auto check =
+    [](const char* name, const Parameters& parameters, std::initializer_list<vtkImageData*> images)
+  {
+    const auto grids = ReadGrids(images);
+    vtkGodRaysGridPicture drawer;
+    drawer.SetGrids(grids);
+    Drawing drawing;
+    drawing.Draw(drawer, parameters);
+    const Error error = Compare(drawing, parameters, grids);
+    Print(name, error, drawer, drawing);
+    EXPECT_LE(error.Rms, 1.0 / 255.0) << name;
+    EXPECT_GT(error.Effect, 5.0 / 255.0) << name; // the control
+  };
+  const Vec3 sun(0.1, 1.0, 0.2);
+  Parameters parameters = MakeParameters(sun, 0.0);
+  check("a ball's shadow in thin data", parameters, { make(0, 0, -6, 1.5, 49, ball) });
+  AddHaze(parameters);
+  std::fill_n(parameters.Medium.Components[0].Scattering, 3, 0.2);
+  check("haze between two clouds", parameters,
+    { make(0, 0, -3, 0.7, 25, even(1.0)), make(0, 0, -17, 2.0, 25, even(1.0)) });
+  check("haze in a coarse cloud", parameters, { make(0, 0, -9, 6.0, 7, even(0.1)) });
+  AddHaze(parameters, 3.0);
+  std::fill_n(parameters.Medium.Components[0].Scattering, 3, 1.0);
+  parameters.Medium.EyeHeight = 9.0;
+  check(
+    "haze that thins out in a coarse cloud", parameters, { make(0, 0, -9, 6.0, 7, even(0.05)) });
+  check("a lamp in a coarse cloud", MakeParameters(Vec3(0.2, 0.1, -6.0), 1.0),
+    { make(0, 0, -6, 2.0, 5, even(0.2)) });
+  check("a cell with a lamp in it", MakeParameters(Vec3(0.2, 0.1, -6.0), 1.0),
+    { make(0, 0, -6, 2.0, 2, even(0.2)) });
+}
+
+//------------------------------------------------------------------------------
 // In another unit of length the picture is the same to its tolerance, and the ground truth to 1e-4: also
 // where a cell is shorter than any length that is short in the usual one.
 TEST(GridPicture, IsTheSameInAnyUnit)
