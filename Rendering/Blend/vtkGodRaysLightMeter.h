@@ -88,7 +88,7 @@ public:
     double Light = 1.0;
   };
 
-  static constexpr double MostSurroundPart = 0.4;
+  static constexpr double MostSurroundPart = 0.6;
 
   /**
    * The surround for some samples whose rays have this factor: from none, where the lightness of the

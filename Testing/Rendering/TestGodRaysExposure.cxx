@@ -406,7 +406,7 @@ TEST(LightBackground, IsDarkerInShadows)
     if (!stage.IsData(i))
     {
       const double value = vtkGodRays::EncodeDisplay(
-        1.0 - 0.4 * (1.0 - std::cbrt(std::min(luminance[i] / reference, 1.0))));
+        1.0 - 0.6 * (1.0 - std::cbrt(std::min(luminance[i] / reference, 1.0))));
       worst = std::max(worst, std::abs(static_cast<int>(std::lround(255.0 * value)) - with[4 * i]));
       EXPECT_EQ(with[4 * i], with[4 * i + 1]);
       darker += with[4 * i] < 245 ? 1 : 0;
