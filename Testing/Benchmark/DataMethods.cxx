@@ -244,6 +244,12 @@ Mapper::Mapper(Device& device, const Scene& scene)
 }
 
 //------------------------------------------------------------------------------
+Mapper::~Mapper()
+{
+  this->OpenGL.GetWindow()->RemoveRenderer(this->Renderer);
+}
+
+//------------------------------------------------------------------------------
 void Mapper::Draw(Picture& picture)
 {
   vtkRenderWindow* window = this->OpenGL.GetWindow();

@@ -11,7 +11,6 @@
 #include "Device.h"
 
 #include "vtkNew.h"
-#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkVersionMacros.h"
 
@@ -93,7 +92,7 @@ class Mapper
 {
 public:
   Mapper(Device& device, const Scene& scene);
-  ~Mapper() { this->OpenGL.GetWindow()->RemoveRenderer(this->Renderer); }
+  ~Mapper();
   Mapper(const Mapper&) = delete;
   void operator=(const Mapper&) = delete;
 
