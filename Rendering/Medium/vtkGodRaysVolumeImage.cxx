@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace
 {
@@ -118,6 +119,44 @@ void AddSamples(vtkDataSet* part, vtkDataArray* array, bool ofCells, vtkIdType s
   }
 }
 
+/// Whether each point of an image is shown, and in a cell that is; empty if all are.
+std::vector<char> FindShown(vtkImageData* image)
+{
+  vtkUnsignedCharArray* cells = image->GetCellGhostArray();
+  vtkUnsignedCharArray* points = image->GetPointGhostArray();
+  if (!cells && !points)
+  {
+    return {};
+  }
+  const int* size = image->GetDimensions();
+  const vtkIdType row = size[0];
+  const vtkIdType slice = row * size[1];
+  std::vector<char> shown(static_cast<std::size_t>(slice) * size[2], cells ? 0 : 1);
+  vtkIdType cell = 0;
+  for (int k = 0; cells && k + 1 < size[2]; ++k)
+  {
+    for (int j = 0; j + 1 < size[1]; ++j)
+    {
+      for (int i = 0; i + 1 < size[0]; ++i, ++cell)
+      {
+        constexpr unsigned char absent =
+          vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
+        char* first = shown.data() + k * slice + j * row + i;
+        for (int corner = 0; corner < 8 && (cells->GetValue(cell) & absent) == 0; ++corner)
+        {
+          first[(corner & 1) + (corner >> 1 & 1) * row + (corner >> 2) * slice] = 1;
+        }
+      }
+    }
+  }
+  for (std::size_t i = 0; points && i < shown.size(); ++i)
+  {
+    const bool hides = (points->GetValue(i) & vtkDataSetAttributes::HIDDENPOINT) != 0;
+    shown[i] = hides ? 0 : shown[i];
+  }
+  return shown;
+}
+
 /// The least distance of neighbours along each axis; false for cells that have no such axes.
 bool FindSpacing(const std::vector<vtkDataSet*>& parts, double spacing[3])
 {
@@ -181,13 +220,16 @@ std::string vtkGodRaysVolumeImage::Update(vtkAbstractVolumeMapper* mapper, int r
   }
   int ofCells = 0;
   vtkDataArray* scalars = nullptr;
+  vtkDataSet* first = nullptr; // that has any
   vtkBoundingBox box;
   for (vtkDataSet* part : parts)
   {
-    scalars = scalars
-      ? scalars
-      : vtkAbstractMapper::GetScalars(part, mapper->GetScalarMode(), mapper->GetArrayAccessMode(),
-          mapper->GetArrayId(), mapper->GetArrayName(), ofCells);
+    if (!scalars)
+    {
+      first = part;
+      scalars = vtkAbstractMapper::GetScalars(part, mapper->GetScalarMode(),
+        mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), ofCells);
+    }
     box.AddBounds(part->GetBounds());
   }
   if (!scalars || ofCells > 1)
@@ -207,7 +249,7 @@ std::string vtkGodRaysVolumeImage::Update(vtkAbstractVolumeMapper* mapper, int r
   }
   for (vtkDataSet* part : parts)
   {
-    vtkDataArray* array = part == parts[0] ? scalars : GetArray(part, name, ofCells != 0);
+    vtkDataArray* array = part == first ? scalars : GetArray(part, name, ofCells != 0);
     const vtkIdType count = ofCells ? part->GetNumberOfCells() : part->GetNumberOfPoints();
     if (array && array->GetNumberOfTuples() != count)
     {
@@ -236,6 +278,7 @@ std::string vtkGodRaysVolumeImage::Update(vtkAbstractVolumeMapper* mapper, int r
     this->Samples.clear();
     this->Image = image;
     this->Scalars = scalars;
+    this->SetMask(FindShown(image));
     return "";
   }
   const vtkMTimeType time = GetTime(input);
@@ -259,6 +302,10 @@ std::string vtkGodRaysVolumeImage::Update(vtkAbstractVolumeMapper* mapper, int r
   auto mask =
     vtkCharArray::SafeDownCast(this->Resampled->GetPointData()->GetArray("vtkValidPointMask"));
   this->Mask = mask ? mask->GetPointer(0) : nullptr;
+  if (image)
+  {
+    this->SetMask(FindShown(image));
+  }
   return this->Scalars ? "" : "could not be resampled. Resample it with vtkResampleToImage";
 }
 
@@ -315,9 +362,17 @@ void vtkGodRaysVolumeImage::Resample(
 }
 
 //------------------------------------------------------------------------------
+void vtkGodRaysVolumeImage::SetMask(std::vector<char>&& shown)
+{
+  this->Shown = std::move(shown);
+  this->Mask = this->Shown.empty() ? nullptr : this->Shown.data();
+}
+
+//------------------------------------------------------------------------------
 void vtkGodRaysVolumeImage::Forget()
 {
   this->Image = nullptr;
   this->Scalars = nullptr;
   this->Mask = nullptr;
+  this->Shown = std::vector<char>();
 }

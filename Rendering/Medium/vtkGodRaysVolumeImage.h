@@ -44,7 +44,8 @@ public:
   std::string Update(vtkAbstractVolumeMapper* mapper, int resolution);
 
   ///@{
-  /// The image, its numbers, and whether each point is in the data; null: all are. Until Forget().
+  /// The image, its numbers, and whether each point is in the data and not hidden; null: all are. Until
+  /// Forget().
   vtkImageData* GetImage() const { return this->Image; }
   vtkDataArray* GetScalars() const { return this->Scalars; }
   const char* GetMask() const { return this->Mask; }
@@ -64,11 +65,13 @@ public:
   static vtkMTimeType GetTime(vtkDataObject* data);
 
 private:
+  void SetMask(std::vector<char>&& shown);
   void Resample(vtkDataObject* data, const char* name, bool ofCells, int resolution);
 
   vtkImageData* Image = nullptr;
   vtkDataArray* Scalars = nullptr;
   const char* Mask = nullptr;
+  std::vector<char> Shown; // of an image that has hidden points or cells
   vtkSmartPointer<vtkImageData> Resampled;
   std::vector<Sample> Samples;
   const void* Data = nullptr; // that it is of

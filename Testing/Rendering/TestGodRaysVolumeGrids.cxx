@@ -120,7 +120,8 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeTetrahedra(vtkDataSet* grid)
 }
 
 /// Two levels: one coarse box, of a field, and in its middle a fine one, of another.
-vtkSmartPointer<vtkOverlappingAMR> MakeAMR(const Field& coarse, const Field& fine, bool ofCells)
+vtkSmartPointer<vtkOverlappingAMR> MakeAMR(
+  const Field& coarse, const Field& fine, bool ofCells, int ratio = 2)
 {
   auto grid = vtkSmartPointer<vtkOverlappingAMR>::New();
   const int blocks[2] = { 1, 1 };
@@ -130,15 +131,15 @@ vtkSmartPointer<vtkOverlappingAMR> MakeAMR(const Field& coarse, const Field& fin
   grid->SetGridDescription(VTK_XYZ_GRID);
   for (int level = 0; level < 2; ++level)
   {
-    auto block =
-      level == 0 ? MakeImage<vtkUniformGrid>(17) : MakeImage<vtkUniformGrid>(17, -0.75, 0.75);
+    auto block = level == 0 ? MakeImage<vtkUniformGrid>(17)
+                            : MakeImage<vtkUniformGrid>(8 * ratio + 1, -0.75, 0.75);
     SetValues(block, level == 0 ? coarse : fine, ofCells);
     grid->SetSpacing(level, block->GetSpacing());
     const vtkAMRBox box(block->GetOrigin(), block->GetDimensions(), block->GetSpacing(), origin);
     grid->SetAMRBox(level, 0, box);
     grid->SetDataSet(level, 0, block);
   }
-  grid->SetRefinementRatio(0, 2);
+  grid->SetRefinementRatio(0, ratio);
   return grid;
 }
 
@@ -376,6 +377,50 @@ TEST_F(GodRaysVolumeGrids, FinerLevelsCount)
   EXPECT_LT(Compare(expected, this->Draw(MakeAMR(none, inside, false))), 0.01);
   // the control: the coarse one, where the fine one has nothing
   EXPECT_GT(Compare(expected, this->Draw(MakeAMR(inside, none, false))), 0.05);
+}
+
+// A level may have no values: where it is alone there is nothing.
+TEST_F(GodRaysVolumeGrids, MayLackValuesInTheFirstPart)
+{
+  const auto inside = [](const double* p) {
+    return 1.0 - std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) }) / 0.75;
+  };
+  const auto expected = this->Draw(SetValues(MakeImage(33, -0.75, 0.75), inside));
+  EXPECT_GT(Compare(expected, this->Draw(MakeAMR(Ramp, inside, false, 4))), 0.05); // the control
+  auto some = MakeAMR(Ramp, inside, false, 4);
+  some->GetDataSet(0, 0)->GetPointData()->Initialize();
+  EXPECT_LT(Compare(expected, this->Draw(some)), 0.03);
+}
+
+// Nor is there anything in cells and at points that are hidden.
+TEST_F(GodRaysVolumeGrids, HaveNothingWhereTheyAreBlank)
+{
+  const auto one = [](const double*) { return 1.0; };
+  const auto left = [](const double* p) { return p[0] < 1e-9 ? 1.0 : 0.0; };
+  const auto whole = this->Draw(SetValues(MakeImage(33), one));
+  const auto expected = this->Draw(SetValues(MakeImage(33), left));
+  EXPECT_GT(Compare(expected, whole), 0.05); // the control
+  for (const bool ofCells : { false, true })
+  {
+    auto grid = SetValues(MakeImage<vtkUniformGrid>(33), one, ofCells);
+    for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+    {
+      if (i % 32 >= 16)
+      {
+        grid->BlankCell(i);
+      }
+    }
+    EXPECT_LT(Compare(expected, this->Draw(grid)), 1e-6) << ofCells;
+  }
+  auto grid = SetValues(MakeImage<vtkUniformGrid>(33), one);
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    if (i % 33 > 16)
+    {
+      grid->BlankPoint(i);
+    }
+  }
+  EXPECT_LT(Compare(expected, this->Draw(grid)), 1e-6);
 }
 
 // Outside of cells there is nothing.
