@@ -6,7 +6,7 @@
 
 namespace
 {
-// Along an axis: depths bend where the way's end moves from a face of the grid to the next, and at a lamp.
+// Along an axis: depths bend where the way's end moves from a face of the grid to the next.
 constexpr int LeastNodes = 20;
 }
 
@@ -64,11 +64,6 @@ void vtkGodRaysGridLight::Build(const vtkGodRaysGrid& grid, const Vec3& light, b
       const Vec3 steps = directional ? this->Light : this->Light - place;
       grid.AddDepth(place, steps, 0.0, length, depth);
       float* result = this->Depths.data() + plane * slice + b * row + a * this->Bands;
-      if (!directional)
-      {
-        depth *= vtkGodRays::length(
-          steps.x * grid.Axes[0] + steps.y * grid.Axes[1] + steps.z * grid.Axes[2]);
-      }
       for (int band = 0; band < this->Bands; ++band)
       {
         result[band] = static_cast<float>(std::min(depth[band], 1e30)); // differences are finite
@@ -128,22 +123,25 @@ void vtkGodRaysGridLight::AddDepth(
   {
     inside = inside && place[i] >= 0.0 && place[i] <= grid.Points[i] - 1;
   }
-  if (inside)
-  {
-    this->Look(place, depth);
-    return;
-  }
   const Vec3 steps = this->Directional ? this->Light : this->Light - place;
   double begin = 0.0;
   double end = this->Directional ? std::numeric_limits<double>::infinity() : 1.0;
-  if (grid.Clip(place, steps, begin, end))
+  if (!inside && !grid.Clip(place, steps, begin, end))
   {
-    this->Look(place + begin * steps, depth);
+    return;
+  }
+  float known[3] = { 0.0f, 0.0f, 0.0f };
+  this->Look(inside ? place : place + begin * steps, known);
+  const Vec3 way = steps.x * grid.Axes[0] + steps.y * grid.Axes[1] + steps.z * grid.Axes[2];
+  const double length = this->Directional ? 1.0 : (1.0 - begin) * vtkGodRays::length(way);
+  for (int band = 0; band < this->Bands; ++band)
+  {
+    depth[band] += static_cast<float>(length) * known[band];
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysGridLight::Look(const Vec3& place, float* depth) const
+void vtkGodRaysGridLight::Look(const Vec3& place, float* known) const
 {
   const double across = place[this->Order[0]];
   const double w = std::max(across / this->Distance[0], 0.0);
@@ -169,7 +167,7 @@ void vtkGodRaysGridLight::Look(const Vec3& place, float* depth) const
     {
       const float front = v[0] + x * (v[this->Bands] - v[0]);
       const float back = v[row] + x * (v[row + this->Bands] - v[row]);
-      depth[band] += t[i] * (front + y * (back - front));
+      known[band] += t[i] * (front + y * (back - front));
     }
   }
 }

@@ -9,7 +9,8 @@
  * bend between points where no datum changes. The nodes of a directional light stand in
  * columns along its direction, so that sums along a column are exact and nothing is smeared from plane to
  * plane; each plane across the axis that light goes along most keeps the columns that go through the grid
- * there. Of a point light, they stand along the grid's axes.
+ * there. Of a point light, they stand along the grid's axes, and have means along the light's ways: depths
+ * rise from the light as a cone does, which no straight lines between nodes tell.
  */
 
 #ifndef vtkGodRaysGridLight_h
@@ -39,7 +40,7 @@ public:
   std::size_t GetSize() const { return this->Depths.size(); }
 
 private:
-  void Look(const Vec3& place, float* depth) const;
+  void Look(const Vec3& place, float* known) const;
 
   Vec3 Light = Vec3(0.0); // place, or steps
   bool Directional = true;

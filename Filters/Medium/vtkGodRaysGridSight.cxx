@@ -278,8 +278,9 @@ void vtkGodRaysGridSight::MarchBlock(const Ray& ray, double begin, double end, d
     front = { true, false, this->Shadows.Get(position), this->GetAir(ray, begin), Vec3(1.0) };
   }
   Front next = { true, false, front.Edge, this->GetAir(ray, end), Vec3(1.0) };
+  const double most = 0.9 * std::sqrt(this->Tolerance); // in a step
   const double change = this->Haze ? front.Medium.GetChange(next.Medium) : 0.0;
-  parts = std::max(parts, std::min(change / 0.1, 8.0 * Blocks::BlockSize));
+  parts = std::max(parts, std::min(change / most, 8.0 * Blocks::BlockSize));
   const double left = std::exp(-std::min({ depth.x, depth.y, depth.z }));
   const Vec3& haze = front.Medium.Scattered;
   const double thickness =
@@ -295,7 +296,7 @@ void vtkGodRaysGridSight::MarchBlock(const Ray& ray, double begin, double end, d
     parts = std::max(parts, std::min(wanted, cells));
   }
   const int number = static_cast<int>(std::clamp(std::ceil(parts - 1e-6), 1.0, 512.0));
-  const bool isEven = this->Directional && change < 0.1;
+  const bool isEven = this->Directional && change < most;
   Air air = front.Medium;
   air.Left = 0.5 * (front.Medium.Left + next.Medium.Left);
   air.Scattered = 0.5 * (front.Medium.Scattered + next.Medium.Scattered);

@@ -294,8 +294,7 @@ TEST(GridPicture, IsTheTruthWhereDataAreEven)
   AddHaze(parameters, 3.0);
   std::fill_n(parameters.Medium.Components[0].Scattering, 3, 1.0);
   parameters.Medium.EyeHeight = 9.0;
-  check(
-    "haze that thins out in a coarse cloud", parameters, { make(0, 0, -9, 6.0, 7, even(0.05)) });
+  check("haze that thins out in a coarse cloud", parameters, { make(0, 0, -9, 6.0, 7, even(0.1)) });
   check("a lamp in a coarse cloud", MakeParameters(Vec3(0.2, 0.1, -6.0), 1.0),
     { make(0, 0, -6, 2.0, 5, even(0.2)) });
   check("a cell with a lamp in it", MakeParameters(Vec3(0.2, 0.1, -6.0), 1.0),
