@@ -1,0 +1,83 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Clouds of a file before a low sun, in haze: their water, as extinction, is the medium; and numbers.
+
+cloud_field.py reads the file; without one, it makes clouds. Light is scattered once, and would hardly enter
+clouds whose droplets send most of it on as it came. So the picture has fewer droplets that scatter more
+evenly, by the relation (1 - g) beta of similar media [vandeHulst1980]. The numbers are those of the field.
+"""
+
+import argparse
+import sys
+
+import cloud_field
+import godrays
+import numpy
+import stage
+import vtkmodules.all as vtk
+
+ASYMMETRY = 0.85  # of droplets [HansenTravis1974]
+SHOWN_ASYMMETRY = 0.3
+
+parser = argparse.ArgumentParser(description="Clouds of a file before a low sun, in haze, and numbers.")
+parser.add_argument("picture", nargs="?", help="a PNG; without it a window opens")
+parser.add_argument("size", nargs="?", default="1280x720", help="of the picture (1280x720)")
+parser.add_argument("--field", metavar="FILE", help="NetCDF, or text of SHDOM; without it clouds are made up")
+parser.add_argument("--variable", help="the liquid water of NetCDF, if its name is not customary")
+parser.add_argument("--units", help="of that, if the file does not say: kg/m3, g/m3, kg/kg or g/kg")
+parser.add_argument("--radius", type=float, help="effective radius of all drops [um]")
+parser.add_argument("--time", type=int, default=0, help="which time step of NetCDF, from 0 (0)")
+parser.add_argument("--spacing", type=float, default=40.0, help="of the clouds that are made up [m] (40)")
+asked = parser.parse_args()
+if not 20 <= asked.spacing <= 400:
+    parser.error("--spacing is from 20 to 400")
+sys.argv[1:] = [asked.picture, asked.size] if asked.picture else []
+try:
+    if asked.field:
+        radius = None if asked.radius is None else asked.radius * 1e-6
+        field = cloud_field.read(asked.field, asked.variable, asked.units, radius, asked.time)
+    else:
+        field = cloud_field.make(asked.spacing)
+except cloud_field.FieldError as error:
+    sys.exit(f"clouds.py: {error}.")
+print(field.describe())
+for each in field.supposed:
+    print(f"supposed: {each}")
+
+opacity, white = vtk.vtkPiecewiseFunction(), vtk.vtkColorTransferFunction()
+for each in numpy.linspace(0, field.extinction.max(), 256):
+    opacity.AddPoint(each, 1 - numpy.exp(-each))  # of 1 m
+white.AddRGBPoint(0, 1, 1, 1)
+mapper = vtk.vtkSmartVolumeMapper()
+mapper.SetInputDataObject(field.to_grid())
+clouds = vtk.vtkVolume()
+clouds.SetMapper(mapper)
+clouds.GetProperty().SetScalarOpacity(opacity)
+clouds.GetProperty().SetColor(white)
+clouds.GetProperty().SetScalarOpacityUnitDistance(1)
+clouds.GetProperty().SetInterpolationTypeToLinear()
+
+x, y, z = field.axes
+middle, width, depth = (x[0] + x[-1]) / 2, x[-1] - x[0], y[-1] - y[0]
+wet = z[field.extinction.max((1, 2)) > 0]
+renderer = vtk.vtkRenderer()
+renderer.AddVolume(clouds)
+plane = vtk.vtkPlaneSource()
+plane.SetOrigin(middle - 20 * width, y[0] - depth, 0)
+plane.SetPoint1(middle + 20 * width, y[0] - depth, 0)
+plane.SetPoint2(middle - 20 * width, y[0] + 20 * depth, 0)
+sea = stage.add(renderer, plane, (0.05, 0.12, 0.18))
+sea.GetProperty().SetAmbient(0.5)
+
+sun = stage.light((0.26, 1, 0.33), (1, 0.97, 0.9))
+skylight = stage.light((0, -0.6, 1), (0.6, 0.75, 1), intensity=0.8)
+renderer.AddLight(sun)
+renderer.AddLight(skylight)
+rays = godrays.enable(renderer, light=[sun, skylight], medium=clouds, ignored=[sea], model="atmosphere",
+    mie_scattering=[0.5 / depth] * 3, mie_asymmetry=0.76, world_unit_in_meters=1, intensity=4,
+    data_asymmetry=SHOWN_ASYMMETRY, data_scale=(1 - ASYMMETRY) / (1 - SHOWN_ASYMMETRY),
+    automatic_exposure=False)
+eye = max(0.25 * wet[0], 50)
+stage.look(renderer, (middle, y[0] - 0.35 * depth, eye), (middle, y[0] + depth, 1.5 * wet[-1]), 50)
+renderer.GetActiveCamera().SetClippingRange(20, 30 * depth)
+window = stage.show(renderer)
