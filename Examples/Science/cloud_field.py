@@ -359,7 +359,7 @@ def make(step=40.0, seed=4):
         size = min(160 + 220 * random.pareto(2.2), 700)
         for _ in range(int(60 + size / 3)):
             height = random.uniform(0, 1) ** 1.3
-            around = random.normal(size=2) * size * 0.62 * (1 - 0.75 * height)
+            around = numpy.clip(random.normal(size=2), -1.6, 1.6) * size * 0.62 * (1 - 0.75 * height)
             radius = size * min(0.1 + 0.07 * random.pareto(2), 0.4) * (1 - 0.35 * height)
             place = (*(heart + around), base + height * size * 1.9)
             cut = tuple(slice(*numpy.searchsorted(axis, (at - 1.5 * radius, at + 1.5 * radius)))
