@@ -48,6 +48,7 @@ void vtkGodRaysGridPicture::SetGrids(const std::vector<vtkGodRaysGrid>& grids, b
     self.Grids.resize(MaximumGrids);
   }
   self.AllBlocks.clear();
+  self.Lights.clear();
   self.AllBlocks.reserve(self.Grids.size());
   for (const vtkGodRaysGrid& grid : self.Grids)
   {

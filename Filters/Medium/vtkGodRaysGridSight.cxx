@@ -12,8 +12,9 @@ using vtkGodRays::Vec2;
 using vtkGodRays::Vec3;
 
 const double Infinity = std::numeric_limits<double>::infinity();
-constexpr int FarParts = 16; // an eighth of the parts of what of a ray is outside of data, at most
 constexpr double FourPi = 12.566370614359172;
+constexpr double WidestPiece = 0.15; // of a step, as a lamp sees it [radians]
+constexpr int FarParts = 16; // an eighth of the parts of what of a ray is outside of data, at most
 constexpr double PartOfCrossing = 0.15; // of the tolerance, for each of these
 
 using Blocks = vtkGodRaysGridBlocks;
@@ -160,8 +161,8 @@ int vtkGodRaysGridSight::CountPieces(const vtkGodRays::LitRay& lit, double begin
 {
   return this->Directional || !(begin < end)
     ? 1
-    : static_cast<int>(
-        1.0 + lit.Distance * vtkGodRays::PointAirlight(lit.Foot, lit.Distance, begin, end) / 0.15);
+    : static_cast<int>(1.0 +
+        lit.Distance * vtkGodRays::PointAirlight(lit.Foot, lit.Distance, begin, end) / WidestPiece);
 }
 
 //------------------------------------------------------------------------------
@@ -265,8 +266,8 @@ void vtkGodRaysGridSight::March(
 }
 
 //------------------------------------------------------------------------------
-// In at least so many steps. What comes to the data may change more than they do: in haze, in the shadow of
-// other data, and near a lamp, as seen from which steps are then alike.
+// A part of the ray in one block, in at least so many steps. There are more where light changes faster than
+// data do: in haze, in the shadow of other data, and near a lamp, from which the steps then look alike.
 void vtkGodRaysGridSight::MarchBlock(const Ray& ray, double begin, double end, double parts,
   double cells, double thickest, Front& front, Vec3& depth, Vec3& sum, std::size_t& steps) const
 {
@@ -462,6 +463,11 @@ vtkGodRays::Vec2 vtkGodRaysGridSight::FindShadow(
 void vtkGodRaysGridSight::Cross(
   const Ray& ray, double begin, double end, const Vec3& depth, Vec3& sum, std::size_t& steps) const
 {
+  // No light comes from outside of a spotlight's cone, whose edge is rounded.
+  const Vec2 lit = vtkGodRays::SpotPart(ray.Lit, std::max(end, 0.0));
+  const double inset = this->Spot.IsCone() ? 1e-6 * (lit.y - lit.x) : 0.0;
+  begin = std::max(begin, lit.x + inset);
+  end = std::min(end, lit.y - inset);
   if (!(end > begin))
   {
     return;
@@ -480,18 +486,20 @@ void vtkGodRaysGridSight::Cross(
   const double finest =
     std::max(4.0 / speed, (end - begin) / static_cast<double>(8 * FarParts)); // part of a ray
   const bool dims = depth != Vec3(0.0);
+  // Two tell what is even, but not what a planet's shadow is in.
+  const int fewest = ray.Lit.PlanetRadius > 0.0 ? FarParts / 2 : 2;
   if (!(dark.x < dark.y))
   {
     dark = Vec2(end);
   }
   if (dims)
   {
-    this->CrossPart(ray, begin, dark.x, 2, finest, depth, sum, steps);
+    this->CrossPart(ray, begin, dark.x, fewest, finest, depth, sum, steps);
   }
   this->CrossPart(ray, dark.x, dark.y, FarParts / 2, finest, depth, sum, steps);
   if (dims)
   {
-    this->CrossPart(ray, dark.y, end, 2, finest, depth, sum, steps);
+    this->CrossPart(ray, dark.y, end, fewest, finest, depth, sum, steps);
   }
 }
 
@@ -548,7 +556,9 @@ void vtkGodRaysGridSight::CrossPart(const Ray& ray, double begin, double end, in
       const Node middle = evaluate(0.5 * (from.T + to.T));
       const double part = length > 0.0 ? (middle.S - from.S) / length : 0.5;
       const Vec3 bent = middle.Value - (1.0 - part) * from.Value - part * to.Value;
-      const bool halves = length > finest && count < 24;
+      // Parts are alike as a lamp sees them, and near it shorter than what data ask for.
+      const bool isWide = !this->Directional && to.T - from.T > 1.0 / (8 * FarParts);
+      const bool halves = (length > finest || isWide) && count < 24;
       if (halves && size(bent) * length > accepted)
       {
         ahead[count++] = middle;

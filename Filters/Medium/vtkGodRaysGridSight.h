@@ -77,9 +77,10 @@ private:
     Vec3 Scattered = Vec3(0.0); // [1/(length sr)]
     Vec3 Left = Vec3(1.0);      // of light on its ways to there and on
     bool Visible = true;
-    double Cosine = 0.0;   // of the angle of scattering
-    double Strength = 1.0; // of the light there, of its irradiance or intensity, but for
-    double Square = 1.0;   // the square of the distance that it is divided by
+    double Cosine = 0.0; // of the angle of scattering
+    double Strength =
+      1.0;               // of the light there, of its irradiance or intensity; not yet over Square
+    double Square = 1.0; // of the distance from a lamp
 
     double GetChange(const Air& other) const;
   };

@@ -11,6 +11,7 @@
 #include "vtkGodRaysGridPicture.h"
 #include "vtkGodRaysMath.h"
 
+#include "vtkMath.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -282,6 +283,7 @@ TEST(GridPicture, IsTheTruthWhereDataAreEven)
     Print(name, error, drawer, drawing);
     EXPECT_LE(error.Rms, 1.0 / 255.0) << name;
     EXPECT_GT(error.Effect, 5.0 / 255.0) << name; // the control
+    return error;
   };
   const Vec3 sun(0.1, 1.0, 0.2);
   Parameters parameters = MakeParameters(sun, 0.0);
@@ -297,6 +299,17 @@ TEST(GridPicture, IsTheTruthWhereDataAreEven)
   check("haze that thins out in a coarse cloud", parameters, { make(0, 0, -9, 6.0, 7, even(0.1)) });
   check("a lamp in a coarse cloud", MakeParameters(Vec3(0.2, 0.1, -6.0), 1.0),
     { make(0, 0, -6, 2.0, 5, even(0.2)) });
+  Parameters behind = MakeParameters(Vec3(0.1, 0.1, -8.5), 1.0);
+  AddHaze(behind);
+  const Error about =
+    check("haze about a lamp behind a coarse cloud", behind, { make(0, 0, -6, 2.0, 5, even(0.3)) });
+  EXPECT_LE(about.Largest, 2.0 / 255.0); // of few pixels
+  behind = MakeParameters(Vec3(0.0, 3.0, -12.0), 1.0);
+  AddHaze(behind);
+  behind.Spot.Axis[1] = -1.0;
+  behind.Spot.Axis[2] = 0.0;
+  behind.Spot.CosCone = std::cos(vtkMath::RadiansFromDegrees(4.0));
+  check("a narrow beam behind a cloud", behind, { make(0, 0, -6, 2.0, 33, even(0.12)) });
   check("a cell with a lamp in it", MakeParameters(Vec3(0.2, 0.1, -6.0), 1.0),
     { make(0, 0, -6, 2.0, 2, even(0.2)) });
 }
