@@ -42,11 +42,18 @@ struct Table
   bool Even = true;              // all tints are alike
   bool Grey = true;              // each has equal channels
 
-  Table(vtkVolumeProperty* property, vtkDataArray* scalars)
+  Table(vtkVolumeProperty* property, vtkDataArray* scalars, const char* mask)
     : Extinction(TableSize)
     , Tint(3 * static_cast<std::size_t>(TableSize))
   {
-    scalars->GetFiniteRange(this->Range, 0);
+    if (mask)
+    {
+      this->FindRange(scalars, mask);
+    }
+    else
+    {
+      scalars->GetFiniteRange(this->Range, 0);
+    }
     if (!(this->Range[1] > this->Range[0]))
     {
       this->Range[1] = this->Range[0] + 1.0;
@@ -83,6 +90,22 @@ struct Table
         this->Even = this->Even && tint[c] == this->Tint[c];
       }
       this->Grey = this->Grey && tint[0] == tint[1] && tint[1] == tint[2];
+    }
+  }
+
+  /// The range of values that are in the data: outside of a grid they are 0.
+  void FindRange(vtkDataArray* scalars, const char* mask)
+  {
+    bool known = false;
+    for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
+    {
+      const double value = mask[i] ? scalars->GetComponent(i, 0) : vtkMath::Nan();
+      if (std::isfinite(value))
+      {
+        this->Range[0] = known ? std::min(this->Range[0], value) : value;
+        this->Range[1] = known ? std::max(this->Range[1], value) : value;
+        known = true;
+      }
     }
   }
 
@@ -254,7 +277,7 @@ vtkGodRaysVolumeGrid::Error FindError(const std::vector<vtkGodRaysVolumeImage::S
   std::size_t count = 0;
   for (const auto& sample : samples)
   {
-    if (!cut.IsNone() && cut.Takes(sample.Place.data()))
+    if (!std::isfinite(sample.Value) || (!cut.IsNone() && cut.Takes(sample.Place.data())))
     {
       continue;
     }
@@ -325,7 +348,7 @@ std::string vtkGodRaysVolumeGrid::Read(vtkProp* prop, const Numbers& numbers,
            "that span one";
   }
 
-  const Table table(property, scalars);
+  const Table table(property, scalars, data.GetMask());
   const Cut cut(mapper, volume->GetMatrix());
   const Vec3 albedo(numbers.Albedo[0], numbers.Albedo[1], numbers.Albedo[2]);
   const bool alike = albedo.x == albedo.y && albedo.y == albedo.z;

@@ -12,6 +12,7 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFloatArray.h"
 #include "vtkGenericCell.h"
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
@@ -19,6 +20,7 @@
 #include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkResampleToImage.h"
+#include "vtkUniformGrid.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -67,11 +69,22 @@ vtkDataArray* GetArray(vtkDataSet* part, const char* name, bool ofCells)
 vtkSmartPointer<vtkDataSet> MakePart(
   vtkDataSet* part, vtkDataArray* array, bool ofCells, bool alone)
 {
-  auto slim = vtkSmartPointer<vtkDataSet>::Take(part->NewInstance());
+  // Of images, vtkCellDataToPointData leaves hidden cells of these out alone.
+  auto slim = vtkSmartPointer<vtkDataSet>::Take(
+    vtkImageData::SafeDownCast(part) ? vtkUniformGrid::New() : part->NewInstance());
   slim->CopyStructure(part);
-  // A copy with a name of its own shares the numbers.
-  auto named = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
-  named->ShallowCopy(array);
+  // A copy with a name of its own shares the numbers, but for whole ones: their means are none.
+  vtkSmartPointer<vtkDataArray> named;
+  if (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE)
+  {
+    named.TakeReference(array->NewInstance());
+    named->ShallowCopy(array);
+  }
+  else
+  {
+    named = vtkSmartPointer<vtkFloatArray>::New();
+    named->DeepCopy(array);
+  }
   named->SetName(Name);
   if (alone && part->GetCellGhostArray())
   {
@@ -89,16 +102,18 @@ vtkSmartPointer<vtkDataSet> MakePart(
   return vtkDataSet::SafeDownCast(toPoints->GetOutput());
 }
 
-/// What data are at the centres of cells, of which every so many-th is taken.
+/// What data are at the centres of cells, of which every so many-th is taken, from the next on; it goes on in
+/// the next part.
 void AddSamples(vtkDataSet* part, vtkDataArray* array, bool ofCells, vtkIdType stride,
-  std::vector<vtkGodRaysVolumeImage::Sample>& samples)
+  vtkIdType& next, std::vector<vtkGodRaysVolumeImage::Sample>& samples)
 {
   constexpr unsigned char absent = vtkDataSetAttributes::DUPLICATECELL |
     vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
   vtkUnsignedCharArray* ghosts = part->GetCellGhostArray();
   vtkNew<vtkGenericCell> cell;
   std::vector<double> weights;
-  for (vtkIdType i = stride / 2; i < part->GetNumberOfCells(); i += stride)
+  vtkIdType i = next;
+  for (; i < part->GetNumberOfCells(); i += stride)
   {
     part->GetCell(i, cell);
     if (cell->GetCellDimension() != 3 || (ghosts && (ghosts->GetValue(i) & absent) != 0))
@@ -117,6 +132,7 @@ void AddSamples(vtkDataSet* part, vtkDataArray* array, bool ofCells, vtkIdType s
     }
     samples.push_back(sample);
   }
+  next = i - part->GetNumberOfCells();
 }
 
 /// Whether each point of an image is shown, and in a cell that is; empty if all are.
@@ -302,9 +318,9 @@ std::string vtkGodRaysVolumeImage::Update(vtkAbstractVolumeMapper* mapper, int r
   auto mask =
     vtkCharArray::SafeDownCast(this->Resampled->GetPointData()->GetArray("vtkValidPointMask"));
   this->Mask = mask ? mask->GetPointer(0) : nullptr;
-  if (image)
+  if (auto whole = parts.size() == 1 ? vtkImageData::SafeDownCast(parts[0]) : nullptr)
   {
-    this->SetMask(FindShown(image));
+    this->SetMask(FindShown(whole)); // also the only part of a composite
   }
   return this->Scalars ? "" : "could not be resampled. Resample it with vtkResampleToImage";
 }
@@ -322,6 +338,8 @@ void vtkGodRaysVolumeImage::Resample(
     cells += part->GetNumberOfCells();
     box.AddBounds(part->GetBounds());
   }
+  const vtkIdType stride = cells / MostSamples + 1;
+  vtkIdType next = stride / 2;
   vtkNew<vtkMultiBlockDataSet> blocks;
   vtkSmartPointer<vtkDataSet> only;
   for (vtkDataSet* part : parts)
@@ -331,7 +349,7 @@ void vtkGodRaysVolumeImage::Resample(
     {
       continue;
     }
-    AddSamples(part, array, ofCells, cells / MostSamples + 1, this->Samples);
+    AddSamples(part, array, ofCells, stride, next, this->Samples);
     only = MakePart(part, array, ofCells, parts.size() == 1);
     blocks->SetBlock(blocks->GetNumberOfBlocks(), only);
   }

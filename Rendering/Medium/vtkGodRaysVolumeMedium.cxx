@@ -71,6 +71,11 @@ std::string vtkGodRaysVolumeMedium::Take(vtkRenderer* renderer, vtkGodRaysCompos
   {
     fault = this->Read(numbers);
   }
+  if (this->Props.empty())
+  {
+    this->Images
+      .clear(); // those of props with a fault are kept: they would be resampled in each frame
+  }
   if (!fault.empty())
   {
     this->Props.clear();
@@ -79,7 +84,6 @@ std::string vtkGodRaysVolumeMedium::Take(vtkRenderer* renderer, vtkGodRaysCompos
   {
     this->Grids.clear();
     this->Objects.clear();
-    this->Images.clear();
     ++this->Version;
     ++this->ExtinctionVersion;
     for (Drawer& drawer : this->Drawers)

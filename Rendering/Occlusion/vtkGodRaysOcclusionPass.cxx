@@ -197,7 +197,8 @@ bool HasOneColor(vtkProp* prop)
     property->GetNumberOfTextures() == 0 && !property->GetLighting() &&
     property->GetInterpolation() <= VTK_PHONG && !property->GetEdgeVisibility() &&
     !property->GetVertexVisibility() && property->GetAmbient() == 0.0 &&
-    property->GetDiffuse() == 1.0 && property->GetSpecular() == 0.0;
+    property->GetDiffuse() == 1.0 && property->GetSpecular() == 0.0 &&
+    property->GetOpacity() >= 1.0; // also of an actor that is forced to be opaque
 }
 
 /// Where a prop is drawn; the bounds are left alone where that is not known: other shaders and mappers

@@ -18,6 +18,7 @@
 #include "vtkFieldData.h"
 #include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkOverlappingAMR.h"
 #include "vtkPiecewiseFunction.h"
@@ -27,6 +28,7 @@
 #include "vtkRectilinearGrid.h"
 #include "vtkResampleToImage.h"
 #include "vtkUniformGrid.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
 #include "vtkVolumeMapper.h"
@@ -143,7 +145,7 @@ vtkSmartPointer<vtkOverlappingAMR> MakeAMR(
   return grid;
 }
 
-/// Takes levels, as vtkAMRVolumeMapper does, which not every VTK has.
+/// Takes levels and blocks, as vtkAMRVolumeMapper and vtkMultiBlockVolumeMapper do; not every VTK has those.
 class LevelsMapper : public vtkVolumeMapper
 {
 public:
@@ -152,14 +154,17 @@ public:
   void Render(vtkRenderer*, vtkVolume*) override {}
   double* GetBounds() override
   {
-    vtkOverlappingAMR::SafeDownCast(this->GetInputDataObject(0, 0))->GetBounds(this->Bounds);
+    for (int i = 0; i < 6; ++i)
+    {
+      this->Bounds[i] = i % 2 == 0 ? -1.5 : 1.5; // of all that is drawn here
+    }
     return this->Bounds;
   }
 
 protected:
   int FillInputPortInformation(int, vtkInformation* info) override
   {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkOverlappingAMR");
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
     return 1;
   }
 };
@@ -200,7 +205,7 @@ protected:
     {
       mapper = vtkSmartPointer<vtkProjectedTetrahedraMapper>::New();
     }
-    else if (data->IsA("vtkOverlappingAMR"))
+    else if (data->IsA("vtkCompositeDataSet"))
     {
       mapper = vtkSmartPointer<LevelsMapper>::New();
     }
@@ -402,7 +407,9 @@ TEST_F(GodRaysVolumeGrids, HaveNothingWhereTheyAreBlank)
   EXPECT_GT(Compare(expected, whole), 0.05); // the control
   for (const bool ofCells : { false, true })
   {
-    auto grid = SetValues(MakeImage<vtkUniformGrid>(33), one, ofCells);
+    const auto half = [](const double* p)
+    { return p[0] < 1e-9 ? 1.0 : 0.5; }; // hidden ones are no matter
+    auto grid = SetValues(MakeImage<vtkUniformGrid>(33), half, ofCells);
     for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
     {
       if (i % 32 >= 16)
@@ -421,6 +428,82 @@ TEST_F(GodRaysVolumeGrids, HaveNothingWhereTheyAreBlank)
     }
   }
   EXPECT_LT(Compare(expected, this->Draw(grid)), 1e-6);
+}
+
+// So it is for an image of VTK's most usual class, in a composite, and whatever hidden cells hold.
+TEST_F(GodRaysVolumeGrids, HaveNothingWhereTheOnlyPartIsBlank)
+{
+  const auto left = [](const double* p) { return p[0] < 1e-9 ? 1.0 : 0.0; };
+  const auto expected = this->Draw(SetValues(MakeImage(33), left));
+  for (const bool ofCells : { false, true })
+  {
+    const double hidden = ofCells ? 7.0 : 1.0;
+    auto image = SetValues(
+      MakeImage(33), [&](const double* p) { return p[0] < 1e-9 ? 1.0 : hidden; }, ofCells);
+    vtkNew<vtkUnsignedCharArray> ghosts;
+    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    for (vtkIdType i = 0; i < image->GetNumberOfCells(); ++i)
+    {
+      ghosts->InsertNextValue(i % 32 >= 16 ? vtkDataSetAttributes::HIDDENCELL : 0);
+    }
+    image->GetCellData()->AddArray(ghosts);
+    EXPECT_LT(Compare(expected, this->Draw(image)), 1e-6) << ofCells;
+    vtkNew<vtkMultiBlockDataSet> blocks;
+    blocks->SetBlock(0, image);
+    EXPECT_LT(Compare(expected, this->Draw(blocks)), 1e-6) << ofCells;
+  }
+}
+
+// Means of whole numbers are none.
+TEST_F(GodRaysVolumeGrids, MayHoldWholeNumbers)
+{
+  const auto mask = [](const double* p) {
+    return std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) }) < 0.8 ? 1.0 : 0.0;
+  };
+  const auto expected = this->Draw(MakeTetrahedra(SetValues(MakeImage(13), mask)));
+  auto whole = MakeTetrahedra(SetValues(MakeImage(13), mask));
+  vtkNew<vtkUnsignedCharArray> values;
+  values->DeepCopy(whole->GetPointData()->GetScalars());
+  whole->GetPointData()->SetScalars(values);
+  EXPECT_LT(Compare(expected, this->Draw(whole)), 1e-6);
+}
+
+// What is outside of a grid does not take entries of the table of its transfer function.
+TEST_F(GodRaysVolumeGrids, MayHaveValuesFarFromZero)
+{
+  const auto inside = [](const double* p) {
+    return std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) }) < 1.0;
+  };
+  const auto grid = [&](double offset)
+  {
+    auto cells =
+      MakeTetrahedra(SetValues(MakeImage(17), [&](const double* p) { return offset + Bell(p); }));
+    vtkNew<vtkUnstructuredGrid> some;
+    some->SetPoints(cells->GetPoints());
+    some->GetPointData()->SetScalars(cells->GetPointData()->GetScalars());
+    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+    {
+      double bounds[6];
+      cells->GetCellBounds(i, bounds);
+      const double center[3] = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
+        0.5 * (bounds[4] + bounds[5]) };
+      if (inside(center))
+      {
+        some->InsertNextCell(VTK_TETRA, cells->GetCell(i)->GetPointIds());
+      }
+    }
+    return vtkSmartPointer<vtkUnstructuredGrid>(some);
+  };
+  const auto expected = this->Draw(grid(0.0));
+  const double offset = 1e5;
+  vtkPiecewiseFunction* opacities = this->Smoke->GetProperty()->GetScalarOpacity();
+  vtkNew<vtkPiecewiseFunction> moved;
+  for (int i = 0; i <= 256; ++i)
+  {
+    moved->AddPoint(offset + i / 256.0, opacities->GetValue(i / 256.0));
+  }
+  this->Smoke->GetProperty()->SetScalarOpacity(moved);
+  EXPECT_LT(Compare(expected, this->Draw(grid(offset))), 1e-4);
 }
 
 // Outside of cells there is nothing.
