@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import inspect
 import textwrap
 from typing import TYPE_CHECKING, Any
 
@@ -148,12 +149,12 @@ def document(function: Any, *classes: type) -> None:
     """Add to a function's documentation what C++ says of the properties that its keywords set."""
     properties = {snake(name[3:]): (cls, name[3:]) for cls in reversed(classes)
         for name in dir(cls) if name.startswith("Set")}
-    told = function.__doc__.rstrip()
+    told = inspect.cleandoc(function.__doc__)  # Python 3.13 leaves its indentation out, older ones do not
     for keyword in function.__kwdefaults__:
-        if keyword in properties and f"\n    {keyword}:" not in told:
+        if keyword in properties and f"\n{keyword}:" not in told:
             text = f"{keyword}: {describe(*properties[keyword])}"
-            told += "\n" + textwrap.fill(text, 100, initial_indent=" " * 4, subsequent_indent=" " * 8)
-    function.__doc__ = told + "\n    "
+            told += "\n" + textwrap.fill(text, 100, subsequent_indent=" " * 4)
+    function.__doc__ = told
 
 
 document(scatter, vtkGodRaysScatteringFilter)
