@@ -199,9 +199,9 @@ public:
    * 2. The rays' mean is at most 0.12, their 99th percentile at most 1 [linear light, 1 is white]. A look is
    * weaker over data alone, over lit and dark ones each as they ask for it, and never stronger than its
    * parameters say. Light in a medium, whose unit is that of the lights, is up to fourfold, and over data
-   * half as strong as beside them, or less where they would lose their colours; what the medium takes of the
-   * data's light on average is made up for, up to twofold, as if their lamps were as much brighter. While
-   * the user drags the camera, the strength changes gradually.
+   * down to half as strong as beside them, or less where they would lose their colours; what the medium
+   * takes of the data's light on average is made up for, up to twofold, as if their lamps were as much
+   * brighter. While the user drags the camera, the strength changes gradually.
    * Published sums of shown values are as published. Off, Intensity and the model's parameters are the
    * strength, and a medium dims data by all that it takes. Default is on.
    */
@@ -237,7 +237,7 @@ public:
   /**
    * Set/Get whether a look darkens a background that is so light that it has no room for rays, from a
    * lightness of 75 on [CIE 1976 L*, white is 100]: where rays are strong it keeps its colour, in shadows it
-   * is darker, by up to 40 % of its linear light. Off, rays are hardly seen there. A medium, which takes
+   * is darker, by up to 60 % of its linear light. Off, rays are hardly seen there. A medium, which takes
    * light, too, needs none of it, nor do published sums of shown values. Default is on.
    */
   vtkSetMacro(DarkenLightBackground, bool);

@@ -150,7 +150,7 @@ fi
 # ---------------------------------------------------------------------------------------------
 # Test, all trees under one X server. -noreset: without it, the server restarts when its last
 # client leaves, and a client that comes at that moment is turned away. With CI=true, build-paraview is
-# tested with plugin, packages and consumers alone, for time: its VTK is of the version in build.
+# tested with plugin, packages, consumers and style alone, for time: its VTK is of the version in build.
 
 run_ctest='
 failed=0

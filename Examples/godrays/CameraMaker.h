@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Cameras that show the data from a direction, as options have them otherwise.
+ * Cameras that show the data from a direction; options that place a camera override it.
  */
 
 #ifndef CameraMaker_h

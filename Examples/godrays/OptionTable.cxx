@@ -189,8 +189,7 @@ void AddCameraOptions(Parser& parser, Options& options)
   parser.Group = "Camera";
   parser.Add("--camera", options.Camera, "AZIMUTH,ELEVATION",
     "Where the camera is, seen from the middle of the data, in degrees as for --sun; as far away "
-    "as "
-    "shows all of it");
+    "as shows all of it");
   parser.Add("--zoom", options.Zoom, 1e-3, 1e3, "How many times as near the camera is (1)");
   parser.Add("--camera-position", options.CameraPosition, "X,Y,Z", "Where the camera is");
   parser.Add("--focal-point", options.FocalPoint, "X,Y,Z", "What the camera looks at");
@@ -294,8 +293,7 @@ void AddLookOptions(Parser& parser, Options& options)
     });
   parser.Add("--window", options.Window, "LEVEL,WIDTH",
     "Of volumes: the values in the middle of those shown, and how far they range, as radiologists "
-    "have "
-    "it; opacity goes from 0 to its most there");
+    "have it; opacity goes from 0 to its most there");
   parser.AddCall("--volume-preset", "NAME",
     "Opacities and colours of a CT volume, in Hounsfield units: " + Join(GetVolumePresets()),
     [&options](const std::string& text)
@@ -310,8 +308,7 @@ void AddLookOptions(Parser& parser, Options& options)
     });
   parser.AddFlag("--volume-medium", options.VolumeMedium,
     "Volumes scatter light, as smoke does, in the medium of --preset or alone; opacities are as "
-    "those of "
-    "volumes");
+    "those of volumes");
   parser.Add("--isosurface", options.Isosurface, -1e300, 1e300,
     "Draw 3-D images as the surface of this value instead of as a volume");
 }
@@ -394,8 +391,7 @@ void AddSeriesOptions(Parser& parser, Options& options)
     });
   parser.AddCall("--film", "FILE",
     "Join the pictures of --animate, --turntable or --each to a film: .ogv, or with ffmpeg, which "
-    "is to "
-    "be installed, .mp4, .webm, .mkv or .gif",
+    "is to be installed, .mp4, .webm, .mkv or .gif",
     [&options](const std::string& text) { options.Film = text; });
   parser.Add("--frame-rate", options.FrameRate, 0.1, 240.0, "Pictures a second of a film (25)");
 }

@@ -18,7 +18,7 @@ class App;
 }
 
 /**
- * Add all options to a parser, which writes what they ask for to these.
+ * Add all options to a parser. It writes their values to the struct.
  */
 void AddOptions(CLI::App& app, Options& options);
 

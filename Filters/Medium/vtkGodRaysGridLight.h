@@ -5,12 +5,12 @@
  * @brief   what a medium of data leaves of a light, at all places
  *
  * Private. Optical depths of the light's ways through one grid, at nodes about twice as far apart as its
- * points, and at least 20 along each axis: at most an eighth of its memory, but for small ones, whose depths
- * bend between points where no datum changes. The nodes of a directional light stand in
- * columns along its direction, so that sums along a column are exact and nothing is smeared from plane to
- * plane; each plane across the axis that light goes along most keeps the columns that go through the grid
- * there. Of a point light, they stand along the grid's axes, and have means along the light's ways: depths
- * rise from the light as a cone does, which no straight lines between nodes tell.
+ * points, and at least 20 along each axis: at most an eighth of its memory, but for small or thin ones, whose
+ * depths bend between points where no datum changes. The nodes of a directional light stand in columns along
+ * its direction, so that sums along a column are exact and nothing is smeared from plane to plane; each plane
+ * across the axis that light goes along most keeps the columns that go through the grid there. Of a point
+ * light, they stand along the grid's axes, and have means along the light's ways: depths rise from the light
+ * as a cone does, which no straight lines between nodes tell.
  */
 
 #ifndef vtkGodRaysGridLight_h

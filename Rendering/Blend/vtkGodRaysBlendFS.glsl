@@ -36,7 +36,7 @@ uniform float surroundLight; // of rays before a light background where they lea
 uniform float surroundPart;  // by which it is darker where there are none
 uniform float mostLightness; // by which data change, if only their lightness does
 uniform bool alphaShowsData; // it is 0 where nothing is drawn
-uniform float alphaLayers;   // which count as data as much as they hide together
+uniform float alphaLayers;   // n in PartOfAlpha()
 uniform vec2 cells;          // of the pictures that a meter reads
 
 //VTK::GodRays::Terms

@@ -60,7 +60,7 @@ public:
     double DataGain = 1.0;       ///< on data, at most as much as the medium takes of their light
     double MostLightness = -1.0; ///< by which data change, in L*, if only that may; else below 0
     bool AlphaShowsData = false; ///< it is 0 where nothing is drawn
-    double AlphaLayers = 1.0;    ///< of an alpha that count as data as much as they hide together
+    double AlphaLayers = 1.0;    ///< n: an alpha a counts as data by 1 - (1 - a)^n
     bool ShowRays = false;
     bool Accumulate = false; ///< add to what the framebuffer holds
 

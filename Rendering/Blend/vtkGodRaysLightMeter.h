@@ -56,8 +56,7 @@ public:
   bool Read(vtkGodRaysBlendPass* blending, const vtkGodRaysBlendPass::Request& request);
 
   /**
-   * How many layers of the alpha that a renderer's props leave count as data as much as they hide together;
-   * see PartOfAlpha() in the shader.
+   * The AlphaLayers of a request, for the props of a renderer: how translucent ones are drawn decides it.
    */
   static double FindAlphaLayers(vtkRenderer* renderer);
 

@@ -3,7 +3,7 @@
 """Parallel rendering: the picture is that of one process, whoever renders it.
 
 Plain Python, which starts ParaView's programs: GODRAYS_PVBATCH, GODRAYS_PVSERVER, GODRAYS_MPIRUN. Two processes draw
-all scenes; four, and a client that renders itself, draw those whose work depends on it, with GODRAYS_LONG more.
+all scenes. Four processes, and a client that renders itself, draw fewer; GODRAYS_LONG takes more.
 """
 
 import os

@@ -13,7 +13,7 @@ import defaults
 
 defaults.SIZE = (300, 210)
 LEAST_CONTRAST = 1.5  # [L*] of shafts, of which gradients and textures alone have none
-# of a look before what is so light that it darkens, on which light adds hardly anything
+# A look darkens these, as light that is added is hardly seen there: its shafts are to be clearer.
 DARKENED = {"white", "light grey", "light gradient"}
 LEAST_BEFORE_LIGHT = 2
 

@@ -7,6 +7,7 @@ Run with a word, it draws frames, with rays or without, while a test takes its X
 
 import ctypes
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -26,7 +27,11 @@ KINDS = {  # how the light is summed
     "medium": ("fog", None),
     "shadow map": ("fog", godrays.vtkGodRaysShadowMapIntegrator),
 }
-OPENGL = ctypes.CDLL("libGL.so.1")
+try:
+    OPENGL = ctypes.CDLL("libGL.so.1")
+except OSError as reason:
+    print(f"SKIPPED: {reason}")
+    sys.exit(77)
 OPENGL.glXGetCurrentContext.restype = OPENGL.glXGetCurrentDisplay.restype = ctypes.c_void_p
 OPENGL.glXMakeCurrent.argtypes = (ctypes.c_void_p, ctypes.c_ulong, ctypes.c_void_p)
 
@@ -109,8 +114,11 @@ class Contexts(unittest.TestCase):
                 self.assertTrue((stage.shown() == bare).all())
                 # names of textures are each context's own: what was released is not the other window's
                 self.assertTrue((self.other.shown() == self.of_other).all())
+                stage.rays.Attach(stage.renderer)
+                stage.shown()
                 leave()
-                stage.window.Finalize()
+                stage.window.Finalize()  # with rays
+                self.assertTrue((self.other.shown() == self.of_other).all())
         self.assertNotIn("vtkGodRays", self.messages.GetOutput())
 
     def test_none_is_current(self):
@@ -121,6 +129,8 @@ class Contexts(unittest.TestCase):
 
     def test_an_x_server_that_goes_away(self):
         """Xlib ends the program, with rays as without."""
+        if not shutil.which("Xvfb"):
+            self.skipTest("there is no Xvfb")
         ends = {}
         for kind in ("none", "look"):
             to_read, to_write = os.pipe()
@@ -142,7 +152,7 @@ class Contexts(unittest.TestCase):
                 told, _ = program.communicate("go on\n", timeout=120)
                 ends[kind] = program.returncode
                 self.assertNotIn("drawn again", told)
-                self.assertIn("fatal IO error", told)
+                self.assertRegex(told, "fatal IO error|X connection to .* broken")
         self.assertEqual(ends["look"], ends["none"])
         self.assertGreater(ends["look"], 0)  # by exit(), not by a signal
 

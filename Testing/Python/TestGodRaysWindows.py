@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Windows of EGL and of OSMesa, which need no screen and VTK 9.4 chooses at run time, and Mesa's driver softpipe show
-what a window of the screen does.
+"""Windows of EGL and OSMesa, and Mesa's driver softpipe, show what a window of the screen does.
+
+EGL and OSMesa need no screen; from VTK 9.4 on they are chosen at run time.
 
 Run with a file's name, it draws a scene in the window that the environment asks for, and writes it there.
 """
