@@ -340,7 +340,7 @@ def _turbulence(random, shape):
     waves = numpy.fft.rfftn(random.normal(size=shape))
     k = numpy.sqrt(sum(each**2 for each in numpy.ix_(
         *(numpy.fft.fftfreq(count) for count in shape[:-1]), numpy.fft.rfftfreq(shape[-1]))))
-    noise = numpy.fft.irfftn(waves * numpy.maximum(k, 1 / 24) ** (-11 / 6), shape)
+    noise = numpy.fft.irfftn(waves * numpy.maximum(k, 1 / 24) ** (-11 / 6), shape, (0, 1, 2))
     return numpy.clip(noise / noise.std(), -2, 2)
 
 

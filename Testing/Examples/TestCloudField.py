@@ -53,7 +53,7 @@ def shdom(path, x, y, z, water, radius):
         " ".join(map(str, z)), "x,y,z,lwc,reff"]
     for (k, j, i), each in numpy.ndenumerate(water):
         if each > 0:
-            lines.append(f"{i},{j},{k},{each!r},{radius[k, j, i]!r}")
+            lines.append(f"{i},{j},{k},{float(each)!r},{float(radius[k, j, i])!r}")
     path.write_text("\n".join(lines), encoding="utf-8")
 
 
