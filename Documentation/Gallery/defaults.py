@@ -267,8 +267,8 @@ PAGE = """# What happens by itself
 `godrays.enable(renderer, preset="haze")`: nothing else is set, neither camera nor lights nor background, so
 this is what a first script shows. Made by
 
-    PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a /usr/bin/python3 Documentation/Gallery/defaults.py \\
-      Documentation/Gallery
+    PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \\
+      /usr/bin/python3 Documentation/Gallery/defaults.py Documentation/Gallery
 
 The numbers are of pictures without anti-aliasing, in which a pixel shows either data or the background:
 
@@ -288,8 +288,7 @@ SITUATIONS = """
 
 Scenes that are lit, made or seen in other ways, in `default_situations.py`; data first is
 `godrays.enable(renderer, data_first=True)`. Where all of the sun is hidden, a look has no shafts,
-and `GetAdvice()` says so. Translucent things in a medium keep 88 % of their chroma, as it dims them by all that is
-before what is behind them. Where most data are dark, as a silhouette is, light before them is what one sees, and is
+and `GetAdvice()` says so. Where most data are dark, as a silhouette is, light before them is what one sees, and is
 not held back for their sake.
 
 ![the look of each, in the table's order](defaults/situations.jpg)
