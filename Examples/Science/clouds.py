@@ -12,7 +12,6 @@ import sys
 
 import cloud_field
 import godrays
-import numpy
 import stage
 import vtkmodules.all as vtk
 
@@ -44,18 +43,7 @@ print(field.describe())
 for each in field.supposed:
     print(f"supposed: {each}")
 
-opacity, white = vtk.vtkPiecewiseFunction(), vtk.vtkColorTransferFunction()
-for each in numpy.linspace(0, field.extinction.max(), 256):
-    opacity.AddPoint(each, 1 - numpy.exp(-each))  # of 1 m
-white.AddRGBPoint(0, 1, 1, 1)
-mapper = vtk.vtkSmartVolumeMapper()
-mapper.SetInputDataObject(field.to_grid())
-clouds = vtk.vtkVolume()
-clouds.SetMapper(mapper)
-clouds.GetProperty().SetScalarOpacity(opacity)
-clouds.GetProperty().SetColor(white)
-clouds.GetProperty().SetScalarOpacityUnitDistance(1)
-clouds.GetProperty().SetInterpolationTypeToLinear()
+clouds = stage.volume_of(field.to_grid(), field.extinction.max(), (1, 1, 1))
 
 x, y, z = field.axes
 middle, width, depth = (x[0] + x[-1]) / 2, x[-1] - x[0], y[-1] - y[0]

@@ -27,18 +27,7 @@ density = 1.2 * 294 / numpy.maximum(kelvin, 294)  # [kg/m^3]
 extinction = 8700 * density * 0.04 * numpy.minimum(fraction, 0.01)  # [1/m]; beyond, it is fuel
 smoke = stage.image_of(extinction.reshape(field.GetDimensions()[::-1]), field.GetSpacing(), field.GetOrigin())
 
-opacity, grey = vtk.vtkPiecewiseFunction(), vtk.vtkColorTransferFunction()
-for each in numpy.linspace(0, extinction.max(), 256):
-    opacity.AddPoint(each, 1 - numpy.exp(-each))  # of 1 m
-grey.AddRGBPoint(0, 0.8, 0.8, 0.8)
-mapper = vtk.vtkSmartVolumeMapper()
-mapper.SetInputData(smoke)
-plume = vtk.vtkVolume()
-plume.SetMapper(mapper)
-plume.GetProperty().SetScalarOpacity(opacity)
-plume.GetProperty().SetColor(grey)
-plume.GetProperty().SetScalarOpacityUnitDistance(1)
-plume.GetProperty().SetInterpolationTypeToLinear()
+plume = stage.volume_of(smoke, extinction.max(), (0.8, 0.8, 0.8))
 
 renderer = vtk.vtkRenderer()
 renderer.SetBackground(0.75, 0.82, 0.9)

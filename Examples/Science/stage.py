@@ -62,6 +62,23 @@ def box(append, *bounds):
     append.AddInputConnection(cube.GetOutputPort())
 
 
+def volume_of(data, most, color):
+    """A vtkVolume of data whose scalars are extinction [1/m], up to most; its colour is the albedo."""
+    opacity, colors = vtk.vtkPiecewiseFunction(), vtk.vtkColorTransferFunction()
+    for each in numpy.linspace(0, most, 256):
+        opacity.AddPoint(each, 1 - numpy.exp(-each))  # of 1 m
+    colors.AddRGBPoint(0, *color)
+    mapper = vtk.vtkSmartVolumeMapper()
+    mapper.SetInputDataObject(data)
+    volume = vtk.vtkVolume()
+    volume.SetMapper(mapper)
+    volume.GetProperty().SetScalarOpacity(opacity)
+    volume.GetProperty().SetColor(colors)
+    volume.GetProperty().SetScalarOpacityUnitDistance(1)
+    volume.GetProperty().SetInterpolationTypeToLinear()
+    return volume
+
+
 def image_of(values, spacing, origin=(0, 0, 0)):
     """A vtkImageData of an array [z, y, x]."""
     image = vtk.vtkImageData()
