@@ -5,8 +5,8 @@
 // instructions, and at last for the baseline, with HWY_ONCE.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "vtkGodRaysCoverageKernels.cxx"
-#define HWY_DISABLED_TARGETS                                                                       \
-  (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#include "vtkGodRaysVectorSets.h"
+
 #include <hwy/foreach_target.h> // must come before highway.h
 
 #include "vtkGodRaysCoverageKernels.h"
@@ -370,7 +370,7 @@ private:
     for (int x0 = begin; x0 < end; x0 += lanes)
     {
       const Float columns =
-        (hn::Iota(d, static_cast<float>(x0)) - hn::Set(d, middle)) * hn::Set(d, pixel);
+        (CountFrom(d, static_cast<float>(x0)) - hn::Set(d, middle)) * hn::Set(d, pixel);
       const Rays<FloatTag> rays = FindRays(this->Settings, columns, hn::Set(d, y));
       const int count = std::min(lanes, end - x0);
       HWY_ALIGN float nearest[8] = {};
@@ -498,7 +498,7 @@ void RunCoverageRow(const CoverageSettings& settings, const CoverageImage& image
       std::copy_n(values + offset + x, count, buffer);
       return hn::Load(d, buffer);
     };
-    const Float column = (hn::Iota(d, static_cast<float>(x)) - middle) * pixel;
+    const Float column = (CountFrom(d, static_cast<float>(x)) - middle) * pixel;
     const Rays<FloatTag> rays = FindRays(settings, column, hn::Set(d, height));
     const Float distance = hn::Min(load(image.Ends), farLimit) * rays.Length;
     Float lit[CoverageMaximumPlanes];

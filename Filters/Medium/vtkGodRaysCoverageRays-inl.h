@@ -11,6 +11,7 @@
 #endif
 
 #include "vtkGodRaysCoverageKernels.h"
+#include "vtkGodRaysLanes-inl.h"
 
 #include <hwy/aligned_allocator.h>
 #include <hwy/highway.h>

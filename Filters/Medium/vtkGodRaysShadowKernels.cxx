@@ -5,8 +5,8 @@
 // instructions, and at last for the baseline, with HWY_ONCE.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "vtkGodRaysShadowKernels.cxx"
-#define HWY_DISABLED_TARGETS                                                                       \
-  (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#include "vtkGodRaysVectorSets.h"
+
 #include <hwy/foreach_target.h> // must come before highway.h
 
 #include "vtkGodRaysCoverageRays-inl.h"
@@ -279,7 +279,7 @@ private:
     const double perStep = 1.0 / std::log(ShadowLadder::Ratio);
     for (int k = 0; k < this->Rows; k += GetLanes())
     {
-      const Float n = hn::Iota(d, static_cast<float>(k));
+      const Float n = CountFrom(d, static_cast<float>(k));
       const Float q = hn::Max(
         hn::MulAdd(SetFloat(this->Across[1]), n, SetFloat(this->Across[0])), SetFloat(1e-9));
       const Float square =

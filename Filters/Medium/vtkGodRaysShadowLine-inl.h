@@ -133,7 +133,7 @@ protected:
     {
       const int n = this->FirstRow + k;
       const Float x =
-        hn::Ceil(SetFloat(edge.At) + SetFloat(edge.Slope) * hn::Iota(d, static_cast<float>(n)));
+        hn::Ceil(SetFloat(edge.At) + SetFloat(edge.Slope) * CountFrom(d, static_cast<float>(n)));
       const Float first = hn::LoadU(d, this->Memory.RowFirst.data() + n);
       const Float end = hn::LoadU(d, this->Memory.RowEnd.data() + n);
       hn::StoreU(hn::ConvertTo(di, hn::Min(hn::Max(x, first), end)), di, columns + k);

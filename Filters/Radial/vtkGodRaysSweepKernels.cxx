@@ -5,10 +5,8 @@
 // instructions, and at last for the baseline, with HWY_ONCE.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "vtkGodRaysSweepKernels.cxx"
-// Sets that differ too little from the others to be worth their code, and those whose registers
-// have no size when the program is compiled (arm64 has NEON as well).
-#define HWY_DISABLED_TARGETS                                                                       \
-  (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#include "vtkGodRaysVectorSets.h"
+
 #include <hwy/foreach_target.h> // must come before highway.h
 
 #include "vtkGodRaysSweepKernels.h"

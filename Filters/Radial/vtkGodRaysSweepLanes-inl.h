@@ -9,6 +9,8 @@
 #define vtkGodRaysSweepLanes_inl_h
 #endif
 
+#include "vtkGodRaysLanes-inl.h"
+
 #include <hwy/cache_control.h>
 #include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
@@ -88,7 +90,7 @@ HWY_INLINE Places FindPlaces(double position, float step, int lane, int maximum)
   const IntTag di;
   const double base = std::floor(position);
   const float start = static_cast<float>(position - base);
-  const Float local = hn::Iota(d, static_cast<float>(lane)) * hn::Set(d, step) + hn::Set(d, start);
+  const Float local = CountFrom(d, static_cast<float>(lane)) * hn::Set(d, step) + hn::Set(d, start);
   const int first = lane == 0 ? 0 : static_cast<int>(static_cast<float>(lane) * step + start);
   Places places;
   places.Base = static_cast<std::ptrdiff_t>(base) + first;
@@ -156,6 +158,47 @@ HWY_INLINE Float Interpolate(Float a, Float b, Float c, Float e, Float fraction)
 }
 
 //------------------------------------------------------------------------------
+// In each block of four lanes, four rows become four columns.
+HWY_INLINE void TransposeBlocks([[maybe_unused]] Float rows[4])
+{
+#if HWY_TARGET != HWY_SCALAR
+  const FloatTag d;
+  const hn::RebindToFloat<hn::RepartitionToWide<IntTag>> wide;
+  const auto low01 = hn::BitCast(wide, hn::InterleaveLower(d, rows[0], rows[1]));
+  const auto low23 = hn::BitCast(wide, hn::InterleaveLower(d, rows[2], rows[3]));
+  const auto high01 = hn::BitCast(wide, hn::InterleaveUpper(d, rows[0], rows[1]));
+  const auto high23 = hn::BitCast(wide, hn::InterleaveUpper(d, rows[2], rows[3]));
+  rows[0] = hn::BitCast(d, hn::InterleaveLower(wide, low01, low23));
+  rows[1] = hn::BitCast(d, hn::InterleaveUpper(wide, low01, low23));
+  rows[2] = hn::BitCast(d, hn::InterleaveLower(wide, high01, high23));
+  rows[3] = hn::BitCast(d, hn::InterleaveUpper(wide, high01, high23));
+#endif
+}
+
+//------------------------------------------------------------------------------
+// Four floats for each block of four lanes; at: where, for every fourth lane.
+template <class Index>
+HWY_INLINE Float LoadBlocks(const float* from, const Index* at)
+{
+  const FloatTag d;
+#if HWY_TARGET == HWY_SCALAR
+  return hn::LoadU(d, from + at[0]);
+#else
+  const hn::FixedTag<float, 4> block;
+#if HWY_TARGET == HWY_AVX3
+  const hn::FixedTag<float, 8> half;
+  return hn::Combine(d,
+    hn::Combine(half, hn::LoadU(block, from + at[12]), hn::LoadU(block, from + at[8])),
+    hn::Combine(half, hn::LoadU(block, from + at[4]), hn::LoadU(block, from + at[0])));
+#elif HWY_TARGET == HWY_AVX2
+  return hn::Combine(d, hn::LoadU(block, from + at[4]), hn::LoadU(block, from + at[0]));
+#else
+  return hn::LoadU(block, from + at[0]);
+#endif
+#endif
+}
+
+//------------------------------------------------------------------------------
 // How far the places of a register's lanes lie apart.
 enum Reach
 {
@@ -166,11 +209,11 @@ enum Reach
 };
 
 //------------------------------------------------------------------------------
-// Cubic between neighbours.
+// Cubic between neighbours. Where lanes lie far apart, and registers are short, each lane loads its four
+// neighbours at once: quicker than Highway's gathering, which takes one float at a time.
 template <int Reach>
 HWY_INLINE Float ReadSmoothly(const float* row, const Places& places)
 {
-  const FloatTag d;
   const float* from = row + places.Base;
 #if HWY_TARGET == HWY_AVX3
   if constexpr (Reach == NEAR || Reach == MIDDLE)
@@ -186,51 +229,29 @@ HWY_INLINE Float ReadSmoothly(const float* row, const Places& places)
       Float{ _mm512_permutex2var_ps(low, b, high) }, Float{ _mm512_permutex2var_ps(low, c, high) },
       Float{ _mm512_permutex2var_ps(low, e, high) }, places.Fraction);
   }
+  constexpr bool looks = Reach == FAR;
+#else
+  constexpr bool looks = Reach == NEAR || HWY_TARGET == HWY_SCALAR;
 #endif
-  if constexpr (Reach == ANY)
-  {
-    return Interpolate(hn::GatherIndex(d, from - 1, places.Index),
-      hn::GatherIndex(d, from, places.Index), hn::GatherIndex(d, from + 1, places.Index),
-      hn::GatherIndex(d, from + 2, places.Index), places.Fraction);
-  }
-  else
+  if constexpr (looks)
   {
     constexpr int Registers = Reach == NEAR ? 1 : 2;
     return Interpolate(Look<Registers>(from - 1, places.Index), Look<Registers>(from, places.Index),
       Look<Registers>(from + 1, places.Index), Look<Registers>(from + 2, places.Index),
       places.Fraction);
   }
-}
-
-//------------------------------------------------------------------------------
-// Four rows of four become columns.
-HWY_INLINE void Transpose4(
-  const float* from, std::ptrdiff_t fromStride, float* to, std::ptrdiff_t toStride)
-{
-#if HWY_TARGET == HWY_SCALAR
-  for (int i = 0; i < 4; ++i)
+  else
   {
-    for (int j = 0; j < 4; ++j)
+    HWY_ALIGN std::int32_t at[Group];
+    hn::Store(places.Index, IntTag(), at);
+    Float rows[4];
+    for (int i = 0; i < 4; ++i)
     {
-      to[j * toStride + i] = from[i * fromStride + j];
+      rows[i] = LoadBlocks(from - 1, at + i);
     }
+    TransposeBlocks(rows);
+    return Interpolate(rows[0], rows[1], rows[2], rows[3], places.Fraction);
   }
-#else
-  const hn::FixedTag<float, 4> d;
-  const hn::FixedTag<double, 2> wide;
-  const auto a = hn::LoadU(d, from);
-  const auto b = hn::LoadU(d, from + fromStride);
-  const auto c = hn::LoadU(d, from + 2 * fromStride);
-  const auto e = hn::LoadU(d, from + 3 * fromStride);
-  const auto lowAB = hn::BitCast(wide, hn::InterleaveLower(d, a, b));
-  const auto lowCE = hn::BitCast(wide, hn::InterleaveLower(d, c, e));
-  const auto highAB = hn::BitCast(wide, hn::InterleaveUpper(d, a, b));
-  const auto highCE = hn::BitCast(wide, hn::InterleaveUpper(d, c, e));
-  hn::StoreU(hn::BitCast(d, hn::InterleaveLower(wide, lowAB, lowCE)), d, to);
-  hn::StoreU(hn::BitCast(d, hn::InterleaveUpper(wide, lowAB, lowCE)), d, to + toStride);
-  hn::StoreU(hn::BitCast(d, hn::InterleaveLower(wide, highAB, highCE)), d, to + 2 * toStride);
-  hn::StoreU(hn::BitCast(d, hn::InterleaveUpper(wide, highAB, highCE)), d, to + 3 * toStride);
-#endif
 }
 
 //------------------------------------------------------------------------------
@@ -238,44 +259,34 @@ HWY_INLINE void Transpose4(
 HWY_INLINE void Transpose16(
   const float* from, std::ptrdiff_t fromStride, float* to, std::ptrdiff_t toStride)
 {
-#if HWY_TARGET == HWY_AVX3
-  const FloatTag d;
-  const hn::RebindToFloat<hn::RepartitionToWide<IntTag>> wide;
-  Float blocks[4][4]; // [row / 4][column % 4]: columns c, c + 4, c + 8, c + 12 of four rows
-  for (int i = 0; i < 4; ++i)
+#if HWY_TARGET == HWY_SCALAR
+  for (int i = 0; i < Group; ++i)
   {
-    const float* row = from + 4 * i * fromStride;
-    const Float a = hn::LoadU(d, row);
-    const Float b = hn::LoadU(d, row + fromStride);
-    const Float c = hn::LoadU(d, row + 2 * fromStride);
-    const Float e = hn::LoadU(d, row + 3 * fromStride);
-    const auto lowAB = hn::BitCast(wide, hn::InterleaveLower(d, a, b));
-    const auto lowCE = hn::BitCast(wide, hn::InterleaveLower(d, c, e));
-    const auto highAB = hn::BitCast(wide, hn::InterleaveUpper(d, a, b));
-    const auto highCE = hn::BitCast(wide, hn::InterleaveUpper(d, c, e));
-    blocks[i][0] = hn::BitCast(d, hn::InterleaveLower(wide, lowAB, lowCE));
-    blocks[i][1] = hn::BitCast(d, hn::InterleaveUpper(wide, lowAB, lowCE));
-    blocks[i][2] = hn::BitCast(d, hn::InterleaveLower(wide, highAB, highCE));
-    blocks[i][3] = hn::BitCast(d, hn::InterleaveUpper(wide, highAB, highCE));
-  }
-  for (int c = 0; c < 4; ++c)
-  {
-    const __m512 even01 = _mm512_shuffle_f32x4(blocks[0][c].raw, blocks[1][c].raw, 0x88);
-    const __m512 even23 = _mm512_shuffle_f32x4(blocks[2][c].raw, blocks[3][c].raw, 0x88);
-    const __m512 odd01 = _mm512_shuffle_f32x4(blocks[0][c].raw, blocks[1][c].raw, 0xdd);
-    const __m512 odd23 = _mm512_shuffle_f32x4(blocks[2][c].raw, blocks[3][c].raw, 0xdd);
-    float* column = to + c * toStride;
-    hn::StoreU(Float{ _mm512_shuffle_f32x4(even01, even23, 0x88) }, d, column);
-    hn::StoreU(Float{ _mm512_shuffle_f32x4(odd01, odd23, 0x88) }, d, column + 4 * toStride);
-    hn::StoreU(Float{ _mm512_shuffle_f32x4(even01, even23, 0xdd) }, d, column + 8 * toStride);
-    hn::StoreU(Float{ _mm512_shuffle_f32x4(odd01, odd23, 0xdd) }, d, column + 12 * toStride);
+    for (int j = 0; j < Group; ++j)
+    {
+      to[j * toStride + i] = from[i * fromStride + j];
+    }
   }
 #else
-  for (int i = 0; i < 16; i += 4)
+  std::ptrdiff_t at[Group];
+  for (int i = 0; i < Group; ++i)
   {
-    for (int j = 0; j < 16; j += 4)
+    at[i] = i * fromStride;
+  }
+  for (int i = 0; i < Group; i += GetLanes())
+  {
+    for (int j = 0; j < Group; j += 4)
     {
-      Transpose4(from + i * fromStride + j, fromStride, to + j * toStride + i, toStride);
+      Float rows[4];
+      for (int k = 0; k < 4; ++k)
+      {
+        rows[k] = LoadBlocks(from + j, at + i + k);
+      }
+      TransposeBlocks(rows);
+      for (int k = 0; k < 4; ++k)
+      {
+        hn::StoreU(rows[k], FloatTag(), to + (j + k) * toStride + i);
+      }
     }
   }
 #endif

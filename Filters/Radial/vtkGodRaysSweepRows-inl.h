@@ -274,8 +274,8 @@ protected:
     const Float largest = hn::Set(d, 0.25f);
     for (int i = 0; i < count; i += lanes)
     {
-      const Float slope =
-        AddProduct(hn::Iota(d, static_cast<float>(i)), step, hn::Set(d, static_cast<float>(start)));
+      const Float slope = AddProduct(
+        CountFrom(d, static_cast<float>(i)), step, hn::Set(d, static_cast<float>(start)));
       const Float factor = hn::Min(slope * slope, largest);
       for (int c = 0; c < Channels; ++c)
       {

@@ -5,10 +5,8 @@
 // instructions, and at last for the baseline, with HWY_ONCE.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "vtkGodRaysSweepTaps.cxx"
-// Sets that differ too little from the others to be worth their code, and those whose registers
-// have no size when the program is compiled (arm64 has NEON as well).
-#define HWY_DISABLED_TARGETS                                                                       \
-  (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#include "vtkGodRaysVectorSets.h"
+
 #include <hwy/foreach_target.h> // must come before highway.h
 
 #include "vtkGodRaysMath.h"
@@ -129,7 +127,7 @@ void RunTaps(const vtkGodRaysMarch& march, const SweepImage& image, double toler
   const double reach = std::min(1.0, std::log(100.0 / tolerance) / std::max(k, 1e-300));
   const Float rate = hn::Set(d, static_cast<float>(-k));
   const Float one = hn::Set(d, 1.0f);
-  const Float lane = hn::Iota(d, 0.0f);
+  const Float lane = CountFrom(d, 0.0f);
   const Float vy =
     hn::Set(d, static_cast<float>(march.Constant[1] - march.Slope * static_cast<double>(y)));
   const Float py = hn::Set(d, static_cast<float>(y));

@@ -18,6 +18,7 @@
 #include "Statistics.h"
 
 #include "vtkGodRaysScatteringFilter.h"
+#include "vtkGodRaysSweepKernels.h"
 #include "vtkGodRaysTapsIntegrator.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -55,6 +56,8 @@ Prints tables, and each figure that is asked for as met or missed.
   --filter REGEX         only measurements whose names match. Names: scattering/PICTURE/LIGHT,
                          effect/WIDTHxHEIGHT, samples, pixels, threads, steady
   --methods REGEX        only integrators whose names match; --list shows names
+  --instructions SET     vector instructions of the processor's integrators, such as AVX2, other than
+                         the best that it has
   --csv FILE             write all that was measured as comma-separated values
   --documentation FOLDER write FOLDER/Performance.md and the charts in FOLDER/Charts/
   --model-error          measure something else: how far models are from single scattering, on twelve
@@ -79,6 +82,7 @@ struct Options
   bool DataError = false;
   std::string Filter = ".";
   std::string Methods = ".";
+  std::string Instructions = vtkGodRays::GetInstructionSets().front();
   std::string CSV;
   std::string Documentation;
   std::string Command = "build/bin/godrays_benchmark"; // as the page tells it
@@ -141,6 +145,7 @@ Benchmark::Benchmark(const Options& options)
 {
   const Size size = this->GetSize();
   this->Results.Renderer = this->OpenGL.GetRendererName();
+  this->Results.Instructions = options.Instructions;
   this->Results.Width = size.Width;
   this->Results.Height = size.Height;
   this->Results.Rows = 180;
@@ -916,6 +921,10 @@ Options ReadOptions(int count, char* arguments[])
     {
       options.Methods = value();
     }
+    else if (name == "--instructions")
+    {
+      options.Instructions = value();
+    }
     else if (name == "--csv")
     {
       options.CSV = value();
@@ -939,6 +948,16 @@ Options ReadOptions(int count, char* arguments[])
     {
       throw std::runtime_error("'" + *expression + "' is not a regular expression");
     }
+  }
+  if (!vtkGodRays::UseInstructionSet(options.Instructions))
+  {
+    std::string names;
+    for (const std::string& set : vtkGodRays::GetInstructionSets())
+    {
+      names += " " + set;
+    }
+    throw std::runtime_error("this processor has no vector instructions named " +
+      options.Instructions + "; it has" + names);
   }
   options.Command += options.ModelError ? " --model-error" : "";
   options.Command += options.DataError ? " --data-error" : "";

@@ -3,6 +3,7 @@
 #include "Report.h"
 
 #include "vtksys/MD5.h"
+#include "vtksys/SystemInformation.hxx"
 
 #include <algorithm>
 #include <cmath>
@@ -48,6 +49,14 @@ std::string Format(double value)
     return zero == std::string::npos ? shorter : shorter.erase(zero + 2, 1);
   }
   return text;
+}
+
+/// What the processor calls itself.
+std::string GetProcessor()
+{
+  vtksys::SystemInformation system;
+  system.RunCPUCheck();
+  return system.GetExtendedProcessorName();
 }
 
 /// How busy the machine is; more programs than processors make the figures of threads meaningless.
@@ -427,8 +436,9 @@ void Report::WritePage(const std::string& file, const std::string& command) cons
     << this->Get("scattering", "taps 100", 1, GetRMS).size()
     << " cases: pictures times lights; the slowest\nintegrators run in two of them at most, "
        "also in the chart.\n\n"
-    << "OpenGL: " << this->Renderer << ". Processors: " << std::thread::hardware_concurrency()
-    << GetLoad() << ".\n\n"
+    << "OpenGL: " << this->Renderer << ". Vector instructions: " << this->Instructions
+    << " (AVX3 is AVX-512), on " << GetProcessor()
+    << ". Processors: " << std::thread::hardware_concurrency() << GetLoad() << ".\n\n"
     << "![Speed against error](Charts/speed-and-error.png)\n\n"
     << this->MakeTables() << "\n"
     << "![Cost against NumberOfSamples](Charts/samples.png)\n\n"

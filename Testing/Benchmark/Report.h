@@ -57,8 +57,9 @@ struct Figure
 class Report
 {
 public:
-  std::string Renderer; // what OpenGL calls itself
-  int Width = 0;        // of the cases
+  std::string Renderer;     // what OpenGL calls itself
+  std::string Instructions; // the processor's vector instructions
+  int Width = 0;            // of the cases
   int Height = 0;
   int Rows = 0; // that are compared with the reference, for each case
   std::vector<Record> Records;

@@ -3,9 +3,10 @@
 
 // Time and error of vtkGodRaysScatteringFilter, as a Markdown table.
 //
-// Usage: ScatteringFilter [--quick] [--rows <n>] [width height [tolerance [components]]]
-//        ScatteringFilter --cost [width height]
+// Usage: ScatteringFilter [option]... [width height [tolerance [components]]]
+//        ScatteringFilter --cost [--instructions <set>] [width height]
 //
+// --quick: fewer rows and rounds. --instructions: vector instructions other than the best, such as AVX2.
 // --rows: how many rows of the picture, evenly spaced, are compared (12). --cost: how time grows with
 // components, samples and pixels, and what planning takes, of the sweep without a pipeline.
 //
@@ -19,6 +20,7 @@
 #include "vtkGodRaysRadialSweep.h"
 #include "vtkGodRaysReferenceFilter.h"
 #include "vtkGodRaysScatteringFilter.h"
+#include "vtkGodRaysSweepKernels.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -306,6 +308,14 @@ Settings ReadSettings(int count, char* arguments[])
     else if (std::strcmp(arguments[i], "--cost") == 0)
     {
       s.Cost = true;
+    }
+    else if (std::strcmp(arguments[i], "--instructions") == 0 && i + 1 < count)
+    {
+      if (!vtkGodRays::UseInstructionSet(arguments[++i]))
+      {
+        std::fprintf(stderr, "this processor has no instructions %s\n", arguments[i]);
+        std::exit(EXIT_FAILURE);
+      }
     }
     else if (std::strcmp(arguments[i], "--rows") == 0 && i + 1 < count)
     {
