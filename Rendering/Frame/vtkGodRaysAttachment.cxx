@@ -8,11 +8,14 @@
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkPanoramicProjectionPass.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkSSAAPass.h"
 #include "vtkSSAOPass.h"
 #include "vtkSequencePass.h"
+
+#include <map>
 
 namespace
 {
@@ -150,42 +153,91 @@ vtkInformationKeyRestrictedMacro(
   vtkGodRaysAttachment, PASSES, ObjectBase, "vtkRenderPassCollection");
 
 //------------------------------------------------------------------------------
+/// The passes that are attached to a renderer, in the order of Attach(), and their attachments.
+class vtkGodRaysAttachment::Passes : public vtkRenderPassCollection
+{
+public:
+  static Passes* New();
+  vtkTypeMacro(Passes, vtkRenderPassCollection);
+
+  std::map<vtkRenderPass*, vtkGodRaysAttachment*> Attachments;
+};
+vtkStandardNewMacro(vtkGodRaysAttachment::Passes);
+
+//------------------------------------------------------------------------------
 /// Called when the renderer starts to render. The renderer holds it, and it the pass.
 class vtkGodRaysAttachment::Watch : public vtkCommand
 {
 public:
   static Watch* New() { return new Watch; }
+  // For all passes of the renderer, as VTK calls those of one priority in no order of its own: those that
+  // were replaced end before one comes back, and they come back in the order in which they were attached.
   void Execute(vtkObject*, unsigned long, void*) override
   {
-    // What happens here may end this one.
-    const vtkSmartPointer<vtkImageProcessingPass> pass = this->Pass;
     vtkRenderer* renderer = this->Attachment->Renderer;
-    if (IsReplaced(pass, renderer))
+    // What happens here may end this one, and its pass.
+    const vtkSmartPointer<Passes> passes = GetPasses(renderer);
+    if (!passes)
     {
-      pass->ReleaseGraphicsResources(renderer->GetVTKWindow());
-      this->Attachment->Detach(pass, renderer);
+      this->Attachment->ComeBack(this->Pass, renderer);
       return;
     }
-    vtkRenderPass* delegate = pass->GetDelegatePass();
-    if (delegate == this->Attachment->Delegate || IsSky(delegate))
+    std::vector<vtkRenderPass*> replaced;
+    for (const auto& each : passes->Attachments)
     {
-      this->Attachment->Insert(pass, renderer);
+      if (IsReplaced(each.first, passes, renderer))
+      {
+        replaced.push_back(each.first);
+      }
+    }
+    for (vtkRenderPass* each : replaced)
+    {
+      vtkGodRaysAttachment* attachment = passes->Attachments[each];
+      each->ReleaseGraphicsResources(renderer->GetVTKWindow());
+      attachment->Detach(vtkImageProcessingPass::SafeDownCast(each), renderer);
+    }
+    for (int i = 0; i < passes->GetNumberOfItems(); ++i)
+    {
+      auto pass = vtkImageProcessingPass::SafeDownCast(passes->GetItemAsObject(i));
+      passes->Attachments[pass]->ComeBack(pass, renderer);
     }
   }
 
-  /// Whether another pass of the kind was put in its place, without Detach(), and nobody else has it.
-  static bool IsReplaced(vtkImageProcessingPass* pass, vtkRenderer* renderer)
+  /// Whether another pass of the kind was put in its place, without Detach(), and nobody has it but those of
+  /// which the same is true.
+  static bool IsReplaced(vtkRenderPass* pass, Passes* passes, vtkRenderer* renderer, int depth = 0)
   {
-    const int ownReferences = 3; // of the watch, here and in the renderer's collection
     const auto isOther = [pass](vtkRenderPass* each)
     { return each != pass && each->IsA(pass->GetClassName()); };
-    return pass->GetReferenceCount() <= ownReferences && FindFirst(renderer, isOther) &&
-      !FindFirst(renderer, [pass](vtkRenderPass* each) { return each == pass; });
+    if (depth == DeepestNesting || !FindFirst(renderer, isOther) ||
+      FindFirst(renderer, [pass](vtkRenderPass* each) { return each == pass; }))
+    {
+      return false;
+    }
+    int ownReferences = 2; // of its watch, and in the renderer's collection
+    for (const auto& each : passes->Attachments)
+    {
+      const int references = each.first == pass ? 0 : each.second->CountReferences(each.first, pass);
+      if (references > 0 && IsReplaced(each.first, passes, renderer, depth + 1))
+      {
+        ownReferences += references;
+      }
+    }
+    return pass->GetReferenceCount() <= ownReferences;
   }
 
   vtkGodRaysAttachment* Attachment = nullptr; // of the pass
   vtkSmartPointer<vtkImageProcessingPass> Pass;
 };
+
+//------------------------------------------------------------------------------
+// How often a pass, whose attachment this is, and this have another one.
+int vtkGodRaysAttachment::CountReferences(vtkRenderPass* pass, vtkRenderPass* other) const
+{
+  const auto image = vtkImageProcessingPass::SafeDownCast(pass);
+  return (image->GetDelegatePass() == other) + (this->Former == other) +
+    (this->FormerDelegate == other);
+}
 
 //------------------------------------------------------------------------------
 std::vector<vtkRenderPass*> vtkGodRaysAttachment::FindPath(
@@ -205,10 +257,10 @@ vtkRenderPass* vtkGodRaysAttachment::FindFirst(
 
 //------------------------------------------------------------------------------
 // Null if there is none: a program may have given the renderer other information.
-vtkRenderPassCollection* vtkGodRaysAttachment::GetPasses(vtkRenderer* renderer)
+vtkGodRaysAttachment::Passes* vtkGodRaysAttachment::GetPasses(vtkRenderer* renderer)
 {
   vtkInformation* information = renderer->GetInformation();
-  return information ? vtkRenderPassCollection::SafeDownCast(information->Get(PASSES())) : nullptr;
+  return information ? Passes::SafeDownCast(information->Get(PASSES())) : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -258,11 +310,23 @@ void vtkGodRaysAttachment::Attach(vtkImageProcessingPass* pass, vtkRenderer* ren
   vtkInformation* information = renderer->GetInformation();
   if (information && !information->Has(PASSES()))
   {
-    information->Set(PASSES(), vtkNew<vtkRenderPassCollection>());
+    information->Set(PASSES(), vtkNew<Passes>());
   }
-  if (vtkRenderPassCollection* passes = GetPasses(renderer))
+  if (Passes* passes = GetPasses(renderer))
   {
     passes->AddItem(pass);
+    passes->Attachments[pass] = this;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Put the pass among the renderer's again, unless somebody who knows of it has put it elsewhere.
+void vtkGodRaysAttachment::ComeBack(vtkImageProcessingPass* pass, vtkRenderer* renderer)
+{
+  vtkRenderPass* delegate = pass->GetDelegatePass();
+  if (delegate == this->Delegate || IsSky(delegate))
+  {
+    this->Insert(pass, renderer);
   }
 }
 
@@ -321,9 +385,10 @@ void vtkGodRaysAttachment::Detach(vtkImageProcessingPass* pass, vtkRenderer* ren
   }
   renderer->RemoveObserver(this->WatchTag);
   this->WatchTag = 0;
-  if (vtkRenderPassCollection* passes = GetPasses(renderer))
+  if (Passes* passes = GetPasses(renderer))
   {
     passes->RemoveItem(pass);
+    passes->Attachments.erase(pass);
   }
   pass->SetDelegatePass(this->FormerDelegate);
   this->Over = nullptr;

@@ -27,7 +27,6 @@
 
 class vtkImageProcessingPass;
 class vtkInformationObjectBaseKey;
-class vtkRenderPassCollection;
 
 class vtkGodRaysAttachment
 {
@@ -78,15 +77,18 @@ public:
   }
 
 private:
+  class Passes;
   class Watch;
 
   static vtkRenderPass* FindPass(
     vtkRenderer* renderer, const std::function<bool(vtkRenderPass*)>& is);
   /// A renderer's collection of the passes that are attached to it.
   static vtkInformationObjectBaseKey* PASSES();
-  static vtkRenderPassCollection* GetPasses(vtkRenderer* renderer);
+  static Passes* GetPasses(vtkRenderer* renderer);
+  void ComeBack(vtkImageProcessingPass* pass, vtkRenderer* renderer);
   void Insert(vtkImageProcessingPass* pass, vtkRenderer* renderer);
   void Put(vtkRenderPass* pass, vtkRenderer* renderer);
+  int CountReferences(vtkRenderPass* pass, vtkRenderPass* other) const;
 
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkWeakPointer<vtkRenderPass> Over;    // the pass that ours was put under, null: the renderer

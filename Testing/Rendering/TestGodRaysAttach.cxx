@@ -251,6 +251,48 @@ TEST(GodRaysAttach, OfAPassThatWasReplacedAndDroppedEnds)
   EXPECT_EQ(GetPixels(scene.Window), once);
 }
 
+TEST(GodRaysAttach, OfALookOverAMediumBothComeBackOrEndTogether)
+{
+  Messages messages;
+  for (const bool lookIsFirst : { false, true })
+  {
+    SCOPED_TRACE(lookIsFirst ? "the look is attached first" : "the medium is attached first");
+    Stage scene;
+    scene.Renderer->AddActor(MakeBox({ 1.0, 0.5, 0.0 }, { 1.0, 1.0, 1.0 }));
+    std::vector<vtkWeakPointer<vtkGodRaysPass>> dropped;
+    for (const bool isLook : { lookIsFirst, !lookIsFirst })
+    {
+      const auto rays = vtkSmartPointer<vtkGodRaysPass>::New();
+      rays->ApplyPreset(isLook ? "default" : "fog");
+      AddPlainly(rays);
+      rays->AddLight(MakeSun({ 0.3, 0.2, -1.0 }));
+      rays->Attach(scene.Renderer);
+      dropped.emplace_back(rays);
+    }
+    const auto both = GetPixels(scene.Window);
+
+    scene.Renderer->SetPass(nullptr); // not Detach
+    EXPECT_EQ(GetPixels(scene.Window), both);
+    EXPECT_EQ(std::count(dropped.begin(), dropped.end(), nullptr), 0);
+    EXPECT_EQ(GetPixels(scene.Window), both) << "in the next frame";
+
+    vtkNew<vtkGodRaysPass> another;
+    AddPlainly(another);
+    another->AddLight(MakeSun({ 0.3, 0.2, -1.0 }));
+    scene.Renderer->SetPass(nullptr);
+    another->Attach(scene.Renderer);
+    const auto last = GetPixels(scene.Window);
+    EXPECT_EQ(std::count(dropped.begin(), dropped.end(), nullptr), 2);
+    EXPECT_EQ(GetPixels(scene.Window), last) << "in the next frame";
+    EXPECT_GT(GetLargestDifference(last, both), 5);
+    Stage alone;
+    alone.Renderer->AddActor(MakeBox({ 1.0, 0.5, 0.0 }, { 1.0, 1.0, 1.0 }));
+    another->Detach(scene.Renderer);
+    another->Attach(alone.Renderer);
+    EXPECT_EQ(GetPixels(alone.Window), last) << "former passes shine as well";
+  }
+}
+
 TEST(GodRaysAttach, NoticesANewContextOfItsWindow)
 {
   Messages messages;
