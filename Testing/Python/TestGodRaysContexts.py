@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""OpenGL's context between frames: none is current, or another window's; and an X server that goes away.
+"""OpenGL's context between frames: none is current, or another window's, or it is gone, or its X server is.
 
-Run with a word, it draws frames, with rays or without, while a test takes its X server away.
+Run with a word, it draws frames, with rays or without, while a test takes its X server away; with a second one, it
+destroys the context itself.
 """
 
 import ctypes
@@ -34,6 +35,7 @@ except OSError as reason:
     sys.exit(77)
 OPENGL.glXGetCurrentContext.restype = OPENGL.glXGetCurrentDisplay.restype = ctypes.c_void_p
 OPENGL.glXMakeCurrent.argtypes = (ctypes.c_void_p, ctypes.c_ulong, ctypes.c_void_p)
+OPENGL.glXDestroyContext.argtypes = (ctypes.c_void_p, ctypes.c_void_p)
 
 
 class Stage:
@@ -156,12 +158,30 @@ class Contexts(unittest.TestCase):
         self.assertEqual(ends["look"], ends["none"])
         self.assertGreater(ends["look"], 0)  # by exit(), not by a signal
 
+    def test_a_context_that_an_application_destroys(self):
+        """VTK's window makes it current again, and Xlib ends the program, with rays as without."""
+        ends = {}
+        for kind in ("none", "look"):
+            done = subprocess.run(
+                [sys.executable, __file__, kind, "destroy"], check=False, stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=120)
+            self.assertIn("drawn\n", done.stdout)
+            self.assertNotIn("drawn again", done.stdout)
+            self.assertIn("GLXBadContext", done.stdout)
+            ends[kind] = done.returncode
+        self.assertEqual(ends["look"], ends["none"])
+        self.assertGreater(ends["look"], 0)  # by exit(), not by a signal
+
 
 if __name__ == "__main__":
-    if sys.argv[-1] in ("none", *KINDS):
-        stage = Stage(sys.argv[-1] if sys.argv[-1] != "none" else None)
+    if len(sys.argv) > 1 and sys.argv[1] in ("none", *KINDS):
+        stage = Stage(sys.argv[1] if sys.argv[1] != "none" else None)
         stage.window.Render()
         print("drawn", flush=True)
+        if "destroy" in sys.argv:
+            display, context = OPENGL.glXGetCurrentDisplay(), OPENGL.glXGetCurrentContext()
+            OPENGL.glXMakeCurrent(display, 0, None)
+            OPENGL.glXDestroyContext(display, context)
         sys.stdin.readline()
         for _ in range(3):
             stage.window.Render()
