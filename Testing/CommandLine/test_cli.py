@@ -31,10 +31,10 @@ import sample_files
 WIDTH, HEIGHT = 96, 72
 
 
-def godrays(*arguments, **environment):
+def godrays(*arguments, timeout=60, **environment):
     done = subprocess.run(
         [os.environ["GODRAYS_PROGRAM"], *map(str, arguments)],
-        capture_output=True, text=True, timeout=60, env={**os.environ, **environment})
+        capture_output=True, text=True, timeout=timeout, env={**os.environ, **environment})
     # It tells how far it is when that takes a while, as on a busy machine.
     done.stderr = re.sub(r"^reading .*: \d+ %\n", "", done.stderr, flags=re.MULTILINE)
     return done
@@ -63,6 +63,14 @@ class ProgramTest(unittest.TestCase):
             self.assertIn(word, done.stderr)
         return self.read(path, size)
 
+    def draw_each(self, files, *arguments, size=(WIDTH, HEIGHT)):
+        """The pictures that one program makes of several files; it says nothing."""
+        done = godrays(
+            "--each", *files, *arguments, "--size", "{}x{}".format(*size), "--output",
+            self.folder / "of-each-{n}.png", timeout=300)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return [self.read(self.folder / f"of-each-{n + 1:04}.png", size) for n in range(len(files))]
+
     def read(self, path, size):
         """A picture in a file, which has this size, as rows of RGB."""
         reader = vtkPNGReader()
@@ -86,13 +94,13 @@ class ProgramTest(unittest.TestCase):
 
 class Files(ProgramTest):
     def test_every_type_is_drawn_with_rays(self):
-        for file in self.files:
+        without = self.draw_each(self.files, "--no-rays")
+        alone = self.draw_each(
+            self.files, "--no-rays", "--background", "#010203", "--color", "white")
+        for file, plain, data in zip(self.files, without, alone):
             with self.subTest(file.name):
-                with_rays = self.draw(file)
-                without = self.draw(file, "--no-rays")
-                nothing = self.draw(file, "--no-rays", "--background", "#010203", "--color", "white")
-                self.assertGreater((nothing != (1, 2, 3)).any(axis=2).mean(), 0.02, "empty")
-                self.assertGreater(abs(with_rays - without).max(), 20, "no rays")
+                self.assertGreater((data != (1, 2, 3)).any(axis=2).mean(), 0.02, "empty")
+                self.assertGreater(abs(self.draw(file) - plain).max(), 20, "no rays")
 
     def test_every_type_that_help_names_has_a_file(self):
         help_text = godrays("--help").stdout  # newer CLI11 breaks the line
@@ -785,11 +793,11 @@ class Composition(ProgramTest):
         return self.mesh, self.folder / "torus.vtp", self.folder / "cube.vtp"
 
     def test_the_data_fill_much_of_a_picture_of_any_size(self):
-        for file in self.bulky_files():
-            for size in (300, 200), (320, 180), (200, 200), (150, 300):
+        files = self.bulky_files()
+        plain = ["--no-rays", "--background", "#010203", "--color", "white"]
+        for size in (300, 200), (320, 180), (200, 200), (150, 300):
+            for file, picture in zip(files, self.draw_each(files, *plain, size=size)):
                 with self.subTest((file.name, size)):
-                    picture = self.draw(
-                        file, "--no-rays", "--background", "#010203", "--color", "white", size=size)
                     covered = (picture != (1, 2, 3)).any(axis=2)
                     self.assertGreater(covered.mean(), 0.24)
                     self.assertLess(covered.mean(), 0.36)
@@ -798,19 +806,21 @@ class Composition(ProgramTest):
 
     def test_the_sun_is_in_the_picture_beside_the_data(self):
         size = 300, 200
-        for file in self.bulky_files():
-            for sun in [], ["--sun", "340,12"], ["--sun", "80,25"]:
+        files = self.bulky_files()
+        plain = ["--no-rays", "--background", "#010203", "--color", "white"]
+        for sun in [], ["--sun", "340,12"], ["--sun", "80,25"]:
+            pictures = [self.draw_each(files, *sun, *arguments, size=size) for arguments in (
+                ["--show", "occlusion"], plain, ["--show", "rays"])]
+            for file, light, picture, rays in zip(files, *pictures):
                 with self.subTest((file.name, sun)):
                     # The glow about the sun, where nothing is before it.
-                    light = self.draw(file, *sun, "--show", "occlusion", size=size).sum(axis=2)
+                    light = light.sum(axis=2)
                     self.assertGreater((light > 0.9 * light.max()).sum(), 10)
                     rows, columns = numpy.nonzero(light > 0.9 * light.max())
                     self.assertTrue(0.5 * size[1] < rows.mean() < 0.95 * size[1], rows.mean())
                     self.assertTrue(0.05 * size[0] < columns.mean() < 0.95 * size[0], columns.mean())
-                    picture = self.draw(
-                        file, *sun, "--no-rays", "--background", "#010203", "--color", "white", size=size)
                     covered = (picture != (1, 2, 3)).any(axis=2)
-                    rays = self.draw(file, *sun, "--show", "rays", size=size).sum(axis=2)
+                    rays = rays.sum(axis=2)
                     glare = rays > 0.5 * rays.max()
                     self.assertLess(glare[covered].mean(), 0.4 * glare[~covered].mean())
 
