@@ -4,10 +4,8 @@
 
 import html.parser
 import importlib.util
-import inspect
 import os
 import pathlib
-import re
 import subprocess
 import sys
 import tempfile
@@ -19,10 +17,6 @@ for needed in "sphinx", "myst_parser", "sphinx_rtd_theme":
     if importlib.util.find_spec(needed) is None:
         print(f"SKIPPED: there is no {needed}")
         sys.exit(77)
-
-sys.path.insert(0, str(ROOT / "Documentation"))
-import godrays
-import reference
 
 
 class Page(html.parser.HTMLParser):
@@ -80,36 +74,6 @@ class Site(unittest.TestCase):
             self.assertGreater(sources, 15)
             pictures = {link for page in pages.values() for link in page.links if link.endswith(".jpg")}
             self.assertGreater(len(pictures), 90)
-
-    def test_the_reference_has_each_name_and_the_meaning_of_each_keyword(self):
-        sections = dict(re.findall(r"^### (\w+)\n(.*?)(?=^### |\Z)", reference.make(), re.M | re.S))
-        self.assertEqual(set(sections), {name for name in godrays.__all__ if callable(getattr(godrays, name))})
-        keywords = 0
-        for name, section in sections.items():
-            if not inspect.isfunction(getattr(godrays, name)):
-                continue
-            call, _, text = section.partition("\n```\n")
-            for keyword in inspect.signature(getattr(godrays, name)).parameters:
-                self.assertRegex(call, rf"[(* ]{keyword}[:,)]", name)
-                self.assertRegex(text, rf"(?m)^- (`\w+`, )*`{keyword}`(, `\w+`)*: \S", name)
-                keywords += 1
-        self.assertGreater(keywords, 100)
-
-    def test_the_tests_of_the_viewers_table_are_there(self):
-        page = (ROOT / "Documentation/Viewer.md").read_text(encoding="utf-8")
-        names = 0
-        place = None
-        for file, case, name in re.findall(r"`(?:(test_[a-z]+)\.([A-Z]\w+)\.)?(test_\w+)`", page):
-            place = (file, case) if file else place
-            text = (ROOT / f"Testing/CommandLine/{place[0]}.py").read_text(encoding="utf-8")
-            of_case = text.partition(f"class {place[1]}(")[2].partition("\nclass ")[0]
-            self.assertIn(f"def {name}(", of_case, place)
-            names += 1
-        self.assertGreater(names, 20)
-        paths = re.findall(r"`(Testing/\S+\.py)`", page)
-        self.assertGreater(len(paths), 1)
-        for path in paths:
-            self.assertTrue((ROOT / path).exists(), path)
 
 
 if __name__ == "__main__":
