@@ -69,6 +69,30 @@ def describe_function(name, function):
         write_text(inspect.getdoc(function) or "", signature.parameters))
 
 
+def list_constants(kind, text):
+    """The names that a property takes whose documentation says "one of <enumeration>", or none."""
+    found = re.search(r"\bone of (\w+)", text)
+    values = getattr(kind, found[1], None) if found else None
+    if not inspect.isclass(values):
+        return []
+    return [each.lower() for each, value in inspect.getmembers(kind, lambda value: isinstance(value, values))]
+
+
+def describe_properties(kind):
+    """A list of what a class declares as a property: its meaning, unit, valid range and default."""
+    names = {}  # by text, which those that C++ has in a group share
+    for name, value in vars(kind).items():
+        if isinstance(value, property):
+            text = " ".join((value.__doc__ or "").split())
+            names.setdefault((text, value.fset is None), []).append(name)
+    items = []
+    for (text, read_only), group in names.items():
+        head = ", ".join(f"`{name}`" for name in group) + (", read only" if read_only else "")
+        constants = ", ".join(f'`"{each}"`' for each in list_constants(kind, text))
+        items.append(f"- {head}: {escape(text)}" + (f" By name: {constants}." if constants else ""))
+    return "\nProperties:\n\n" + "\n".join(sorted(items)) + "\n" if items else ""
+
+
 def describe_class(name, kind):
     parts = [inspect.getdoc(kind) or ""]
     for method, value in sorted(vars(kind).items()):
@@ -78,7 +102,7 @@ def describe_class(name, kind):
             # VTK's: the call in Python, that in C++, and the text
             text = re.sub(r"^C\+\+:.*\n?", "", text, flags=re.MULTILINE)
             parts.append(f"{method}\n" + "\n".join("    " + line for line in text.strip().splitlines()))
-    return f"### {name}\n\n" + block("\n\n".join(parts))
+    return f"### {name}\n\n" + block("\n\n".join(parts)) + describe_properties(kind)
 
 
 def make():

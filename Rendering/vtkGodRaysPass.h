@@ -302,8 +302,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the sun whose AngularRadius directional lights have; SetSunAngularRadius() is forwarded to it.
-   * To have its light, too, AddLight() one that its UpdateLight() was given. Null makes a new one.
+   * Set/Get the sun whose AngularRadius directional lights have [degrees], in [0.01, 90], default 0.2678. To
+   * have its light, too, AddLight() one that its UpdateLight() was given. Null makes a new one, the default.
    */
   void SetSun(vtkGodRaysSun* sun);
   vtkGodRaysSun* GetSun();

@@ -121,7 +121,7 @@ public:
   ///@{
   /**
    * Set/Get the ozone, as the air; it absorbs only. Default: LAYER of 25000 m, 15000 m, (0.650, 1.881,
-   * 0.085) 1e-6.
+   * 0.085) 1e-6 [1/m].
    */
   vtkSetClampMacro(OzoneProfile, int, EXPONENTIAL, LAYER);
   vtkGetMacro(OzoneProfile, int);

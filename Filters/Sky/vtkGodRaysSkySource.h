@@ -47,7 +47,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the atmosphere, which can also be changed in place. Null makes a new one.
+   * Set/Get the atmosphere, which can also be changed in place. Null makes a new one, the default.
    */
   void SetAtmosphere(vtkGodRaysAtmosphere* atmosphere);
   vtkGodRaysAtmosphere* GetAtmosphere();
@@ -73,7 +73,7 @@ public:
   ///@{
   /**
    * Set/Get the sun, which can also be changed in place: its angles count, and its AngularRadius for the
-   * disc. Null makes a new one, at an elevation of 45 and an azimuth of 180 degrees.
+   * disc. Null makes a new one, the default: elevation 45 and azimuth 180 degrees.
    */
   void SetSun(vtkGodRaysSun* sun);
   vtkGodRaysSun* GetSun();
@@ -81,7 +81,7 @@ public:
 
   ///@{
   /**
-   * Forwarded to the sun, whose position is then by azimuth and elevation; see vtkGodRaysSun.
+   * Set/Get the sun's elevation, in [-90, 90], and azimuth [degrees], forwarded to it. Defaults: 45 and 180.
    */
   void SetSunElevation(double degrees);
   double GetSunElevation();

@@ -109,7 +109,7 @@ public:
 
   ///@{
   /**
-   * Set/Get date, time and place for DATE_AND_PLACE. They can be changed in place. Null makes a new one.
+   * Set/Get date, time and place for DATE_AND_PLACE. They can be changed in place. Null makes the default.
    */
   void SetEphemeris(vtkGodRaysSunPosition* ephemeris);
   vtkGodRaysSunPosition* GetEphemeris();

@@ -65,7 +65,7 @@ public:
   /**
    * Set date, time and, if it is given, the time zone from a text like 2003-10-17T12:30:30-07:00
    * (ISO 8601): seconds and their fraction can be left out, and so can the zone, which is Z, +hh or
-   * +hh:mm. Returns false after an error, and nothing is changed.
+   * +hh:mm. Returns false after an error, and nothing is changed. Default is 2000-06-21T12:00:00Z.
    */
   bool SetDateTime(const std::string& text);
 

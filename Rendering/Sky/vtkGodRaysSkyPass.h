@@ -82,7 +82,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the air. It can be changed in place. Null makes a new one, of clear air over the Earth.
+   * Set/Get the air; it can be changed in place. Null makes a new one, the default: clear air over the Earth.
    */
   void SetAtmosphere(vtkGodRaysAtmosphere* atmosphere);
   vtkGodRaysAtmosphere* GetAtmosphere();
@@ -91,7 +91,7 @@ public:
   ///@{
   /**
    * Set/Get the sun, which can be changed in place. Its Color does not count: the air gives it one. Null
-   * makes a new one, of frame UP_AND_NORTH as on a map, at an elevation of 45 and an azimuth of 180 degrees.
+   * makes a new one, the default: frame UP_AND_NORTH as on a map, elevation 45 and azimuth 180 degrees.
    */
   void SetSun(vtkGodRaysSun* sun);
   vtkGodRaysSun* GetSun();
@@ -99,8 +99,8 @@ public:
 
   ///@{
   /**
-   * Forwarded to the sun; see vtkGodRaysSun. An angle sets its position AZIMUTH_AND_ELEVATION, an axis its
-   * frame UP_AND_NORTH.
+   * Set/Get the sun's elevation, in [-90, 90], and azimuth [degrees], and axes, see vtkGodRaysSun. They set
+   * its position AZIMUTH_AND_ELEVATION or frame UP_AND_NORTH. Defaults: 45, 180, (0, 0, 1) and (0, 1, 0).
    */
   void SetSunElevation(double degrees);
   double GetSunElevation();

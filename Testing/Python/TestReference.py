@@ -29,6 +29,34 @@ class Reference(unittest.TestCase):
                 keywords += 1
         self.assertGreater(keywords, 100)
 
+    def test_the_reference_has_each_property_with_its_unit_and_default(self):
+        sections = dict(re.findall(r"^### (\w+)\n(.*?)(?=^### |\Z)", reference.make(), re.M | re.S))
+        classes = [getattr(godrays, name) for name in godrays.__all__ if inspect.isclass(getattr(godrays, name))]
+        properties = numbers = 0
+        for kind in classes:
+            items = re.findall(r"(?m)^- ((?:`\w+`, )*`\w+`)(, read only)?: (\S.*)", sections[kind.__name__])
+            found = {name: (text, not only) for names, only, text in items for name in re.findall(r"\w+", names)}
+            own = {name: value for name, value in vars(kind).items() if isinstance(value, property)}
+            self.assertEqual(set(found), set(own), kind)
+            try:
+                thing = kind()
+            except (NotImplementedError, TypeError):  # abstract
+                thing = None
+            for name, (text, writable) in found.items():
+                properties += 1
+                self.assertEqual(writable, own[name].fset is not None, name)
+                if writable and not name.endswith("output"):
+                    self.assertIn("efault", text, f"{kind.__name__}.{name}")
+                if writable and isinstance(getattr(thing, name, None), float):
+                    numbers += 1
+                    self.assertRegex(text, r"\\\[.+\\\]", f"{kind.__name__}.{name} without a unit")
+        self.assertGreater(properties, 250)
+        self.assertGreater(numbers, 60)
+        intensity = re.search(r"(?m)^- `intensity`: .*", sections["vtkGodRaysPass"])[0]
+        for part in (r"\[no unit\]", r"\[0, 1e4\]", "Default is 1."):
+            self.assertIn(part, intensity)
+        self.assertRegex(sections["vtkGodRaysPass"], r'(?m)^- `output`: .* By name: .*`"occlusion"`')
+
     def test_the_tests_of_the_viewers_table_are_there(self):
         page = (ROOT / "Documentation/Viewer.md").read_text(encoding="utf-8")
         names = 0

@@ -38,14 +38,14 @@ def constant(owner: Any, name: str, text: str) -> int:
 
 def describe(cls: type, name: str) -> str:
     """What the documentation in C++ says of a property, or of the first of its group."""
-    declares = next((each for each in cls.__mro__ if "Set" + name in vars(each)), None)
-    declares = declares or next((each for each in cls.__mro__ if "Get" + name in vars(each)), None)
+    methods = {"Set" + name, "Get" + name}
+    declares = next(each for each in cls.__mro__ if methods & set(vars(each)))
     found = ""
     for method, thing in vars(declares).items():  # in the order of the header
         if isinstance(thing, property) or not method[:1].isupper():
             continue
         found = _text(thing) or found
-        if method in ("Set" + name, "Get" + name):
+        if method in methods:
             return found
     return ""
 
