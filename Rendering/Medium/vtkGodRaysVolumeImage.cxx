@@ -14,13 +14,13 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
 #include "vtkGenericCell.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkResampleToImage.h"
-#include "vtkUniformGrid.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -65,13 +65,67 @@ vtkDataArray* GetArray(vtkDataSet* part, const char* name, bool ofCells)
   return name && *name ? arrays->GetArray(name) : arrays->GetScalars();
 }
 
+/// The cells of a part that are not there; null if all are. Those that finer ones stand for are there where
+/// these are in other parts, which count before it.
+vtkSmartPointer<vtkUnsignedCharArray> FindHidden(vtkDataSet* part, bool alone)
+{
+  vtkUnsignedCharArray* ghosts = part->GetCellGhostArray();
+  if (!ghosts)
+  {
+    return nullptr;
+  }
+  const int absent =
+    vtkDataSetAttributes::HIDDENCELL | (alone ? vtkDataSetAttributes::REFINEDCELL : 0);
+  auto hidden = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  hidden->SetName(vtkDataSetAttributes::GhostArrayName());
+  hidden->SetNumberOfTuples(ghosts->GetNumberOfTuples());
+  bool any = false;
+  for (vtkIdType i = 0; i < ghosts->GetNumberOfTuples(); ++i)
+  {
+    const bool hides = (ghosts->GetValue(i) & absent) != 0;
+    hidden->SetValue(i, hides ? vtkDataSetAttributes::HIDDENCELL : 0);
+    any = any || hides;
+  }
+  return any ? hidden : nullptr;
+}
+
+/// At each point the mean of the cells about it that are not hidden; 0 where all are.
+vtkSmartPointer<vtkDataArray> FindMeans(
+  vtkDataSet* part, vtkDataArray* values, vtkUnsignedCharArray* hidden)
+{
+  auto means = vtkSmartPointer<vtkDataArray>::Take(values->NewInstance());
+  means->SetName(values->GetName());
+  means->SetNumberOfTuples(part->GetNumberOfPoints());
+  means->Fill(0.0);
+  std::vector<int> counts(static_cast<std::size_t>(part->GetNumberOfPoints()), 0);
+  vtkNew<vtkIdList> points;
+  for (vtkIdType i = 0; i < part->GetNumberOfCells(); ++i)
+  {
+    if (hidden->GetValue(i) != 0)
+    {
+      continue;
+    }
+    part->GetCellPoints(i, points);
+    const double value = values->GetComponent(i, 0);
+    for (vtkIdType k = 0; k < points->GetNumberOfIds(); ++k)
+    {
+      const vtkIdType point = points->GetId(k);
+      means->SetComponent(point, 0, means->GetComponent(point, 0) + value);
+      ++counts[point];
+    }
+  }
+  for (vtkIdType point = 0; point < part->GetNumberOfPoints(); ++point)
+  {
+    means->SetComponent(point, 0, means->GetComponent(point, 0) / std::max(counts[point], 1));
+  }
+  return means;
+}
+
 /// A data set with one array, at its points.
 vtkSmartPointer<vtkDataSet> MakePart(
   vtkDataSet* part, vtkDataArray* array, bool ofCells, bool alone)
 {
-  // Of images, vtkCellDataToPointData leaves hidden cells of these out alone.
-  auto slim = vtkSmartPointer<vtkDataSet>::Take(
-    vtkImageData::SafeDownCast(part) ? vtkUniformGrid::New() : part->NewInstance());
+  auto slim = vtkSmartPointer<vtkDataSet>::Take(part->NewInstance());
   slim->CopyStructure(part);
   // A copy with a name of its own shares the numbers, but for whole ones: their means are none.
   vtkSmartPointer<vtkDataArray> named;
@@ -86,13 +140,19 @@ vtkSmartPointer<vtkDataSet> MakePart(
     named->DeepCopy(array);
   }
   named->SetName(Name);
-  if (alone && part->GetCellGhostArray())
+  const auto hidden = FindHidden(part, alone);
+  if (hidden)
   {
-    slim->GetCellData()->AddArray(part->GetCellGhostArray()); // cells that are not there
+    slim->GetCellData()->AddArray(hidden);
   }
   if (!ofCells)
   {
     slim->GetPointData()->SetScalars(named);
+    return slim;
+  }
+  if (hidden)
+  {
+    slim->GetPointData()->SetScalars(FindMeans(part, named, hidden)); // VTK's filter takes all cells
     return slim;
   }
   slim->GetCellData()->SetScalars(named);

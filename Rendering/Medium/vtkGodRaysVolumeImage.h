@@ -4,9 +4,9 @@
  * @class   vtkGodRaysVolumeImage
  * @brief   a volume's data as an image with a value at each point; private to this module
  *
- * Data of a vtkImageData's points are taken as they are. Data of its cells go to its points by
- * vtkCellDataToPointData; those of other grids, then, by vtkResampleToImage. What was resampled is kept until
- * the data, their array or the resolution change.
+ * Data of a vtkImageData's points are taken as they are. Data of its cells go to its points, each the mean of
+ * the cells about it that are not hidden, as by vtkCellDataToPointData; those of other grids, then, by
+ * vtkResampleToImage. What was resampled is kept until the data, their array or the resolution change.
  */
 
 #ifndef vtkGodRaysVolumeImage_h

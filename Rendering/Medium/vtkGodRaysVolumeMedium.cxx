@@ -101,18 +101,26 @@ std::string vtkGodRaysVolumeMedium::Read(const vtkGodRaysVolumeGrid::Numbers& nu
   std::vector<double> times = { numbers.Scale, static_cast<double>(numbers.Resolution) };
   for (vtkProp* prop : this->Props)
   {
-    if (auto volume = vtkVolume::SafeDownCast(prop))
+    auto volume = vtkVolume::SafeDownCast(prop);
+    vtkAbstractVolumeMapper* mapper = volume ? volume->GetMapper() : nullptr;
+    const bool hasInput = mapper && mapper->GetNumberOfInputConnections(0) > 0;
+    if (hasInput)
     {
-      if (volume->GetMapper() && volume->GetMapper()->GetNumberOfInputConnections(0) > 0)
-      {
-        volume->Update();
-        if (volume->GetMapper()->GetInputDataObject(0, 0))
-        {
-          vtkGodRaysVolumeHaze::AddState(volume, objects, times);
-        }
-      }
+      volume->Update();
     }
+    if (hasInput && mapper->GetInputDataObject(0, 0))
+    {
+      vtkGodRaysVolumeHaze::AddState(volume, objects, times);
+      continue;
+    }
+    objects.insert(objects.end(), { prop, mapper }); // a fault that may be mended
+    times.push_back(mapper ? static_cast<double>(mapper->GetMTime()) : 0.0);
   }
+  if (!this->Fault.empty() && objects == this->FaultObjects && times == this->FaultNumbers)
+  {
+    return this->Fault; // of what has not changed since
+  }
+  this->Fault.clear();
   std::vector<double> others = { numbers.Albedo[0], numbers.Albedo[1], numbers.Albedo[2],
     static_cast<double>(numbers.PhaseFunction), numbers.Asymmetry };
   const bool same = objects == this->Objects && times == this->Numbers;
@@ -140,7 +148,10 @@ std::string vtkGodRaysVolumeMedium::Read(const vtkGodRaysVolumeGrid::Numbers& nu
     this->Images[i].Forget();
     if (!fault.empty())
     {
-      return "a prop tagged MEDIUM " + fault;
+      this->Fault = "a prop tagged MEDIUM " + fault;
+      this->FaultObjects = std::move(objects);
+      this->FaultNumbers = std::move(times);
+      return this->Fault;
     }
   }
   this->Grids = std::move(grids);

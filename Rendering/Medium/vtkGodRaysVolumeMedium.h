@@ -103,6 +103,9 @@ private:
   std::vector<const void*> Objects; // that they are of
   std::vector<double> Numbers;      // that extinction depends on
   std::vector<double> Others;       // that the rest does
+  std::string Fault;                // of the volumes that were read last; empty if they had none
+  std::vector<const void*> FaultObjects; // as Objects and Numbers
+  std::vector<double> FaultNumbers;
   unsigned int Version = 0;
   unsigned int ExtinctionVersion = 0;
   Drawer Drawers[MostKept]; // of the first lights of a frame; the last one serves the rest, too

@@ -454,6 +454,44 @@ TEST_F(GodRaysVolumeGrids, HaveNothingWhereTheOnlyPartIsBlank)
   }
 }
 
+// What hidden cells of other grids hold is not in the means of those beside them.
+TEST_F(GodRaysVolumeGrids, HaveNothingOfHiddenCellsBesideThem)
+{
+  // Left of the middle of a grid there is smoke; right of it cells are hidden, if they are.
+  const auto fill = [](auto grid, double right, bool hides = true)
+  {
+    SetValues(
+      grid, [&](const double* p) { return p[0] < 0.0 ? 0.5 : right; }, true);
+    vtkNew<vtkUnsignedCharArray> ghosts;
+    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+    {
+      const bool isRight = grid->GetCellData()->GetScalars()->GetTuple1(i) != 0.5;
+      ghosts->InsertNextValue(hides && isRight ? vtkDataSetAttributes::HIDDENCELL : 0);
+    }
+    grid->GetCellData()->AddArray(ghosts);
+    return grid;
+  };
+  const auto check = [&](const char* name, const std::function<vtkSmartPointer<vtkDataObject>(double, bool)>& make)
+  {
+    const auto expected = this->Draw(make(0.0, true));
+    EXPECT_GT(GetMean(expected), 0.0) << name;
+    EXPECT_LT(Compare(expected, this->Draw(make(1.0, true))), 1e-6) << name;
+    EXPECT_GT(Compare(expected, this->Draw(make(1.0, false))), 0.02) << name; // the control
+  };
+  check("rectilinear", [&](double right, bool hides) { return fill(MakeRectilinear(17), right, hides); });
+  check("tetrahedra",
+    [&](double right, bool hides) { return fill(MakeTetrahedra(MakeImage(9)), right, hides); });
+  check("parts",
+    [&](double right, bool hides)
+    {
+      auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+      blocks->SetBlock(0, fill(MakeRectilinear(17), right, hides));
+      blocks->SetBlock(1, fill(MakeImage(9, 0.6, 1.4), 0.0, hides)); // of hidden ones alone
+      return blocks;
+    });
+}
+
 // Means of whole numbers are none.
 TEST_F(GodRaysVolumeGrids, MayHoldWholeNumbers)
 {

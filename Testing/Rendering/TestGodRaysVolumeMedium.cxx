@@ -18,9 +18,11 @@
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkFieldData.h"
+#include "vtkFloatArray.h"
 #include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkImageAppendComponents.h"
 #include "vtkMath.h"
+#include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPlaneSource.h"
@@ -42,6 +44,22 @@ using GodRaysGridScenes::MakePlume;
 namespace
 {
 constexpr double Tolerance = 1.0 / 255.0;
+
+/// Counts how often its numbers are asked for.
+class CountingArray : public vtkFloatArray
+{
+public:
+  static CountingArray* New();
+  vtkTypeMacro(CountingArray, vtkFloatArray);
+  int Readings = 0;
+
+  void* GetVoidPointer(vtkIdType i) override
+  {
+    ++this->Readings;
+    return this->Superclass::GetVoidPointer(i);
+  }
+};
+vtkStandardNewMacro(CountingArray);
 
 class GodRaysVolumeMedium : public MediumTest
 {
@@ -564,6 +582,47 @@ TEST_F(GodRaysVolumeMedium, TellsWhatCannotBeAMedium)
   check(
     "Tag each vtkVolume", [&] { vtkGodRaysPass::SetRole(box, vtkGodRaysPass::MEDIUM); },
     [&] { vtkGodRaysPass::SetRole(box, vtkGodRaysPass::AUTOMATIC); });
+}
+
+// Data are read once, also where one of several volumes has a fault.
+TEST_F(GodRaysVolumeMedium, IsReadOnceDespiteAFault)
+{
+  vtkNew<CountingArray> values;
+  values->DeepCopy(this->Data->GetPointData()->GetScalars());
+  values->SetName("smoke");
+  this->Data->GetPointData()->SetScalars(values);
+  this->AddSmoke();
+  this->UseAlone();
+  this->SetLight({ 1.0, 0.4, 0.2, 0.0 });
+  vtkVolume* good = this->Smoke;
+  this->Data = MakePlume(9);
+  vtkVolume* faulty = this->AddSmoke({ 0.7, 0.4, -0.8 });
+  auto* mapper = vtkVolumeMapper::SafeDownCast(faulty->GetMapper());
+  mapper->SetBlendModeToMaximumIntensity();
+  this->Scene.Window->Render();
+  this->Scene.Window->Render();
+  EXPECT_EQ(this->VTKMessages.Take().size(), 1u);
+  const int before = values->Readings;
+  EXPECT_GT(before, 0);
+  for (int frame = 0; frame < 5; ++frame)
+  {
+    this->Scene.Window->Render();
+    EXPECT_TRUE(Says(this->Rays->GetPlan(), "composite")) << this->Rays->GetPlan();
+  }
+  EXPECT_EQ(values->Readings, before);
+  values->Modified(); // another fault may be in it
+  this->Scene.Window->Render();
+  EXPECT_GT(values->Readings, before);
+  mapper->SetBlendModeToComposite();
+  this->Scene.Window->Render();
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "data of 2 volumes")) << this->Rays->GetPlan();
+  faulty->SetMapper(nullptr);
+  this->Scene.Window->Render();
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "rays: none")) << this->Rays->GetPlan();
+  faulty->SetMapper(good->GetMapper());
+  this->Scene.Window->Render();
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "data of 2 volumes")) << this->Rays->GetPlan();
+  this->VTKMessages.Take();
 }
 
 // Where nothing else scatters, and no volume does, there are no rays; in a look it is as any volume.
