@@ -207,6 +207,7 @@ void vtkGodRaysGridSight::March(
     const Passage& passage = ray.Passages[i];
     cell = passage.Begin < passage.End ? std::min(cell, 1.0 / passage.Speed) : cell;
   }
+  const Vec2 lit = vtkGodRays::SpotPart(ray.Lit, std::max(end, 0.0)); // in a spotlight's cone
   Front front;
   for (double s = begin; s < end;)
   {
@@ -243,6 +244,16 @@ void vtkGodRaysGridSight::March(
           (last - s) / length);
       thickest += range.y;
     }
+    // A step is in the cone or not.
+    bool isEdge = false;
+    for (const double edge : { lit.x, lit.y })
+    {
+      if (this->Spot.IsCone() && edge > ahead && edge <= last)
+      {
+        last = edge;
+        isEdge = true;
+      }
+    }
     if (outside && this->Haze)
     {
       this->Cross(ray, s, last, depth, sum, steps);
@@ -257,6 +268,7 @@ void vtkGodRaysGridSight::March(
       this->MarchBlock(ray, s, last, thickest > 0.0 ? parts : std::max(1.0, cells / 4.0), cells,
         thickest, front, depth, sum, steps);
     }
+    front.IsKnown = front.IsKnown && !isEdge;
     s = last;
     if (!this->Haze && left < 0.02 * this->Tolerance)
     {
@@ -274,11 +286,13 @@ void vtkGodRaysGridSight::MarchBlock(const Ray& ray, double begin, double end, d
   const int colours = this->Grey ? 1 : 3;
   const vtkGodRays::LitRay& lit = ray.Lit;
   Vec3 position = ray.Origin + begin * ray.Along;
+  const double inset = this->Spot.IsCone() ? 1e-6 * (end - begin) : 0.0; // edges are rounded
   if (!front.IsKnown)
   {
-    front = { true, false, this->Shadows.Get(position), this->GetAir(ray, begin), Vec3(1.0) };
+    front = { true, false, this->Shadows.Get(position), this->GetAir(ray, begin + inset),
+      Vec3(1.0) };
   }
-  Front next = { true, false, front.Edge, this->GetAir(ray, end), Vec3(1.0) };
+  Front next = { true, false, front.Edge, this->GetAir(ray, end - inset), Vec3(1.0) };
   const double most = 0.9 * std::sqrt(this->Tolerance); // in a step
   const double change = this->Haze ? front.Medium.GetChange(next.Medium) : 0.0;
   parts = std::max(parts, std::min(change / most, 8.0 * Blocks::BlockSize));
