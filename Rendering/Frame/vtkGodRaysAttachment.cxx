@@ -217,7 +217,8 @@ public:
     int ownReferences = 2; // of its watch, and in the renderer's collection
     for (const auto& each : passes->Attachments)
     {
-      const int references = each.first == pass ? 0 : each.second->CountReferences(each.first, pass);
+      const int references =
+        each.first == pass ? 0 : each.second->CountReferences(each.first, pass);
       if (references > 0 && IsReplaced(each.first, passes, renderer, depth + 1))
       {
         ownReferences += references;

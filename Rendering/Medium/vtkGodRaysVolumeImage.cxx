@@ -152,7 +152,8 @@ vtkSmartPointer<vtkDataSet> MakePart(
   }
   if (hidden)
   {
-    slim->GetPointData()->SetScalars(FindMeans(part, named, hidden)); // VTK's filter takes all cells
+    slim->GetPointData()->SetScalars(
+      FindMeans(part, named, hidden)); // VTK's filter takes all cells
     return slim;
   }
   slim->GetCellData()->SetScalars(named);

@@ -472,14 +472,16 @@ TEST_F(GodRaysVolumeGrids, HaveNothingOfHiddenCellsBesideThem)
     grid->GetCellData()->AddArray(ghosts);
     return grid;
   };
-  const auto check = [&](const char* name, const std::function<vtkSmartPointer<vtkDataObject>(double, bool)>& make)
+  const auto check =
+    [&](const char* name, const std::function<vtkSmartPointer<vtkDataObject>(double, bool)>& make)
   {
     const auto expected = this->Draw(make(0.0, true));
     EXPECT_GT(GetMean(expected), 0.0) << name;
     EXPECT_LT(Compare(expected, this->Draw(make(1.0, true))), 1e-6) << name;
     EXPECT_GT(Compare(expected, this->Draw(make(1.0, false))), 0.02) << name; // the control
   };
-  check("rectilinear", [&](double right, bool hides) { return fill(MakeRectilinear(17), right, hides); });
+  check("rectilinear",
+    [&](double right, bool hides) { return fill(MakeRectilinear(17), right, hides); });
   check("tetrahedra",
     [&](double right, bool hides) { return fill(MakeTetrahedra(MakeImage(9)), right, hides); });
   check("parts",
