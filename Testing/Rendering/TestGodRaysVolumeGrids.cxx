@@ -472,8 +472,8 @@ TEST_F(GodRaysVolumeGrids, HaveNothingOfHiddenCellsBesideThem)
     grid->GetCellData()->AddArray(ghosts);
     return grid;
   };
-  const auto check =
-    [&](const char* name, const std::function<vtkSmartPointer<vtkDataObject>(double, bool)>& make)
+  using Maker = std::function<vtkSmartPointer<vtkDataObject>(double, bool)>;
+  const auto check = [&](const char* name, const Maker& make)
   {
     const auto expected = this->Draw(make(0.0, true));
     EXPECT_GT(GetMean(expected), 0.0) << name;
