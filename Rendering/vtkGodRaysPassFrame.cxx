@@ -301,6 +301,7 @@ bool vtkGodRaysPass::Internals::FindExposure(
   request.DataGain = this->Exposure.DataGain;
   request.SurroundPart = this->Surround.Part;
   request.SurroundLight = this->Surround.Light;
+  request.SurroundRays = this->Surround.Rays;
   if (pass.DataFirst)
   {
     request.MostLightness = pass.MostDataLightness;

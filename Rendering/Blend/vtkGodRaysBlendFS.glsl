@@ -34,6 +34,7 @@ uniform float darkExposure;  // the same over data that are dark
 uniform float dataGain;      // on data, at most as much as the medium takes of their light
 uniform float surroundLight; // of rays before a light background where they leave it as it is
 uniform float surroundPart;  // by which it is darker where there are none
+uniform float surroundRays;  // part of the rays that is added to it
 uniform float mostLightness; // by which data change, if only their lightness does
 uniform bool alphaShowsData; // it is 0 where nothing is drawn
 uniform float alphaLayers;   // n in PartOfAlpha()
@@ -113,6 +114,13 @@ float DataPart(ivec2 pixel, float alpha)
   return texelFetch(depth, pixel, 0).r < 1.0 ? 1.0 : alphaShowsData ? PartOfAlpha(alpha) : 0.0;
 }
 
+vec3 Join(vec3 base, vec3 light)
+{
+  return screen ? BlendScreen(base, light)
+    : shoulder  ? BlendShoulder(base, light)
+                : BlendAdd(base, light);
+}
+
 void main()
 {
   vec2 uv = texCoord;
@@ -172,13 +180,11 @@ void main()
   {
     light *= mix(1.0, mix(darkExposure, dataExposure, SeenPart(before)), DataPart(pixel, shownOver.a));
   }
-  vec3 sum = screen ? BlendScreen(base, light)
-    : shoulder      ? BlendShoulder(base, light)
-                    : BlendAdd(base, light);
+  vec3 sum = Join(base, light);
   if (surround)
   {
-    sum = mix(BlendSurround(base, light, surroundLight, surroundPart), sum,
-      DataPart(pixel, shownOver.a));
+    vec3 darker = BlendSurround(base, light, surroundLight, surroundPart);
+    sum = mix(Join(darker, surroundRays * light), sum, DataPart(pixel, shownOver.a));
   }
   if (lightnessAlone)
   {

@@ -153,6 +153,7 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
   {
     program->SetUniformf("surroundLight", static_cast<float>(request.SurroundLight));
     program->SetUniformf("surroundPart", static_cast<float>(request.SurroundPart));
+    program->SetUniformf("surroundRays", static_cast<float>(request.SurroundRays));
     program->SetUniformf("dataExposure", static_cast<float>(request.DataExposure));
     program->SetUniformf("darkExposure", static_cast<float>(request.DarkExposure));
     program->SetUniformf("dataGain", static_cast<float>(request.DataGain));

@@ -55,6 +55,7 @@ public:
     bool Shoulder = false;       ///< keep sums below white, unless Screen
     double SurroundPart = 0.0;   ///< by which a light background is darker where rays are absent
     double SurroundLight = 1.0;  ///< luminance of rays that leave it as it is
+    double SurroundRays = 1.0;   ///< part of the rays that is added before it, too
     double DataExposure = 1.0;   ///< factor on rays over data that are seen
     double DarkExposure = 1.0;   ///< factor on rays over data that are dark
     double DataGain = 1.0;       ///< on data, at most as much as the medium takes of their light

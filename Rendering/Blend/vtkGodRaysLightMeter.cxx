@@ -387,9 +387,10 @@ vtkGodRaysLightMeter::Surround vtkGodRaysLightMeter::FindSurround(
   std::nth_element(light.begin(), rank, light.end());
   if (*rank > 0.0)
   {
+    lightness /= static_cast<double>(light.size());
     result.Light = *rank;
-    result.Part =
-      MostSurroundPart * glm::smoothstep(75.0, 90.0, lightness / static_cast<double>(light.size()));
+    result.Part = MostSurroundPart * glm::smoothstep(65.0, 85.0, lightness);
+    result.Rays = 1.0 - glm::smoothstep(75.0, 90.0, lightness);
   }
   return result;
 }

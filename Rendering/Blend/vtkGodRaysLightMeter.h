@@ -85,14 +85,15 @@ public:
   {
     double Part = 0.0; ///< 0: it is not light, or has room for rays
     double Light = 1.0;
+    double Rays = 1.0; ///< part of the rays that is added, too
   };
 
   static constexpr double MostSurroundPart = 0.6;
 
   /**
    * The surround for some samples whose rays have this factor: from none, where the lightness of the
-   * background is 75 [L*] on average, to MostSurroundPart, from 90 on. Rays leave it as it is from the 90th
-   * percentile of theirs before it.
+   * background is 65 [L*] on average, to MostSurroundPart, from 85 on. Rays leave it as it is from the 90th
+   * percentile of theirs before it. All of them are added up to a lightness of 75, none from 90 on.
    */
   static Surround FindSurround(const std::vector<Sample>& samples, double exposure);
 

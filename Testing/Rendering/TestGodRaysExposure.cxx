@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 
 using namespace GodRaysTesting;
 using vtkGodRays::Vec3;
@@ -430,6 +431,41 @@ TEST(LightBackground, IsDarkerInShadows)
       EXPECT_EQ(off[4 * i], 255);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// From black to white there is no grey before which shafts are not seen.
+TEST(LightBackground, ShaftsAreSeenBeforeEachGrey)
+{
+  Messages messages;
+  ColorStage stage;
+  const auto getSpread = [&](double grey)
+  {
+    stage.Renderer->SetBackground(grey, grey, grey);
+    const auto with = GetPixels(stage.Window);
+    std::vector<double> lightness;
+    for (int i = 0; i < Width * Height; ++i)
+    {
+      if (!stage.IsData(i))
+      {
+        lightness.push_back(vtkGodRays::LabOfLight(ColorStage::Get(with, i)).x);
+      }
+    }
+    std::sort(lightness.begin(), lightness.end());
+    return lightness[lightness.size() * 9 / 10] - lightness[lightness.size() / 10];
+  };
+  double least = 100.0;
+  for (int grey = 0; grey <= 50; ++grey)
+  {
+    least = std::min(least, getSpread(grey / 50.0));
+  }
+  std::cout << "between shadows and shafts: " << least << " L* before the worst grey\n";
+  EXPECT_GT(least, 10.0);
+
+  stage.Rays->SetDarkenLightBackground(false);
+  EXPECT_LT(getSpread(0.8), 10.0); // not by themselves
+  EXPECT_EQ(getSpread(1.0), 0.0);
+  messages.Take(); // that nothing can be seen before white
 }
 
 // A medium takes light as well, and so its shadows are seen before white.
