@@ -12,9 +12,11 @@
 #include "vtkGodRaysSkyPass.h"
 #include "vtkGodRaysVolumeModel.h"
 #include "vtkLight.h"
+#include "vtkMath.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -28,6 +30,7 @@ constexpr double GlowRadius = 1.0;
 constexpr double SunGlowAngle = 5.0;
 constexpr double LampGlowAngle = 14.0;
 constexpr double SkyExposure = 2.5; // a white wall in the sun is about as bright as can be shown
+constexpr double AboveSun = 5.0;    // [degrees] where the sky is not to be brighter than white
 
 //------------------------------------------------------------------------------
 void PlaceLight(vtkLight* light, const Viewpoint& view)
@@ -66,6 +69,23 @@ void AddFill(vtkRenderer* renderer, const Scene& scene, double fill)
 
 //------------------------------------------------------------------------------
 /**
+ * The exposure of the physical sky: less than SkyExposure where a haze about the sun would be a sheet of
+ * white.
+ */
+double ChooseExposure(vtkGodRaysSkyPass* sky, double azimuth, double elevation)
+{
+  const double turn = vtkMath::RadiansFromDegrees(azimuth);
+  const double height = vtkMath::RadiansFromDegrees(elevation + AboveSun);
+  const double direction[3] = { std::cos(height) * std::sin(turn),
+    std::cos(height) * std::cos(turn), std::sin(height) };
+  double radiance[3];
+  sky->GetSkyColor(direction, radiance);
+  const double brightest = *std::max_element(radiance, radiance + 3);
+  return SkyExposure / std::max(1.0, SkyExposure * brightest);
+}
+
+//------------------------------------------------------------------------------
+/**
  * The physical sky, without its sun.
  */
 void AddSky(vtkRenderer* renderer, const Scene& scene, const Options& options)
@@ -82,7 +102,6 @@ void AddSky(vtkRenderer* renderer, const Scene& scene, const Options& options)
   sky->SetNorth(scene.North.data());
   sky->SetOrigin(ground.data());
   sky->SetWorldUnitInMeters(options.WorldUnit.value_or(1.0));
-  sky->SetExposure(SkyExposure);
 }
 
 //------------------------------------------------------------------------------
@@ -283,16 +302,17 @@ void Stage::MoveSkySun()
   vtkGodRaysSkyPass* sky = vtkGodRaysSkyPass::Find(this->Renderer);
   sky->SetSunAzimuth(azimuth);
   sky->SetSunElevation(elevation);
+  sky->SetExposure(this->ExposureFactor * ChooseExposure(sky, azimuth, elevation));
   sky->UpdateLight(this->Light);
 }
 
 //------------------------------------------------------------------------------
 void Stage::SetExposure(double factor)
 {
-  if (vtkGodRaysSkyPass* sky = vtkGodRaysSkyPass::Find(this->Renderer))
+  this->ExposureFactor = factor;
+  if (vtkGodRaysSkyPass::Find(this->Renderer))
   {
-    sky->SetExposure(factor * SkyExposure);
-    sky->UpdateLight(this->Light);
+    this->MoveSkySun();
   }
 }
 

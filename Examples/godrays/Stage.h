@@ -96,6 +96,7 @@ private:
   vtkNew<vtkLight> Light;
   vtkNew<vtkGodRaysPass> Rays;
   std::optional<Sky> Background; ///< none where there is a physical one
+  double ExposureFactor = 1.0;   ///< on that of the physical one
   bool HasRays = false;
 };
 

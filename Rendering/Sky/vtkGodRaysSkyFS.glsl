@@ -35,6 +35,7 @@ uniform float sceneUnit;    // [m]
 //VTK::GodRays::Terms
 // beforeScene: the air before the scene rather than the sky behind it
 // isPower: whether shown values stand for light by a power of 2.2, not by sRGB's transfer
+// shoulder: whether light stays below white rather than being clipped
 // hasDisc: whether the sun's disc may be seen
 // hasEdge: whether the atmosphere's edge may be
 // phaseBit0, phaseBit1, phaseBit2: the kind of the aerosol's phase function
@@ -58,6 +59,17 @@ vec3 LookUp(vec2 cell, int slice, vec3 aerosolPhase)
   vec2 uv = (cell + vec2(0.0, slice * halfSize.y)) / vec2(2 * halfSize.x, halfSize.y * slices);
   return textureLod(table, uv, 0.0).rgb +
     aerosolPhase * textureLod(table, uv + vec2(0.5, 0.0), 0.0).rgb;
+}
+
+vec3 Join(vec3 behind, vec3 light)
+{
+  return shoulder ? BlendShoulder(behind, light) : BlendAdd(behind, light);
+}
+
+// Light over what is behind it, as it is shown.
+vec3 Encode(vec3 behind, vec3 light)
+{
+  return EncodeDisplay(Join(behind, light), isPower);
 }
 
 // The scene through the air.
@@ -84,8 +96,7 @@ vec3 SceneThroughAir(vec3 ray, float slope, bool above, vec2 cell, vec3 aerosolP
   int lower = min(int(slice), slices - 2);
   vec3 light = mix(LookUp(cell, lower, aerosolPhase), LookUp(cell, lower + 1, aerosolPhase),
     slice - float(lower));
-  return EncodeDisplay(
-    DecodeDisplay(shown, isPower) * transmittance + irradiance * light * (1.0 - transmittance), isPower);
+  return Encode(DecodeDisplay(shown, isPower) * transmittance, irradiance * light * (1.0 - transmittance));
 }
 
 void main()
@@ -107,13 +118,14 @@ void main()
     return;
   }
   vec3 light = irradiance * LookUp(cell, 0, aerosolPhase);
+  vec3 disc = vec3(0.0); // joined last, so that a red sun is not darker than the sky about it
   if (hasEdge && slope >= edges.y)
   {
     light = vec3(0.0);
   }
   if (hasDisc && above)
   {
-    light += DiscLight(direction, ray);
+    disc = DiscLight(direction, ray);
   }
-  gl_FragData[0] = vec4(EncodeDisplay(light, isPower), 1.0);
+  gl_FragData[0] = vec4(Encode(Join(vec3(0.0), light), disc), 1.0);
 }

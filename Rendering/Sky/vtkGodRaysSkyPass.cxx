@@ -115,6 +115,7 @@ struct vtkGodRaysSkyPass::Internals
   vtkGodRaysSkyObserver Observer;
   vtkGodRaysLight Sun;
   vtkGodRaysTransfer Transfer = vtkGodRaysTransfer::SRGB;
+  bool Shoulder = false;   // for the framebuffer of this frame
   bool DrawsScene = false; // at this moment
   std::string Plan;
   std::string Complaint; // that has been made already
@@ -279,6 +280,16 @@ void vtkGodRaysSkyPass::GetSunColor(double irradiance[3])
   this->Internal->Source->GetSunLight(irradiance);
   const Vec3 weights = GetWeights(this);
   std::transform(irradiance, irradiance + 3, &weights[0], irradiance, std::multiplies<>());
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSkyPass::GetSkyColor(const double direction[3], double radiance[3])
+{
+  this->PrepareSource();
+  const bool done = this->Internal->Source->GetRadiance(direction, radiance);
+  const Vec3 weights = GetWeights(this);
+  std::transform(radiance, radiance + 3, &weights[0], radiance, std::multiplies<>());
+  return done;
 }
 
 //------------------------------------------------------------------------------
@@ -573,6 +584,7 @@ bool vtkGodRaysSkyPass::DrawSky(const vtkRenderState* s)
   vtkOpenGLState* state = self.Window->GetState();
   const vtkGodRaysStateKeeper keeper(state);
   const vtkGodRaysFramebuffer bound;
+  self.Shoulder = this->HighlightShoulder && bound.Formats.Color == GL_RGBA8;
   int viewport[4];
   vtkGodRaysScene::GetViewport(s, viewport);
   if (!this->UpdateTable(self.Table, "sky: "))
@@ -600,6 +612,7 @@ bool vtkGodRaysSkyPass::DrawAir(const vtkRenderState* s)
   vtkOpenGLState* state = self.Window->GetState();
   const vtkGodRaysStateKeeper keeper(state);
   const vtkGodRaysFramebuffer bound;
+  self.Shoulder = this->HighlightShoulder && bound.Formats.Color == GL_RGBA8;
   int viewport[4];
   vtkGodRaysScene::GetViewport(s, viewport);
   if (!bound.Formats.Color || !bound.Formats.Depth || !this->UpdateTable(self.Air, "air: "))
@@ -627,9 +640,9 @@ bool vtkGodRaysSkyPass::Draw(const int viewport[4], const int part[4], Stage sta
   const int kind = atmosphere->GetMiePhaseFunction();
   vtkShaderProgram* program = self.Quad.Begin(self.Window,
     { { "isPower", self.Transfer == vtkGodRaysTransfer::POWER }, { "beforeScene", stage == AIR },
-      { "hasDisc", stage == SKY_WITH_SUN }, { "hasEdge", stage != AIR && table.GetEdges().y < 1.0 },
-      { "phaseBit0", (kind & 1) != 0 }, { "phaseBit1", (kind & 2) != 0 },
-      { "phaseBit2", (kind & 4) != 0 } });
+      { "shoulder", self.Shoulder }, { "hasDisc", stage == SKY_WITH_SUN },
+      { "hasEdge", stage != AIR && table.GetEdges().y < 1.0 }, { "phaseBit0", (kind & 1) != 0 },
+      { "phaseBit1", (kind & 2) != 0 }, { "phaseBit2", (kind & 4) != 0 } });
   if (!program)
   {
     return false;
@@ -716,6 +729,7 @@ void vtkGodRaysSkyPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Exposure: " << this->Exposure << "\n";
   os << indent << "WhiteBalance: " << this->WhiteBalance << "\n";
   os << indent << "DisplayTransfer: " << this->DisplayTransfer << "\n";
+  os << indent << "HighlightShoulder: " << (this->HighlightShoulder ? "on" : "off") << "\n";
   os << indent << "SunDisc: " << (this->SunDisc ? "on" : "off") << "\n";
   os << indent << "AerialPerspective: " << (this->AerialPerspective ? "on" : "off") << "\n";
   os << indent << "MultipleScattering: " << (this->MultipleScattering ? "on" : "off") << "\n";

@@ -31,9 +31,9 @@
  * delegate instead.
  *
  * Colours are written as the window shows them: radiance times Exposure is linear light, encoded by the
- * DisplayTransfer, as god rays are. It is not clamped: in a floating-point framebuffer, such as that of a
- * vtkToneMappingPass that has this pass as its delegate, the sun is brighter than 1. The scene's depth
- * stays as it is.
+ * DisplayTransfer, as god rays are. In a floating-point framebuffer, such as that of a vtkToneMappingPass
+ * that has this pass as its delegate, the sun is brighter than 1; where values have 8 bits, HighlightShoulder
+ * keeps its hue below white. The scene's depth stays as it is.
  *
  * Numbers beyond a valid range are clamped to it. NaN and infinities are errors and change nothing. An
  * atmosphere that cannot be used is told once, and the scene is drawn without sky.
@@ -165,6 +165,18 @@ public:
 
   ///@{
   /**
+   * Set/Get whether light of the sky and of the air stays below white, where it would else be clipped, channel
+   * by channel, and lose its hue: light up to half of white is as it is, what is brighter is compressed, all
+   * channels alike, as by vtkGodRaysPass::SetHighlightShoulder(). Floating-point framebuffers do without, so
+   * that tone mapping has all of the light. Default is on.
+   */
+  vtkSetMacro(HighlightShoulder, bool);
+  vtkGetMacro(HighlightShoulder, bool);
+  vtkBooleanMacro(HighlightShoulder, bool);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get whether the sun's disc is drawn, darker towards its limb. Its size is the sun's AngularRadius
    * at the atmosphere's SunDistance. Default is on.
    */
@@ -212,6 +224,13 @@ public:
    * horizon.
    */
   void GetSunColor(double irradiance[3]);
+
+  /**
+   * The radiance of the sky in a direction from Origin, on the ground (x east, y north, z up; of any length
+   * but 0), without the sun's disc, in the unit of the atmosphere's SunIrradiance/sr, with WhiteBalance; times
+   * Exposure it is linear light. Returns false after an error, with 0.
+   */
+  bool GetSkyColor(const double direction[3], double radiance[3]);
 
   /**
    * Make a light that of the sun, as vtkGodRaysSun::UpdateLight() does, in the colour that the air leaves it.
@@ -279,6 +298,7 @@ private:
   double Exposure = 4.0;
   bool WhiteBalance = true;
   int DisplayTransfer = 0;
+  bool HighlightShoulder = true;
   bool SunDisc = true;
   bool AerialPerspective = true;
   bool MultipleScattering = true;

@@ -641,6 +641,86 @@ TEST_F(GodRaysSkyPass, MakesNothingWithoutCause)
   EXPECT_EQ(before, this->Seen);
 }
 
+// Where values have 8 bits, light that is brighter than white keeps its hue: below half of white, all of it is as
+// it is; floating-point values always are.
+TEST_F(GodRaysSkyPass, KeepsItsHueWhereItIsBright)
+{
+  this->Sky->GetAtmosphere()->LoadPreset(Atmosphere::MARS);
+  this->Sky->SetExposure(12.0);
+  this->SetSun(8.0);
+  this->SetView(2.0, 180.0, 12.0, 60.0);
+  const std::vector<Vec3> light = this->Render();
+  double brightest = 0.0;
+  for (const Vec3& each : light)
+  {
+    brightest = std::max(brightest, GetBrightest(each));
+  }
+  EXPECT_GT(brightest, 4.0); // the shoulder is not for them
+
+  struct Picture
+  {
+    double Clipped = 0.0; // part of the pixels
+    double Below = 0.0;   // largest error below the knee [levels of 255]
+    double Hue = 0.0;     // largest error of a channel above it, in units of the brightest
+    int Above = 0;        // pixels above the knee
+  };
+  this->Renderer->SetPass(this->Sky);
+  const auto look = [&]
+  {
+    const auto pixels = GetPixels(this->Window);
+    Picture picture;
+    for (std::size_t i = 0; i < light.size(); ++i)
+    {
+      const Vec3 shown(pixels[4 * i], pixels[4 * i + 1], pixels[4 * i + 2]);
+      picture.Clipped +=
+        GetBrightest(shown) == 255.0 ? 1.0 / static_cast<double>(light.size()) : 0.0;
+      if (GetBrightest(light[i]) < 0.49)
+      {
+        picture.Below = std::max(
+          picture.Below, GetBrightest(abs(shown - 255.0 * vtkGodRays::EncodeDisplay(light[i]))));
+        continue;
+      }
+      ++picture.Above;
+      const Vec3 seen = vtkGodRays::DecodeDisplay(shown / 255.0);
+      picture.Hue = std::max(picture.Hue,
+        GetBrightest(abs(seen / GetBrightest(seen) - light[i] / GetBrightest(light[i]))));
+    }
+    return picture;
+  };
+  const Picture with = look();
+  std::cout << "8 bits: " << 100.0 * with.Clipped << " % clipped, hue within " << with.Hue << " of "
+            << with.Above << " bright pixels, " << with.Below << " levels off below\n";
+  EXPECT_EQ(with.Clipped, 0.0);
+  EXPECT_LT(with.Below, 0.6);
+  EXPECT_LT(with.Hue, 0.02);
+  EXPECT_GT(with.Above, 100);
+
+  // a sun that is redder than the sky about it does not make it darker
+  const auto sky = GetPixels(this->Window);
+  this->Sky->SunDiscOn();
+  const auto sun = GetPixels(this->Window);
+  this->Sky->SunDiscOff();
+  for (std::size_t i = 0; i < sky.size(); ++i)
+  {
+    EXPECT_GE(sun[i], sky[i]) << i;
+    EXPECT_LT(sun[i] * (i % 4 < 3 ? 1 : 0), 255) << i;
+  }
+
+  this->Sky->HighlightShoulderOff();
+  const Picture without = look();
+  std::cout << "without a shoulder: " << 100.0 * without.Clipped << " % clipped, hue within "
+            << without.Hue << "\n";
+  EXPECT_GT(without.Clipped, 0.1);
+  EXPECT_GT(without.Hue, 0.2);
+  EXPECT_LT(without.Below, 0.6);
+
+  // tone mapping has all of the light
+  this->Sky->HighlightShoulderOn();
+  this->Renderer->SetPass(this->Floats);
+  const auto& again = this->Render();
+  EXPECT_EQ(again, light);
+}
+
 TEST_F(GodRaysSkyPass, HasASunThatIsDarkerTowardsItsLimb)
 {
   this->SetSun(40.0);
