@@ -236,7 +236,7 @@ public:
   ///@{
   /**
    * Set/Get whether a look darkens a light background in shadows, by up to 60 % of its linear light: from a
-   * lightness of 65 to 85 on [CIE 1976 L*, white is 100]. From 75 to 90 on, rays themselves fade before it, so
+   * lightness of 65 to 85 on [CIE 1976 L*, white is 100]. From 75 to 90 on, rays themselves fade, so
    * that it keeps its colour where they are strong. Off, rays are hardly seen there. A medium, which takes
    * light, too, needs none of it, nor do published sums of shown values. Default is on.
    */

@@ -165,10 +165,10 @@ public:
 
   ///@{
   /**
-   * Set/Get whether light of the sky and of the air stays below white, where it would else be clipped, channel
-   * by channel, and lose its hue: light up to half of white is as it is, what is brighter is compressed, all
-   * channels alike, as by vtkGodRaysPass::SetHighlightShoulder(). Floating-point framebuffers do without, so
-   * that tone mapping has all of the light. Default is on.
+   * Set/Get whether light of the sky and of the air stays below white, where it would else be clipped,
+   * channel by channel, and lose its hue: light up to half of white is as it is, what is brighter is
+   * compressed, all channels alike, as by vtkGodRaysPass::SetHighlightShoulder(). Floating-point framebuffers
+   * do without, so that tone mapping has all of the light. Default is on.
    */
   vtkSetMacro(HighlightShoulder, bool);
   vtkGetMacro(HighlightShoulder, bool);
@@ -227,8 +227,8 @@ public:
 
   /**
    * The radiance of the sky in a direction from Origin, on the ground (x east, y north, z up; of any length
-   * but 0), without the sun's disc, in the unit of the atmosphere's SunIrradiance/sr, with WhiteBalance; times
-   * Exposure it is linear light. Returns false after an error, with 0.
+   * but 0), without the sun's disc, in the unit of the atmosphere's SunIrradiance/sr, with WhiteBalance;
+   * times Exposure it is linear light. Returns false after an error, with 0.
    */
   bool GetSkyColor(const double direction[3], double radiance[3]);
 

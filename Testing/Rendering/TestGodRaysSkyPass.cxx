@@ -641,8 +641,8 @@ TEST_F(GodRaysSkyPass, MakesNothingWithoutCause)
   EXPECT_EQ(before, this->Seen);
 }
 
-// Where values have 8 bits, light that is brighter than white keeps its hue: below half of white, all of it is as
-// it is; floating-point values always are.
+// Where values have 8 bits, light that is brighter than white keeps its hue: below half of white, all of it
+// is as it is; floating-point values always are.
 TEST_F(GodRaysSkyPass, KeepsItsHueWhereItIsBright)
 {
   this->Sky->GetAtmosphere()->LoadPreset(Atmosphere::MARS);
