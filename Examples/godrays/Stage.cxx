@@ -102,6 +102,7 @@ void AddSky(vtkRenderer* renderer, const Scene& scene, const Options& options)
   sky->SetNorth(scene.North.data());
   sky->SetOrigin(ground.data());
   sky->SetWorldUnitInMeters(options.WorldUnit.value_or(1.0));
+  sky->HighlightShoulderOn();
 }
 
 //------------------------------------------------------------------------------

@@ -118,7 +118,7 @@ void main()
     return;
   }
   vec3 light = irradiance * LookUp(cell, 0, aerosolPhase);
-  vec3 disc = vec3(0.0); // joined last, so that a red sun is not darker than the sky about it
+  vec3 disc = vec3(0.0); // joined last, and clipped: compressed, it could not be told from the sky about it
   if (hasEdge && slope >= edges.y)
   {
     light = vec3(0.0);
@@ -127,5 +127,5 @@ void main()
   {
     disc = DiscLight(direction, ray);
   }
-  gl_FragData[0] = vec4(Encode(Join(vec3(0.0), light), disc), 1.0);
+  gl_FragData[0] = vec4(EncodeDisplay(BlendAdd(Join(vec3(0.0), light), disc), isPower), 1.0);
 }

@@ -33,7 +33,7 @@
  * Colours are written as the window shows them: radiance times Exposure is linear light, encoded by the
  * DisplayTransfer, as god rays are. In a floating-point framebuffer, such as that of a vtkToneMappingPass
  * that has this pass as its delegate, the sun is brighter than 1; where values have 8 bits, HighlightShoulder
- * keeps its hue below white. The scene's depth stays as it is.
+ * can keep the hue of a bright sky. The scene's depth stays as it is.
  *
  * Numbers beyond a valid range are clamped to it. NaN and infinities are errors and change nothing. An
  * atmosphere that cannot be used is told once, and the scene is drawn without sky.
@@ -167,8 +167,9 @@ public:
   /**
    * Set/Get whether light of the sky and of the air stays below white, where it would else be clipped,
    * channel by channel, and lose its hue: light up to half of white is as it is, what is brighter is
-   * compressed, all channels alike, as by vtkGodRaysPass::SetHighlightShoulder(). Floating-point framebuffers
-   * do without, so that tone mapping has all of the light. Default is on.
+   * compressed, all channels alike, as by vtkGodRaysPass::SetHighlightShoulder(). The sun's disc is clipped,
+   * and so is seen. Floating-point framebuffers do without, so that tone mapping has all of the light.
+   * Default is off: what is shown is the sky's light times Exposure.
    */
   vtkSetMacro(HighlightShoulder, bool);
   vtkGetMacro(HighlightShoulder, bool);
@@ -298,7 +299,7 @@ private:
   double Exposure = 4.0;
   bool WhiteBalance = true;
   int DisplayTransfer = 0;
-  bool HighlightShoulder = true;
+  bool HighlightShoulder = false;
   bool SunDisc = true;
   bool AerialPerspective = true;
   bool MultipleScattering = true;

@@ -14,7 +14,7 @@ import defaults
 defaults.SIZE = (300, 210)
 LEAST_CONTRAST = 1.5  # [L*] of shafts, of which gradients and textures alone have none
 # A look darkens these, as light that is added is hardly seen there: its shafts are to be clearer.
-DARKENED = {"white", "light grey", "light gradient", "light texture", "light skybox"}
+DARKENED = {"white", "light grey", "light gradient", "light skybox"}
 LEAST_BEFORE_LIGHT = 2
 
 
