@@ -71,10 +71,10 @@ std::string vtkGodRaysVolumeMedium::Take(vtkRenderer* renderer, vtkGodRaysCompos
   {
     fault = this->Read(numbers);
   }
+  // images of props with a fault are kept: they would be resampled in each frame
   if (this->Props.empty())
   {
-    this->Images
-      .clear(); // those of props with a fault are kept: they would be resampled in each frame
+    this->Images.clear();
   }
   if (!fault.empty())
   {

@@ -4,13 +4,13 @@
 // Shadow maps: against closed forms and the ground truth, with things that the picture's depth does
 // not hold; and that the scene does not notice them.
 
+#include "GodRaysLonelyCompositor.h"
 #include "GodRaysMediumTesting.h"
 
 #include "vtkGodRaysEpipolarCoverageIntegrator.h"
 #include "vtkGodRaysShadowMapIntegrator.h"
 
 #include "vtkCamera.h"
-#include "vtkGodRaysCompositor.h"
 #include "vtkPlane.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -191,34 +191,12 @@ TEST_F(GodRaysShadowMap, KeepsTheMapWhileNothingInItChanges)
   EXPECT_FALSE(isKept());
 }
 
-namespace
-{
-/// Several processes of which one has all data: the others wait for nothing.
-class GatheringCompositor : public vtkGodRaysCompositor
-{
-public:
-  static GatheringCompositor* New()
-  {
-    auto compositor = new GatheringCompositor;
-    compositor->InitializeObjectBase();
-    return compositor;
-  }
-  bool IsDistributed() override { return false; }
-  bool IsRoot() override { return true; }
-  bool HasDepth() override { return true; }
-  void Reduce(float*, std::size_t, Operation) override { ++this->Calls; }
-  void Reduce(double*, std::size_t, Operation) override { ++this->Calls; }
-  bool DrawBackground(vtkRenderer*) override { return false; }
-
-  int Calls = 0;
-};
-}
-
 TEST_F(GodRaysShadowMap, AsksNoOtherProcessWhereOneHasAllData)
 {
   this->AddPillars();
   this->AddSun({ 0.15, 0.1, -1.0 });
-  vtkNew<GatheringCompositor> compositor;
+  vtkNew<LonelyCompositor> compositor;
+  compositor->Distributed = false;
   this->Rays->SetCompositor(compositor);
   this->Scene.Window->Render();
   EXPECT_TRUE(Says(this->Rays->GetPlan(), "shadow map: 1 of")) << this->Rays->GetPlan();

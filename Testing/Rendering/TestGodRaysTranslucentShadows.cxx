@@ -3,10 +3,10 @@
 
 // Shadows of what lets part of the light through, against numbers and the ground truth.
 
+#include "GodRaysLonelyCompositor.h"
 #include "GodRaysMediumTesting.h"
 
 #include "vtkGodRaysAtmosphereModel.h"
-#include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysIntegrator.h"
 
 #include "vtkActor.h"
@@ -27,26 +27,6 @@ using namespace GodRaysTesting;
 
 namespace
 {
-/// One process of several, of which the others have nothing of the scene.
-class LonelyCompositor : public vtkGodRaysCompositor
-{
-public:
-  static LonelyCompositor* New()
-  {
-    auto compositor = new LonelyCompositor;
-    compositor->InitializeObjectBase();
-    return compositor;
-  }
-  bool IsDistributed() override { return true; }
-  bool IsRoot() override { return true; }
-  bool HasDepth() override { return true; }
-  void Reduce(float*, std::size_t, Operation) override { ++this->Calls; }
-  void Reduce(double*, std::size_t, Operation) override { ++this->Calls; }
-  bool DrawBackground(vtkRenderer*) override { return false; }
-
-  int Calls = 0;
-};
-
 class GodRaysTranslucentShadows : public MediumTest
 {
 protected:

@@ -4,6 +4,7 @@
 // Volumes as media of data, in rendered frames, against the ground truth with the same data.
 
 #include "../Filters/GodRaysGridScenes.h"
+#include "GodRaysLonelyCompositor.h"
 #include "GodRaysMediumTesting.h"
 
 #include "vtkGodRaysAtmosphereModel.h"
@@ -623,6 +624,27 @@ TEST_F(GodRaysVolumeMedium, IsReadOnceDespiteAFault)
   this->Scene.Window->Render();
   EXPECT_TRUE(Says(this->Rays->GetPlan(), "data of 2 volumes")) << this->Rays->GetPlan();
   this->VTKMessages.Take();
+}
+
+// Where each process has a part of the data, one message says so, and the scene is drawn without rays.
+TEST_F(GodRaysVolumeMedium, IsRefusedOnSeveralProcesses)
+{
+  this->AddSmoke();
+  this->SetLight({ 1.0, 0.4, 0.2, 0.0 });
+  vtkNew<LonelyCompositor> compositor;
+  this->Rays->SetCompositor(compositor);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    this->Scene.Window->Render();
+    EXPECT_TRUE(Says(this->Rays->GetPlan(), "rays: none")) << this->Rays->GetPlan();
+  }
+  const auto messages = this->VTKMessages.Take();
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_TRUE(Says(messages.front(), "on one process alone")) << messages.front();
+  compositor->Distributed = false; // one has all data: it is drawn
+  this->Scene.Window->Render();
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "data of 1 volume")) << this->Rays->GetPlan();
+  this->Rays->SetCompositor(nullptr);
 }
 
 // Where nothing else scatters, and no volume does, there are no rays; in a look it is as any volume.
