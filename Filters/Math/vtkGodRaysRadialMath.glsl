@@ -139,6 +139,25 @@ FUNCTION Vec2 ClipMarch(IN(Vec2) uv, IN(Vec2) march, IN(Vec2) margin)
   return Vec2(max(0.0, max(x.x, y.x)), min(1.0, min(x.y, y.y)));
 }
 
+// Lines through the light are numbered evenly, but for a strip that has more of them: strip.x and
+// strip.y are where it begins and ends in that numbering, strip.z is how many times as close its lines
+// are. This is the place of an even line's number among all of them.
+// Formula: i + (z - 1) (i - x), the last term kept within [0, (z - 1) (y - x)]. [lines]
+FUNCTION Real LineOfEven(IN(Real) even, IN(Vec3) strip)
+{
+  GODRAYS_EXPECT(strip.x <= strip.y && strip.z >= 1.0);
+  return even + (strip.z - 1.0) * clamp(even - strip.x, Real(0.0), strip.y - strip.x);
+}
+
+// The inverse of LineOfEven().
+// Formula: l - (z - 1)/z (l - x), the last term kept within [0, (z - 1) (y - x)]. [even lines]
+FUNCTION Real EvenOfLine(IN(Real) line, IN(Vec3) strip)
+{
+  GODRAYS_EXPECT(strip.x <= strip.y && strip.z >= 1.0);
+  return line -
+    (strip.z - 1.0) * clamp((line - strip.x) / strip.z, Real(0.0), strip.y - strip.x);
+}
+
 // The mean of a layer along the part of a march from t = part.x to part.y, weighted by e^(-k t) as
 // a part of the whole march, for a layer that is 0 in the rest. Taps are in the middle of equal
 // steps, whose weights are exact.

@@ -20,6 +20,7 @@ uniform vec2 sumsSize;      // of the textures [texels]
 uniform vec2 meansSize;     //
 uniform vec4 wedgeLines[4]; // as for the means
 uniform vec4 wedgeRows[4];
+uniform vec4 wedgeStrips[4];
 uniform vec4 wedgeColumns;
 uniform vec2 marchConstant; // from the point p, marchConstant - marchSlope p [pixels]
 uniform float marchSlope;
@@ -86,9 +87,9 @@ void main()
     vec4 place = texelFetch(rows, ivec2(row, 3 * wedge), 0);
     vec4 front = texelFetch(rows, ivec2(row, 3 * wedge + 1), 0);
     vec4 lines = wedgeLines[wedge];
-    float line = ((transposed ? point.y : point.x) - place.x) * place.y;
-    line = clamp(line, 0.0, wedgeRows[wedge].w - 1.0);
-    vec2 step = vec2(lines.z + line * lines.w, wedgeRows[wedge].y); // to the next row
+    float even = ((transposed ? point.y : point.x) - place.x) * place.y;
+    float line = clamp(LineOfEven(even, wedgeStrips[wedge].xyz), 0.0, wedgeRows[wedge].w - 1.0);
+    vec2 step = vec2(lines.z + even * lines.w, wedgeRows[wedge].y); // to the next row
     step = transposed ? step.yx : step;
     result = textureLod(sums, (vec2(place.z, line) + 0.5) / sumsSize, 0.0).rgb;
     result += Bump(front.xyz, point, step, wedge, line);

@@ -47,6 +47,7 @@ void SetWedges(vtkShaderProgram* program, const Plan& plan)
 {
   float lines[NumberOfWedges][4];
   float rows[NumberOfWedges][4];
+  float strips[NumberOfWedges][4] = {};
   for (int i = 0; i < NumberOfWedges; ++i)
   {
     const Plan::Wedge& wedge = plan.Wedges[i];
@@ -58,9 +59,13 @@ void SetWedges(vtkShaderProgram* program, const Plan& plan)
     rows[i][1] = static_cast<float>(wedge.Direction);
     rows[i][2] = wedge.Axis == 0 ? 1.0f : 0.0f;
     rows[i][3] = static_cast<float>(wedge.Lines);
+    strips[i][0] = static_cast<float>(wedge.Strip[0]);
+    strips[i][1] = static_cast<float>(wedge.Strip[1]);
+    strips[i][2] = static_cast<float>(wedge.StripFactor);
   }
   program->SetUniform4fv("wedgeLines", NumberOfWedges, lines);
   program->SetUniform4fv("wedgeRows", NumberOfWedges, rows);
+  program->SetUniform4fv("wedgeStrips", NumberOfWedges, strips);
   SetVector(program, "layerSize", plan.March.LayerSize[0], plan.March.LayerSize[1]);
 }
 
@@ -85,6 +90,7 @@ struct vtkGodRaysBlockMeans::Internals
   vtkGodRaysQuad InterpolateQuad{ "vtkGodRaysBlockInterpolateFS", vtkGodRaysBlockInterpolateFS };
   vtkGodRaysTarget Means[2]; // of one channel, of three
   vtkGodRaysTarget Sums[2];
+  vtkGodRaysTarget Rays;                    // of one channel
   std::vector<std::unique_ptr<Plan>> Plans; // the one that was used last comes last
   std::size_t Lights = 0;                   // of this frame, up to now
   std::size_t FormerLights = 0;             // of the frame before
@@ -92,6 +98,8 @@ struct vtkGodRaysBlockMeans::Internals
   Plan* Prepare(const vtkGodRaysRadialIntegrator::Request& request, const vtkGodRaysMarch& march);
   bool Bind(vtkOpenGLRenderWindow* window, vtkGodRaysTarget& target, int width, int height,
     unsigned int format);
+  vtkShaderProgram* BeginPicture(
+    const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan, bool lends);
   bool DrawMeans(const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan);
   bool DrawSums(const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan);
   bool DrawPicture(const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan);
@@ -197,13 +205,28 @@ bool vtkGodRaysBlockMeans::Internals::DrawSums(
 }
 
 //------------------------------------------------------------------------------
+vtkShaderProgram* vtkGodRaysBlockMeans::Internals::BeginPicture(
+  const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan, bool lends)
+{
+  if (lends)
+  {
+    const int* size = plan.March.PictureSize;
+    this->Rays.Prepare(request.Window, size[0], size[1], { GL_R32F, 0 });
+    request.Window->GetState()->vtkglDisable(GL_BLEND);
+  }
+  return (lends ? this->Rays.Bind() : request.Result->BindToAdd())
+    ? this->InterpolateQuad.Begin(request.Window, { { "OneChannel", plan.OneChannel } })
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
 bool vtkGodRaysBlockMeans::Internals::DrawPicture(
   const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan)
 {
   const int index = plan.OneChannel ? 0 : 1;
-  vtkShaderProgram* program = request.Result->BindToAdd()
-    ? this->InterpolateQuad.Begin(request.Window, { { "OneChannel", plan.OneChannel } })
-    : nullptr;
+  // The first light's rays of one channel are lent: a quarter of what a sum takes to write.
+  const bool lends = plan.OneChannel && request.Result->IsEmpty();
+  vtkShaderProgram* program = this->BeginPicture(request, plan, lends);
   if (!program)
   {
     return false;
@@ -230,7 +253,8 @@ bool vtkGodRaysBlockMeans::Internals::DrawPicture(
   float gain[3];
   for (int c = 0; c < 3; ++c)
   {
-    gain[c] = static_cast<float>(march.Gain * (plan.OneChannel ? request.Light->Color[c] : 1.0));
+    const double tint = plan.OneChannel && !lends ? request.Light->Color[c] : 1.0;
+    gain[c] = static_cast<float>(march.Gain * tint);
   }
   program->SetUniform3f("gain", gain);
   this->InterpolateQuad.SetTexture("layer", request.Layer->GetColor());
@@ -238,7 +262,7 @@ bool vtkGodRaysBlockMeans::Internals::DrawPicture(
   this->InterpolateQuad.SetTexture("sums", sums.GetColor());
   this->InterpolateQuad.SetTexture("rows", plan.Rows.Texture);
   this->InterpolateQuad.End();
-  return true;
+  return !lends || request.Result->Lend(this->Rays, request.Light->Color, 1.0);
 }
 
 //------------------------------------------------------------------------------
@@ -313,6 +337,7 @@ void vtkGodRaysBlockMeans::Release(vtkWindow* window)
 {
   Internals& self = *this->Internal;
   self.MeansQuad.Release();
+  self.Rays.Release(window);
   self.SumQuad.Release();
   self.InterpolateQuad.Release();
   for (int i = 0; i < 2; ++i)

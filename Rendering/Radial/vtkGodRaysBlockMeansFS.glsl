@@ -7,15 +7,16 @@
 in vec2 texCoord; // column of blocks, and line
 
 //VTK::GodRays::Terms
-//VTK::GodRays::Types
+//VTK::GodRays::Radial
 
 uniform vec2 size; // columns and lines
 uniform sampler2D layer;
 uniform vec2 layerSize;      // [pixels]
 uniform sampler2D blocks;    // in each column: where blocks begin, and end [pixels from nearest row]
-uniform vec4 wedgeLines[4];  // of the first line and from one to the next: column in the nearest row,
-                             // slope
+uniform vec4 wedgeLines[4];  // of the first line and from one even line to the next: column in the
+                             // nearest row, slope
 uniform vec4 wedgeRows[4];   // nearest row, direction, whether rows are columns, number of lines
+uniform vec4 wedgeStrips[4]; // where lines are closer, see LineOfEven()
 uniform vec4 wedgeColumns;   // where the columns of each wedge begin
 uniform float tapsPerPixel; // [1/pixel]
 
@@ -51,8 +52,9 @@ void main()
   if (float(cell.y) < rows.w)
   {
     vec4 lines = wedgeLines[wedge];
-    vec2 nearest = vec2(lines.x + float(cell.y) * lines.y, rows.x);
-    vec2 step = vec2(lines.z + float(cell.y) * lines.w, rows.y);
+    float even = EvenOfLine(float(cell.y), wedgeStrips[wedge].xyz);
+    vec2 nearest = vec2(lines.x + even * lines.y, rows.x);
+    vec2 step = vec2(lines.z + even * lines.w, rows.y);
     nearest = rows.z > 0.5 ? nearest.yx : nearest;
     step = rows.z > 0.5 ? step.yx : step;
     vec4 begins = texelFetch(blocks, ivec2(cell.x, 0), 0);

@@ -22,6 +22,19 @@ constexpr double SlopeMargin = 4e-6;
 
 constexpr double ShortestBlock = 2.0; // [pixels]
 
+// About the row or column of pixels that the light is in, pictures may change from one to the next and
+// stay so along all of a line. So lines are closer there: within as many pixels as a line needs to
+// move to the side by so many of them, but not more than the largest.
+constexpr double StripSpacing = 0.125; // [pixels]
+constexpr double StripReach = 8.0;     // [pixels]
+constexpr double LargestStrip = 128.0; // [pixels]
+
+// How many times as close its lines are.
+int FindStripFactor(double spacing)
+{
+  return std::max(1, static_cast<int>(std::ceil(spacing / StripSpacing - 1e-6)));
+}
+
 // What each attains on black and white noise from pixel to pixel: root mean square error [fraction
 // of the peak] times the root of the number of pixels that are summed, or less; measured.
 const vtkGodRaysBlockPlan::Effort Efforts[] = {
@@ -38,7 +51,8 @@ const vtkGodRaysBlockPlan::Effort Efforts[] = {
 double vtkGodRaysBlockPlan::CountLines(const vtkGodRaysMarch& march, const Effort& effort)
 {
   const auto sizes = std::minmax(march.LayerSize[0], march.LayerSize[1]);
-  return (2.0 * sizes.second + sizes.first) / effort.Spacing + 256.0;
+  const double ofStrip = 2.0 * LargestStrip * (FindStripFactor(effort.Spacing) - 1);
+  return (2.0 * sizes.second + sizes.first + ofStrip) / effort.Spacing + 256.0;
 }
 
 //------------------------------------------------------------------------------
@@ -201,7 +215,23 @@ void vtkGodRaysBlockPlan::FillWedge(Wedge& wedge)
   wedge.FirstSlope = (start - side) / last;
   wedge.FirstLine = side + wedge.FirstSlope * wedge.Near;
   wedge.Lines = static_cast<int>(std::ceil((high - wedge.FirstSlope) / wedge.SlopeStep)) + 2;
+  this->PlaceStrip(wedge, std::max(first, wedge.Near), last);
+  wedge.Lines += (wedge.StripFactor - 1) * (wedge.Strip[1] - wedge.Strip[0]);
   this->MakeNodes(wedge);
+}
+
+//------------------------------------------------------------------------------
+// About slope 0; nearest and last are the distances of the first and last rows from the light.
+void vtkGodRaysBlockPlan::PlaceStrip(Wedge& wedge, double nearest, double last) const
+{
+  const double spacing = this->Chosen->Spacing;
+  const double change = std::max(1.0 - nearest / last, 1e-9);
+  const double reach = std::min(StripReach / change, LargestStrip) / spacing;
+  const double axis = -wedge.FirstSlope / wedge.SlopeStep;
+  const double end = wedge.Lines - 1.0;
+  wedge.Strip[0] = static_cast<int>(std::min(std::max(std::floor(axis - reach), 0.0), end));
+  wedge.Strip[1] = static_cast<int>(std::min(std::max(std::ceil(axis + reach), 0.0), end));
+  wedge.StripFactor = FindStripFactor(spacing);
 }
 
 //------------------------------------------------------------------------------

@@ -81,6 +81,8 @@ struct vtkGodRaysBlockPlan
     double FirstLine = 0.0; // column of the first line in the nearest row
     double FirstSlope = 0.0;
     double SlopeStep = 0.0;
+    int Strip[2] = { 0, 0 };   // even lines between which there are more, see LineOfEven()
+    int StripFactor = 1;       // how many times as close they are there
     int Lines = 0;             // 0: there is no picture in it
     std::vector<double> Nodes; // from the nearest row [pixels]
     int NodeColumn = 0;
@@ -173,6 +175,7 @@ private:
   void Fill();
   void FindLight();
   void FillWedge(Wedge& wedge);
+  void PlaceStrip(Wedge& wedge, double nearest, double last) const;
   void MakeNodes(Wedge& wedge);
   void MakeBlockTable();
   void MakeNodeTable();

@@ -6,6 +6,7 @@
 in vec2 texCoord; // column of nodes, and line
 
 //VTK::GodRays::Terms
+//VTK::GodRays::Radial
 
 uniform vec2 size; // columns and lines
 uniform sampler2D means;
@@ -16,6 +17,7 @@ uniform sampler2D kernel;   // weights of four blocks
 uniform vec2 layerSize;     // [pixels]
 uniform vec4 wedgeLines[4]; // as for the means
 uniform vec4 wedgeRows[4];
+uniform vec4 wedgeStrips[4];
 
 vec4 Fetch(int column, int line)
 {
@@ -30,8 +32,9 @@ void main()
   int wedge = int(around.z);
   vec4 rows = wedgeRows[wedge];
   vec4 lines = wedgeLines[wedge];
-  float nearest = lines.x + float(cell.y) * lines.y;
-  float slope = lines.z + float(cell.y) * lines.w;
+  float even = EvenOfLine(float(cell.y), wedgeStrips[wedge].xyz);
+  float nearest = lines.x + even * lines.y;
+  float slope = lines.z + even * lines.w;
   float a = nearest + around.x * slope;
   float b = nearest + around.y * slope;
   // No pixel is interpolated from nodes on all sides of which there is no picture.

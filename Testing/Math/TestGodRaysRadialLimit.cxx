@@ -4,6 +4,7 @@
 // The taps of the radial model, INVARIANT, against their limit as vtkGodRaysReferenceFilter has it:
 // one formula, two evaluations that share only the march.
 
+#include "vtkGodRaysMath.h"
 #include "vtkGodRaysRadialModel.h"
 #include "vtkGodRaysReferenceFilter.h"
 
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 namespace
 {
@@ -103,4 +105,19 @@ TEST(RadialLimit, ParametersAgree)
   EXPECT_EQ(model->GetWeight(), filter->GetWeight());
   EXPECT_EQ(model->GetExposure(), filter->GetExposure());
   EXPECT_EQ(model->GetNumberOfSamples(), filter->GetNumberOfSamples());
+}
+
+// Lines of a strip are numbered without gaps, and each number has its place.
+TEST(RadialLines, AreCloserInTheStrip)
+{
+  const vtkGodRays::Vec3 strip(10.0, 14.0, 3.0);
+  const std::pair<double, double> places[] = { { 0.0, 0.0 }, { 10.0, 10.0 }, { 11.0, 13.0 },
+    { 12.5, 17.5 }, { 14.0, 22.0 }, { 20.0, 28.0 } }; // of even lines among all
+  for (const auto& place : places)
+  {
+    EXPECT_DOUBLE_EQ(vtkGodRays::LineOfEven(place.first, strip), place.second);
+    EXPECT_DOUBLE_EQ(vtkGodRays::EvenOfLine(place.second, strip), place.first);
+  }
+  EXPECT_EQ(vtkGodRays::LineOfEven(7.25, vtkGodRays::Vec3(3.0, 3.0, 4.0)), 7.25); // no strip
+  EXPECT_EQ(vtkGodRays::LineOfEven(7.25, vtkGodRays::Vec3(3.0, 9.0, 1.0)), 7.25); // no closer
 }

@@ -382,6 +382,16 @@ TEST_F(GodRaysBlockMeans, ASweepOfTheLightIsSmooth)
   Record("Worst", worst); // a step differs from the exact one by at most twice that
 }
 
+// Bars of one pixel that point at a light far away: their shadows do not blur.
+TEST_F(GodRaysBlockMeans, KeepBarsThatPointAtTheLight)
+{
+  this->MakeLayer(960, 540, 1, [](int x, int y) { return x % 7 == 0 || y % 9 == 0 ? 0.0 : 1.0; });
+  const Light light = { -21.0, -0.4, 1.0 };
+  const double error = this->GetError(this->Integrate(light, BLOCKS), this->Evaluate(light, false));
+  Record("Bars", error);
+  EXPECT_LE(error, 0.25 * this->Tolerance);
+}
+
 TEST_F(GodRaysBlockMeans, ASteadyFrameMakesNothing)
 {
   std::mt19937 generator(9);
