@@ -18,19 +18,20 @@ test_packages=(python3-vedo mypy dpkg-dev file python3-venv python3-myst-parser 
 paraview_packages=(paraview paraview-dev openmpi-bin)
 
 # Where ParaView has a VTK of its own, python3-paraview and python3-vtk9 exclude each other: the trailing
-# "-" leaves the former out. The icons of ParaView's window need libqt5svg5 or qt6-svg-plugins.
+# "-" leaves the former out. The icons of ParaView's window need libqt5svg5 or qt6-svg-plugins,
+# and the plugin's part for its panel the development files of Qt.
 paraview_shares_vtk=false
 case $suite in
   bookworm) # Debian 12
     test_packages+=(libvtk9-qt-dev clang-format-14 clang-14 libclang-rt-14-dev invesalius-examples mricron-data
       pymol-data)
-    paraview_packages+=(libqt5svg5 python3-paraview-) ;;
+    paraview_packages+=(libqt5svg5 qtbase5-dev python3-paraview-) ;;
   trixie) # Debian 13
     test_packages+=(python3-pyvista)
-    paraview_packages+=(qt6-svg-plugins python3-paraview-) ;;
+    paraview_packages+=(qt6-svg-plugins qt6-base-dev python3-paraview-) ;;
   forky) # Debian 14
     test_packages+=(python3-pyvista)
-    paraview_packages+=(qt6-svg-plugins python3-paraview)
+    paraview_packages+=(qt6-svg-plugins qt6-base-dev python3-paraview)
     paraview_shares_vtk=true ;;
   *)
     die "this system, ${suite:-which /etc/os-release does not name}, is not known: packages are listed for

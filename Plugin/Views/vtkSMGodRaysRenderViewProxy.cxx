@@ -9,15 +9,56 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPVPluginLoader.h"
+#include "vtkPVPluginTracker.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMProxyManager.h"
 #include "vtkSMSession.h"
 #include "vtkTextureObject.h"
 
+#include <vtksys/SystemTools.hxx>
+
 #include <algorithm>
 #include <cstring>
+#include <string>
 
 vtkStandardNewMacro(vtkSMGodRaysRenderViewProxy);
+
+namespace
+{
+// Load the plugin GodRaysPanel, which needs Qt, from beside this one, if it was built and there is a window:
+// only a program with a window has a stack of what can be undone.
+void LoadPanel()
+{
+  if (!vtkSMProxyManager::GetProxyManager()->GetUndoStackBuilder())
+  {
+    return;
+  }
+  vtkPVPluginTracker* plugins = vtkPVPluginTracker::GetInstance();
+  std::string file;
+  for (unsigned int i = 0; i < plugins->GetNumberOfPlugins(); ++i)
+  {
+    const std::string name = plugins->GetPluginName(i);
+    if (name == "GodRaysPanel" && plugins->GetPluginLoaded(i))
+    {
+      return;
+    }
+    if (name == "GodRays" && plugins->GetPluginLoaded(i))
+    {
+      file = plugins->GetPluginFileName(i); // <folder>/GodRays/GodRays.so
+    }
+  }
+  const std::string folder = vtksys::SystemTools::GetFilenamePath(file);
+  const std::string panel = vtksys::SystemTools::GetParentDirectory(folder) + "/GodRaysPanel/GodRaysPanel" +
+    vtksys::SystemTools::GetFilenameLastExtension(file);
+  if (!file.empty() && vtksys::SystemTools::FileExists(panel))
+  {
+    vtkNew<vtkPVPluginLoader> loader;
+    loader->LoadPlugin(panel.c_str());
+  }
+}
+}
 
 //------------------------------------------------------------------------------
 vtkSMGodRaysRenderViewProxy::vtkSMGodRaysRenderViewProxy()
@@ -40,6 +81,16 @@ void vtkSMGodRaysRenderViewProxy::OnPropertyModified(vtkObject*, unsigned long, 
       vtkSMPropertyHelper(this, "PlaceSun").Set(0);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkSMGodRaysRenderViewProxy::CreateVTKObjects()
+{
+  if (!this->ObjectsCreated && this->Location != 0) // 0: a prototype
+  {
+    LoadPanel();
+  }
+  this->Superclass::CreateVTKObjects();
 }
 
 //------------------------------------------------------------------------------

@@ -36,6 +36,12 @@ protected:
   vtkImageData* CaptureWindowInternal(int magnificationX, int magnificationY) override;
 
   /**
+   * Overridden to load the plugin GodRaysPanel in a program with a window: it shows the property Preset with
+   * pictures, and needs Qt, which this plugin does not.
+   */
+  void CreateVTKObjects() override;
+
+  /**
    * Overridden to take over where the sun was placed.
    */
   void PostRender(bool interactive) override;
