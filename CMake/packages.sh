@@ -18,8 +18,8 @@ test_packages=(python3-vedo mypy dpkg-dev file python3-venv python3-myst-parser 
 paraview_packages=(paraview paraview-dev openmpi-bin)
 
 # Where ParaView has a VTK of its own, python3-paraview and python3-vtk9 exclude each other: the trailing
-# "-" leaves the former out. The icons of ParaView's window need libqt5svg5 or qt6-svg-plugins,
-# and the plugin's part for its panel the development files of Qt.
+# "-" leaves the former out. The icons of ParaView's window need libqt5svg5 or qt6-svg-plugins.
+# The plugin's part that needs Qt, for ParaView's panel, is built with qtbase5-dev; with Qt 6 it is untried.
 paraview_shares_vtk=false
 case $suite in
   bookworm) # Debian 12
@@ -28,10 +28,10 @@ case $suite in
     paraview_packages+=(libqt5svg5 qtbase5-dev python3-paraview-) ;;
   trixie) # Debian 13
     test_packages+=(python3-pyvista)
-    paraview_packages+=(qt6-svg-plugins qt6-base-dev python3-paraview-) ;;
+    paraview_packages+=(qt6-svg-plugins python3-paraview-) ;;
   forky) # Debian 14
     test_packages+=(python3-pyvista)
-    paraview_packages+=(qt6-svg-plugins qt6-base-dev python3-paraview)
+    paraview_packages+=(qt6-svg-plugins python3-paraview)
     paraview_shares_vtk=true ;;
   *)
     die "this system, ${suite:-which /etc/os-release does not name}, is not known: packages are listed for

@@ -48,7 +48,8 @@ QString GetToolTip(const QString& preset)
     if (preset == vtkGodRaysPresets::GetPresetName(i))
     {
       return QString("<p><img src=\"%1\"/></p><p>%2</p>")
-        .arg(GetPicture(preset), QString(vtkGodRaysPresets::GetPresetDescription(i)).toHtmlEscaped());
+        .arg(
+          GetPicture(preset), QString(vtkGodRaysPresets::GetPresetDescription(i)).toHtmlEscaped());
     }
   }
   return QString();
@@ -64,7 +65,7 @@ pqGodRaysPresetWidget::pqGodRaysPresetWidget(
   box->setObjectName("ComboBox");
   box->setIconSize(IconSize);
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  box->setMinimumContentsLength(12); // characters
+  box->setMinimumContentsLength(12);                      // characters
   box->setStyleSheet("QComboBox { combobox-popup: 0; }"); // a list that ends at its last row
   auto names = property->FindDomain<vtkSMStringListDomain>();
   for (unsigned int i = 0; names && i < names->GetNumberOfStrings(); ++i)

@@ -50,8 +50,8 @@ void LoadPanel()
     }
   }
   const std::string folder = vtksys::SystemTools::GetFilenamePath(file);
-  const std::string panel = vtksys::SystemTools::GetParentDirectory(folder) + "/GodRaysPanel/GodRaysPanel" +
-    vtksys::SystemTools::GetFilenameLastExtension(file);
+  const std::string panel = vtksys::SystemTools::GetParentDirectory(folder) +
+    "/GodRaysPanel/GodRaysPanel" + vtksys::SystemTools::GetFilenameLastExtension(file);
   if (!file.empty() && vtksys::SystemTools::FileExists(panel))
   {
     vtkNew<vtkPVPluginLoader> loader;

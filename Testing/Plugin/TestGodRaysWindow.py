@@ -7,6 +7,7 @@ screen it takes a picture.
 """
 
 import contextlib
+import math
 import os
 import pathlib
 import signal
@@ -17,15 +18,17 @@ import time
 import unittest
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
 HERE = pathlib.Path(__file__).parent
+PLUGINS = pathlib.Path(os.environ["GODRAYS_PLUGIN"]).parents[1]
 TEMPORARY = pathlib.Path(os.environ["GODRAYS_TEMPORARY"])
 WIDTH, HEIGHT = 1400, 1040
 VIEW = slice(250, 980), slice(320, 1380)  # rows and columns of the view's inside
 PANEL = slice(600, 980), slice(10, 260)  # of the properties of the view
+ICON = 36, 48  # rows and columns of a preset's picture in the panel
 LANTERN = 495  # its column in the view
 LIMIT = 400  # seconds, on a busy machine
 
@@ -78,7 +81,37 @@ def write_png(pixels, file):
     writer.Write()
 
 
+def read_icon(file):
+    """A picture as it is shown in the panel: rows from the top, each pixel the mean of those it covers."""
+    reader = vtkPNGReader()
+    reader.SetFileName(str(file))
+    reader.Update()
+    width, height, _ = reader.GetOutput().GetDimensions()
+    values = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, -1)
+    for axis, size in enumerate(ICON):
+        values = values.repeat(size // math.gcd(size, values.shape[axis]), axis)
+    rows, columns, _ = values.shape
+    cells = values[::-1, :, :3].reshape(ICON[0], rows // ICON[0], ICON[1], columns // ICON[1], 3)
+    return cells.mean((1, 3))
+
+
 class Window(unittest.TestCase):
+    def assert_icon(self, shown, preset):
+        """The panel has the picture of a preset: some place is like it, and like no other preset's."""
+        if not list(PLUGINS.glob("GodRaysPanel/GodRaysPanel*")):
+            return  # built without Qt
+        pictures = {
+            file.stem.removeprefix("Preset-"): read_icon(file)
+            for file in (HERE.parent / "Baseline").glob("Preset-*.png")
+        }
+        panel = shown[PANEL]
+        places = numpy.lib.stride_tricks.sliding_window_view(panel, (*ICON, 3))[:, 75:105, 0]
+        away = {}
+        for name, picture in pictures.items():
+            away[name] = min(abs(row - picture).mean((1, 2, 3)).min() for row in places)
+        others = min(value for name, value in away.items() if name != preset)
+        self.assertLess(away[preset], others / 2, "the panel lacks the preset's picture")
+
     def play(self, name, script=HERE / "window_scene.py", events="window.xml", **environment):
         """The screen after script and events; its picture is left in GODRAYS_TEMPORARY."""
         with tempfile.TemporaryDirectory() as folder, contextlib.ExitStack() as ends:
@@ -96,7 +129,6 @@ class Window(unittest.TestCase):
             with os.fdopen(reader) as pipe:
                 display = ":" + pipe.readline().strip()
             log = folder / "log"
-            plugins = pathlib.Path(os.environ["GODRAYS_PLUGIN"]).parents[1] / "godrays.xml"
             window = ends.enter_context(
                 running(
                     os.environ["GODRAYS_PARAVIEW"],
@@ -113,7 +145,7 @@ class Window(unittest.TestCase):
                         "XDG_RUNTIME_DIR": str(folder),
                         "DBUS_SESSION_BUS_ADDRESS": "disabled:",  # else one is started
                         "QT_QPA_PLATFORM": "xcb",
-                        "PV_PLUGIN_CONFIG_FILE": str(plugins),
+                        "PV_PLUGIN_CONFIG_FILE": str(PLUGINS / "godrays.xml"),
                         **environment,
                     },
                 )  # fmt: skip
@@ -160,10 +192,13 @@ class Window(unittest.TestCase):
             self.assertGreater(dark.mean(), 0.005)
             self.assertLess(dark.mean(), 0.2)
         self.assertLess(abs(lit - plain)[PANEL].max(), 3, "the panels differ")
+        self.assert_icon(lit, "long-shafts")
 
     def test_the_tutorial(self):
         script = HERE.parents[1] / "Examples" / "ParaView" / "contours.py"
-        lit = self.play("tutorial", script, "window_tutorial.xml")[VIEW]
+        shown = self.play("tutorial", script, "window_tutorial.xml")
+        self.assert_icon(shown, "low-sun")
+        lit = shown[VIEW]
         plain = self.play("tutorial-plain", script, "window_tutorial.xml", GODRAYS_DISABLE="1")[VIEW]
         light = (lit - plain).mean(2)
         dark = plain.max(2) < 30  # the background
