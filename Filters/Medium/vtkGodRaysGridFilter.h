@@ -5,7 +5,7 @@
  * @brief   light that media of data scatter once, fast and to a tolerance
  *
  * What vtkGodRaysSingleScatteringReference integrates for media of data, for pictures: the light's optical
- * depths through data are computed once, at an eighth as many places as data have but at least 20 along each
+ * depths through data are computed once, at an eighth as many places as data have but at least 40 along each
  * axis, and kept until data or light change; empty space is skipped; steps are as long, and pixels evaluated
  * as far apart, as ErrorTolerance lets them be. Numbers without OpenGL.
  *

@@ -7,7 +7,7 @@
 namespace
 {
 // Along an axis: depths bend where the way's end moves from a face of the grid to the next.
-constexpr int LeastNodes = 20;
+constexpr int LeastNodes = 40;
 }
 
 //------------------------------------------------------------------------------

@@ -5,7 +5,7 @@
  * @brief   what a medium of data leaves of a light, at all places
  *
  * Private. Optical depths of the light's ways through one grid, at nodes about twice as far apart as its
- * points, and at least 20 along each axis: at most an eighth of its memory, but for small or thin ones, whose
+ * points, and at least 40 along each axis: at most an eighth of its memory, but for small or thin ones, whose
  * depths bend between points where no datum changes. The nodes of a directional light stand in columns along
  * its direction, so that sums along a column are exact and nothing is smeared from plane to plane; each plane
  * across the axis that light goes along most keeps the columns that go through the grid there. Of a point
