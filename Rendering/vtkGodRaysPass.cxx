@@ -423,7 +423,7 @@ std::string vtkGodRaysPass::GetAdvice() const
 //------------------------------------------------------------------------------
 std::string vtkGodRaysPass::GetPlan() const
 {
-  return this->Internal->LightPlan + this->Internal->StagePlan;
+  return this->Internal->Finder.GetPlan() + this->Internal->StagePlan;
 }
 
 //------------------------------------------------------------------------------

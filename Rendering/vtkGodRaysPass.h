@@ -49,7 +49,6 @@
 
 class vtkGodRaysCompositor;
 class vtkGodRaysIntegrator;
-class vtkGodRaysLightFinder;
 class vtkGodRaysModel;
 class vtkGodRaysSun;
 class vtkImageData;
@@ -537,8 +536,8 @@ private:
   const char* FindReasonForNoRays(const vtkRenderState* s, vtkOpenGLRenderWindow* window);
   std::string FindFault(vtkRenderer* renderer, const vtkGodRaysView& view, const int size[2],
     std::vector<vtkGodRaysLight>& lights);
-  std::vector<vtkGodRaysLight> FindLights(
-    vtkRenderer* renderer, const vtkGodRaysView& view, vtkGodRaysLightFinder& finder);
+  void FindLights(
+    vtkRenderer* renderer, const vtkGodRaysView& view, std::vector<vtkGodRaysLight>& lights);
   void RenderScene(const vtkRenderState* s);
   bool RenderRays(const vtkRenderState* s, const vtkGodRaysView& view,
     const std::vector<vtkGodRaysLight>& lights);

@@ -9,7 +9,6 @@
 #include "vtkGodRaysFramebuffer.h"
 #include "vtkGodRaysGate.h"
 #include "vtkGodRaysLight.h"
-#include "vtkGodRaysLightFinder.h"
 #include "vtkGodRaysOcclusionPass.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysQuad.h"
@@ -76,7 +75,7 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
     self.RendererSteps->Render(s);
     return;
   }
-  self.LightPlan.clear();
+  self.Finder.Clear();
   self.Concerns.clear();
   self.HasScattering = false;
   self.HasRays = false;
@@ -84,7 +83,7 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   this->NumberOfGeometryPasses = 1;
 
   vtkGodRaysView view;
-  std::vector<vtkGodRaysLight> lights;
+  std::vector<vtkGodRaysLight> lights = std::move(self.FormerLights);
   std::string reason = this->FindReasonForNoRays(s, window);
   const bool hasLayers = reason.empty();
   if (hasLayers)
@@ -210,14 +209,14 @@ std::string vtkGodRaysPass::FindFault(vtkRenderer* renderer, const vtkGodRaysVie
     return fault;
   }
   this->UpdateSun(renderer);
-  vtkGodRaysLightFinder finder;
-  lights = this->FindLights(renderer, view, finder);
-  for (const std::string& faultOfLight : finder.GetFaults())
+  this->FindLights(renderer, view, lights);
+  for (const std::string& faultOfLight : self.Finder.GetFaults())
   {
     this->Complain(" " + faultOfLight);
   }
   const std::string obstacle = self.Effect->FindObstacle(renderer, self.Compositor, view, size);
-  return finder.GetFaultOfScene().empty() ? obstacle : finder.GetFaultOfScene();
+  const std::string& faultOfScene = self.Finder.GetFaultOfScene();
+  return faultOfScene.empty() ? obstacle : faultOfScene;
 }
 
 //------------------------------------------------------------------------------
@@ -273,12 +272,11 @@ bool vtkGodRaysPass::Internals::FindExposure(
     {
       return false;
     }
-    const auto& samples = this->Meter.GetSamples();
     this->Exposure = {};
     if (pass.AutomaticExposure)
     {
-      this->Exposure = vtkGodRaysLightMeter::FindExposure(
-        samples, request.Shoulder && !request.Screen, request.LargestExposure, request.SparesData);
+      this->Exposure = this->Meter.FindExposure(
+        request.Shoulder && !request.Screen, request.LargestExposure, request.SparesData);
       if (wasMetered && this->Window->GetDesiredUpdateRate() >= 1.0)
       {
         const auto approach = [](double& now, double before)
@@ -292,7 +290,7 @@ bool vtkGodRaysPass::Internals::FindExposure(
     this->Surround = {};
     if (pass.DarkenLightBackground && request.SparesData)
     {
-      this->Surround = vtkGodRaysLightMeter::FindSurround(samples, pass.GetExposure());
+      this->Surround = this->Meter.FindSurround(pass.GetExposure());
     }
   }
   request.AlphaShowsData = this->Meter.AlphaShowsData();
@@ -332,10 +330,11 @@ void vtkGodRaysPass::RenderScene(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkGodRaysLight> vtkGodRaysPass::FindLights(
-  vtkRenderer* renderer, const vtkGodRaysView& view, vtkGodRaysLightFinder& finder)
+void vtkGodRaysPass::FindLights(
+  vtkRenderer* renderer, const vtkGodRaysView& view, std::vector<vtkGodRaysLight>& lights)
 {
   Internals& self = *this->Internal;
+  vtkGodRaysLightFinder& finder = self.Finder;
   finder.Renderer = renderer;
   finder.SourceRadius = this->SourceRadius;
   finder.SunAngularRadius = this->GetSunAngularRadius();
@@ -345,11 +344,8 @@ std::vector<vtkGodRaysLight> vtkGodRaysPass::FindLights(
   finder.Transfer = self.Transfer;
   finder.Tiles = GetTiles(renderer->GetRenderWindow());
   finder.Compositor = self.Compositor;
-  finder.Former = std::move(self.FormerLights);
   self.Effect->SetUp(finder);
-  auto lights = finder.Find(view, self.Lights);
-  self.LightPlan = finder.GetPlan();
-  return lights;
+  finder.Find(view, self.Lights, lights);
 }
 
 //------------------------------------------------------------------------------

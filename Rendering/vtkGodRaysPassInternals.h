@@ -14,6 +14,7 @@
 #include "vtkGodRaysEffect.h"
 #include "vtkGodRaysIntegrator.h"
 #include "vtkGodRaysLight.h"
+#include "vtkGodRaysLightFinder.h"
 #include "vtkGodRaysLightMeter.h"
 #include "vtkGodRaysModel.h"
 #include "vtkGodRaysOcclusionPass.h"
@@ -42,6 +43,7 @@
 struct vtkGodRaysPass::Internals
 {
   std::vector<vtkSmartPointer<vtkLight>> Lights;
+  vtkGodRaysLightFinder Finder;
   std::vector<vtkGodRaysLight> FormerLights; // empty: memory for those of a frame
   vtkSmartPointer<vtkLight> PlacedSun;       // by PlaceSun()
   bool SunIsKept = false;                    // it was placed by something to see
@@ -79,7 +81,6 @@ struct vtkGodRaysPass::Internals
   bool DrawsScene = false;    // at this moment
   bool Releases = false;      // at this moment
   bool IsOwnDelegate = false; // its delegate called it while it drew the scene
-  std::string LightPlan;
   std::string StagePlan;
   std::vector<std::string> Concerns; // of the last frame
   std::set<std::string> Complaints;  // that have been made already

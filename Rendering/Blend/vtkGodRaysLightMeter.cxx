@@ -73,17 +73,88 @@ double FindDataGain(const std::vector<vtkGodRaysLightMeter::Sample>& samples)
   return base > 0.0 ? glm::clamp(scene / base, 1.0, MostDataGain) : 1.0;
 }
 
+/// The largest part, from 0 to 1, for which a loss that grows with it is about 1: false position with the
+/// rule of Illinois.
+template <typename Loss>
+double FindPart(const Loss& getLoss)
+{
+  double high = 1.0;
+  double above = getLoss(high) - 1.0;
+  if (above <= 0.0)
+  {
+    return high;
+  }
+  double low = 0.0;
+  double below = getLoss(low) - 1.0;
+  if (below >= 0.0)
+  {
+    return low;
+  }
+  double part = low;
+  for (int i = 0; i < 20; ++i)
+  {
+    part = (low * above - high * below) / (above - below);
+    const double excess = getLoss(part) - 1.0;
+    if (std::abs(excess) < 1e-3)
+    {
+      break;
+    }
+    if (excess > 0.0)
+    {
+      high = part;
+      above = excess;
+      below *= 0.5;
+    }
+    else
+    {
+      low = part;
+      below = excess;
+      above *= 0.5;
+    }
+  }
+  return part;
+}
+
+/// The largest part, from LeastPartOfMedium to 1, for which a loss is 1 or less; LeastPartOfMedium, if there
+/// is none. The loss falls first, where light makes up for what the medium takes, and grows later.
+template <typename Loss>
+double FindPartOfMedium(const Loss& getLoss)
+{
+  constexpr double step = 0.8;
+  double above = 1.0;
+  double part = 1.0;
+  while (part > LeastPartOfMedium && getLoss(part) > 1.0)
+  {
+    above = part;
+    part *= step;
+  }
+  if (part <= LeastPartOfMedium)
+  {
+    return LeastPartOfMedium;
+  }
+  for (int i = 0; i < 6 && above > part; ++i)
+  {
+    const double middle = 0.5 * (part + above);
+    (getLoss(middle) > 1.0 ? above : part) = middle;
+  }
+  return part;
+}
+}
+
+//------------------------------------------------------------------------------
 /**
  * How much the colours of data change with rays of some strength.
  */
-class Fidelity
+class vtkGodRaysLightMeter::Fidelity
 {
 public:
-  Fidelity(const std::vector<vtkGodRaysLightMeter::Sample>& samples, bool shoulder, bool limitsTint,
-    double dataGain)
-    : Shoulder(shoulder)
-    , LimitsTint(limitsTint)
+  /// Take samples, in the memory of those before.
+  void Set(const std::vector<Sample>& samples, bool shoulder, bool limitsTint, double dataGain)
   {
+    this->Shoulder = shoulder;
+    this->LimitsTint = limitsTint;
+    this->Data.clear();
+    this->Before[LIT] = this->Before[ALL] = {};
     for (const auto& sample : samples)
     {
       const Vec3 scene = glm::clamp(ToVector(sample.Scene), Vec3(0.0), Vec3(1.0));
@@ -169,73 +240,12 @@ private:
   bool LimitsTint;
 };
 
-/// The largest part, from 0 to 1, for which a loss that grows with it is about 1: false position with the
-/// rule of Illinois.
-template <typename Loss>
-double FindPart(const Loss& getLoss)
+//------------------------------------------------------------------------------
+vtkGodRaysLightMeter::vtkGodRaysLightMeter()
+  : Data(new Fidelity)
 {
-  double high = 1.0;
-  double above = getLoss(high) - 1.0;
-  if (above <= 0.0)
-  {
-    return high;
-  }
-  double low = 0.0;
-  double below = getLoss(low) - 1.0;
-  if (below >= 0.0)
-  {
-    return low;
-  }
-  double part = low;
-  for (int i = 0; i < 20; ++i)
-  {
-    part = (low * above - high * below) / (above - below);
-    const double excess = getLoss(part) - 1.0;
-    if (std::abs(excess) < 1e-3)
-    {
-      break;
-    }
-    if (excess > 0.0)
-    {
-      high = part;
-      above = excess;
-      below *= 0.5;
-    }
-    else
-    {
-      low = part;
-      below = excess;
-      above *= 0.5;
-    }
-  }
-  return part;
 }
-
-/// The largest part, from LeastPartOfMedium to 1, for which a loss is 1 or less; LeastPartOfMedium, if there
-/// is none. The loss falls first, where light makes up for what the medium takes, and grows later.
-template <typename Loss>
-double FindPartOfMedium(const Loss& getLoss)
-{
-  constexpr double step = 0.8;
-  double above = 1.0;
-  double part = 1.0;
-  while (part > LeastPartOfMedium && getLoss(part) > 1.0)
-  {
-    above = part;
-    part *= step;
-  }
-  if (part <= LeastPartOfMedium)
-  {
-    return LeastPartOfMedium;
-  }
-  for (int i = 0; i < 6 && above > part; ++i)
-  {
-    const double middle = 0.5 * (part + above);
-    (getLoss(middle) > 1.0 ? above : part) = middle;
-  }
-  return part;
-}
-}
+vtkGodRaysLightMeter::~vtkGodRaysLightMeter() = default;
 
 //------------------------------------------------------------------------------
 bool vtkGodRaysLightMeter::Read(
@@ -260,9 +270,11 @@ bool vtkGodRaysLightMeter::Read(
   {
     return false;
   }
-  const std::vector<float> pixels = this->Target.ReadColor();
   const std::size_t count = static_cast<std::size_t>(Columns) * Rows;
-  const float* picture[3] = { pixels.data(), pixels.data() + 4 * count, pixels.data() + 8 * count };
+  this->Pixels.resize(12 * count);
+  float* pixels = this->Pixels.data();
+  this->Target.Read(GL_RGBA, GL_FLOAT, pixels, 0);
+  const float* picture[3] = { pixels, pixels + 4 * count, pixels + 8 * count };
   this->HasAlpha = false;
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -318,11 +330,13 @@ bool vtkGodRaysLightMeter::ShowsRays(double exposure) const
 
 //------------------------------------------------------------------------------
 vtkGodRaysLightMeter::Exposure vtkGodRaysLightMeter::FindExposure(
-  const std::vector<Sample>& samples, bool shoulder, double largest, bool sparesData)
+  bool shoulder, double largest, bool sparesData)
 {
+  const std::vector<Sample>& samples = this->Samples;
+  std::vector<double>& brightest = this->Ranked;
   Exposure result;
   result.Everywhere = largest;
-  std::vector<double> brightest(samples.size());
+  brightest.resize(samples.size());
   std::transform(samples.begin(), samples.end(), brightest.begin(),
     [](const Sample& sample) { return *std::max_element(sample.Rays.begin(), sample.Rays.end()); });
   double mean = 0.0;
@@ -341,7 +355,8 @@ vtkGodRaysLightMeter::Exposure vtkGodRaysLightMeter::FindExposure(
     *rank > 0.0 ? std::min(result.Everywhere, MostBrightest / *rank) : result.Everywhere;
 
   result.DataGain = sparesData ? 1.0 : FindDataGain(samples);
-  const Fidelity fidelity(samples, shoulder, sparesData, result.DataGain);
+  Fidelity& fidelity = *this->Data;
+  fidelity.Set(samples, shoulder, sparesData, result.DataGain);
   const double most = result.Everywhere;
   const double mostlyLit = fidelity.GetMostlyLit();
   if (!sparesData)
@@ -365,13 +380,13 @@ vtkGodRaysLightMeter::Exposure vtkGodRaysLightMeter::FindExposure(
 }
 
 //------------------------------------------------------------------------------
-vtkGodRaysLightMeter::Surround vtkGodRaysLightMeter::FindSurround(
-  const std::vector<Sample>& samples, double exposure)
+vtkGodRaysLightMeter::Surround vtkGodRaysLightMeter::FindSurround(double exposure)
 {
   Surround result;
-  std::vector<double> light;
+  std::vector<double>& light = this->Ranked;
+  light.clear();
   double lightness = 0.0;
-  for (const Sample& sample : samples)
+  for (const Sample& sample : this->Samples)
   {
     if (sample.DataPart < 0.5)
     {

@@ -22,6 +22,7 @@
 #include "vtkGodRaysTarget.h"
 
 #include <array>
+#include <memory>
 #include <vector>
 
 class vtkRenderer;
@@ -49,6 +50,11 @@ public:
     1.0; ///< 99th percentile of the rays [linear light, 1 is white]
   static constexpr double MostMean = 0.12; ///< mean of the rays [linear light, 1 is white]
 
+  vtkGodRaysLightMeter();
+  ~vtkGodRaysLightMeter();
+  vtkGodRaysLightMeter(const vtkGodRaysLightMeter&) = delete;
+  void operator=(const vtkGodRaysLightMeter&) = delete;
+
   /**
    * Read the pixels that a request joins, at intensity 1, into the samples. Returns false, after an error,
    * if that failed; the framebuffer that was bound is bound again.
@@ -62,8 +68,6 @@ public:
 
   /// Whether alpha is 0 where nothing is drawn, as far as was read.
   bool AlphaShowsData() const { return this->HasAlpha; }
-
-  const std::vector<Sample>& GetSamples() const { return this->Samples; }
 
   /**
    * Whether rays with this factor change one of the samples by a lightness of 1 or more, half of what is
@@ -91,14 +95,14 @@ public:
   static constexpr double MostSurroundPart = 0.6;
 
   /**
-   * The surround for some samples whose rays have this factor: from none, where the lightness of the
+   * The surround for the samples, whose rays have this factor: from none, where the lightness of the
    * background is 65 [L*] on average, to MostSurroundPart, from 85 on. Rays leave it as it is from the 90th
    * percentile of theirs before it. All of them are added up to a lightness of 75, none from 90 on.
    */
-  static Surround FindSurround(const std::vector<Sample>& samples, double exposure);
+  Surround FindSurround(double exposure);
 
   /**
-   * The exposure for some samples: the largest, at most largest, with which the mean of the rays is MostMean
+   * The exposure for the samples: the largest, at most largest, with which the mean of the rays is MostMean
    * or less, and their 99th percentile MostBrightest or less; largest, if there are no rays. Then it is
    * lowered so far that data keep their colours: over data alone, those that are lit and dark ones each for
    * themselves, if they are to be spared. Else, in a medium, they first gain what it takes of their light on
@@ -106,14 +110,18 @@ public:
    * a fifth of it is left beside data, as a medium that only dims would be none; then over data alone, of
    * which 3 % are left.
    */
-  static Exposure FindExposure(
-    const std::vector<Sample>& samples, bool shoulder, double largest, bool sparesData);
+  Exposure FindExposure(bool shoulder, double largest, bool sparesData);
 
   void Release(vtkWindow* window);
 
 private:
+  class Fidelity;
+
   vtkGodRaysTarget Target;
   std::vector<Sample> Samples;
+  std::vector<float> Pixels;      // as read; kept for its memory, as the next two
+  std::vector<double> Ranked;     // to find a percentile of
+  std::unique_ptr<Fidelity> Data; // of the samples that show data
   bool HasAlpha = false;
 };
 

@@ -6,6 +6,7 @@
 #include "vtkGodRaysView.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkProp.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,28 @@ namespace
 {
 /// In a parallel projection the picture's height counts as this angle.
 const double ParallelHeightDegrees = 30.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysLight::AppendName(std::string& text) const
+{
+  text += this->Kind;
+  if (this->Number >= 0)
+  {
+    text.append(", number ").append(std::to_string(this->Number));
+  }
+  else if (this->Prop)
+  {
+    text.append(", ").append(this->Prop->GetClassName());
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGodRaysLight::GetName() const
+{
+  std::string name;
+  this->AppendName(name);
+  return name;
 }
 
 //------------------------------------------------------------------------------

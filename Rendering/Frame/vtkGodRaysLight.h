@@ -21,7 +21,11 @@ struct vtkGodRaysView;
 /// Places and directions are in the coordinates of vtkGodRaysView.
 struct vtkGodRaysLight
 {
-  std::string Name;                    ///< for the plan
+  ///@{
+  /// What it is, and which one of them [0, 1, ...]; props have none.
+  const char* Kind = "";
+  int Number = -1;
+  ///@}
   vtkProp* Prop = nullptr;             ///< the emitter, or null for a disc
   double Color[3] = { 0.0, 0.0, 0.0 }; ///< of the disc and, times BackgroundGlow, of the glow
 
@@ -51,6 +55,12 @@ struct vtkGodRaysLight
   /// In a medium: irradiance, or intensity of a light at a finite distance, over Color.
   double Power = 1.0;
   vtkGodRaysSpot Spot;
+  ///@}
+
+  ///@{
+  /// What it is called in the plan and in messages.
+  void AppendName(std::string& text) const;
+  std::string GetName() const;
   ///@}
 
   bool IsInfinite() const { return this->Position[3] == 0.0; }

@@ -79,34 +79,39 @@ void GetWorldPlace(
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkGodRaysLight> vtkGodRaysLightFinder::Find(
-  const vtkGodRaysView& view, const std::vector<vtkSmartPointer<vtkLight>>& lights)
+void vtkGodRaysLightFinder::Clear()
 {
-  std::vector<vtkGodRaysLight> found = std::move(this->Former);
-  found.clear();
   this->Plan.clear();
   this->Faults.clear();
   this->FaultOfScene.clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysLightFinder::Find(const vtkGodRaysView& view,
+  const std::vector<vtkSmartPointer<vtkLight>>& lights, std::vector<vtkGodRaysLight>& found)
+{
+  this->Clear();
+  found.clear();
   int number = 0;
   for (vtkLight* light : lights)
   {
     vtkGodRaysLight seen;
-    seen.Name = (light->GetPositional() ? "positional, number " : "directional, number ") +
-      std::to_string(number++);
+    seen.Kind = light->GetPositional() ? "positional" : "directional";
+    seen.Number = number++;
     double position[4];
     double focalPoint[4];
     GetWorldPoints(light, this->Renderer->GetActiveCamera(), position, focalPoint);
     const std::string fault = vtkGodRaysGate::FindFault(light, position, focalPoint);
     if (light->GetSwitch() && !fault.empty())
     {
-      this->LeaveOut(seen.Name, fault);
+      this->LeaveOut(seen, fault);
       continue;
     }
     double place[4];
     GetWorldPlace(light, position, focalPoint, place);
     if (light->GetSwitch() && !light->GetPositional() && !(vtkMath::Norm(place) > 0.0))
     {
-      this->Plan += "light: " + seen.Name + ", skipped: its position is its focal point\n";
+      this->Tell(seen, ", skipped: its position is its focal point\n");
       continue;
     }
     double radius = vtkMath::RadiansFromDegrees(this->SunAngularRadius);
@@ -134,7 +139,8 @@ std::vector<vtkGodRaysLight> vtkGodRaysLightFinder::Find(
       continue;
     }
     vtkGodRaysLight seen;
-    seen.Name = std::string("prop tagged LIGHT, ") + prop->GetClassName();
+    seen.Kind = "prop tagged LIGHT";
+    seen.Prop = prop;
     double bounds[6];
     vtkMath::UninitializeBounds(bounds);
     if (const double* own = prop->GetVisibility() ? prop->GetBounds() : nullptr)
@@ -144,16 +150,14 @@ std::vector<vtkGodRaysLight> vtkGodRaysLightFinder::Find(
     vtkGodRaysCompositor::JoinBounds(this->Compositor, bounds);
     if (!vtkMath::AreBoundsInitialized(bounds))
     {
-      this->Plan += "light: " + seen.Name + ", skipped: it is invisible or has no geometry\n";
+      this->Tell(seen, ", skipped: it is invisible or has no geometry\n");
       continue;
     }
     if (!vtkGodRaysGate::IsUsable(bounds))
     {
-      this->LeaveOut(
-        seen.Name, "its bounds are not finite, or beyond 1e15. Move, scale or hide it");
+      this->LeaveOut(seen, "its bounds are not finite, or beyond 1e15. Move, scale or hide it");
       continue;
     }
-    seen.Prop = prop;
     const vtkBoundingBox box(bounds);
     double place[4] = { 0.0, 0.0, 0.0, 1.0 };
     box.GetCenter(place);
@@ -171,14 +175,22 @@ std::vector<vtkGodRaysLight> vtkGodRaysLightFinder::Find(
   {
     this->Plan = "light: none; add one with AddLight() or tag a prop LIGHT\n";
   }
-  return found;
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysLightFinder::LeaveOut(const std::string& name, const std::string& fault)
+void vtkGodRaysLightFinder::Tell(const vtkGodRaysLight& seen, const char* what)
 {
-  this->Plan += "light: " + name + ", skipped: " + fault + "\n";
-  this->Faults.push_back("of a light, " + name + ": " + fault);
+  this->Plan += "light: ";
+  seen.AppendName(this->Plan);
+  this->Plan += what;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysLightFinder::LeaveOut(const vtkGodRaysLight& seen, const std::string& fault)
+{
+  this->Tell(seen, ", skipped: ");
+  this->Plan.append(fault).append("\n");
+  this->Faults.push_back("of a light, " + seen.GetName() + ": " + fault);
 }
 
 //------------------------------------------------------------------------------
@@ -206,22 +218,21 @@ void vtkGodRaysLightFinder::Add(vtkGodRaysLight& seen, const vtkGodRaysView& vie
     greatest = std::max(greatest, seen.Color[i]);
   }
   vtkGodRaysGate::Limit(seen);
-  this->Plan.append("light: ").append(seen.Name);
   if (seen.Fade <= 0.0)
   {
-    this->Plan += ", skipped: behind the camera\n";
+    this->Tell(seen, ", skipped: behind the camera\n");
   }
   else if (!(greatest > 0.0) && !seen.Prop)
   {
-    this->Plan += ", skipped: off or black\n";
+    this->Tell(seen, ", skipped: off or black\n");
   }
   else if (!this->LightsMedium && !seen.Reaches(view, this->BackgroundGlow > 0.0))
   {
-    this->Plan += ", skipped: neither it nor its glow can be in the picture\n";
+    this->Tell(seen, ", skipped: neither it nor its glow can be in the picture\n");
   }
   else
   {
-    this->Plan += seen.Fade < 1.0 ? ", fading behind the camera\n" : "\n";
+    this->Tell(seen, seen.Fade < 1.0 ? ", fading behind the camera\n" : "\n");
     found.push_back(std::move(seen));
   }
 }

@@ -34,13 +34,17 @@ public:
   double Tiles = 1.0;        ///< of which the view is one, across or up the whole picture
   bool LightsMedium = false; ///< all emitters count, wherever it is
   vtkGodRaysCompositor* Compositor = nullptr; ///< of a scene on several processes
-  std::vector<vtkGodRaysLight> Former;        ///< lights of another frame, whose memory is taken
 
   /**
    * The lights, and the props tagged LIGHT, of which any light may fall into the layer.
    */
-  std::vector<vtkGodRaysLight> Find(
-    const vtkGodRaysView& view, const std::vector<vtkSmartPointer<vtkLight>>& lights);
+  void Find(const vtkGodRaysView& view, const std::vector<vtkSmartPointer<vtkLight>>& lights,
+    std::vector<vtkGodRaysLight>& found);
+
+  /**
+   * Forget the last Find(), but not the memory that it took.
+   */
+  void Clear();
 
   /**
    * A line for each light of the last Find(), with the reason if it was left out.
@@ -60,7 +64,8 @@ private:
   void Add(vtkGodRaysLight& seen, const vtkGodRaysView& view, const double color[3],
     double intensity, std::vector<vtkGodRaysLight>& found);
   void SetMarch(vtkGodRaysLight& seen, const vtkGodRaysView& view) const;
-  void LeaveOut(const std::string& name, const std::string& fault);
+  void LeaveOut(const vtkGodRaysLight& seen, const std::string& fault);
+  void Tell(const vtkGodRaysLight& seen, const char* what);
   double FindDiagonal();
   double FindPower(vtkLight* light);
   void SetSpot(vtkGodRaysLight& seen, const vtkGodRaysView& view, vtkLight* light) const;

@@ -110,7 +110,7 @@ bool vtkGodRaysEpipolarCoverageIntegrator::Integrate(const Request& request)
   parameters.Layers = layers;
   if (!vtkGodRaysCoverageSweep::Supports(parameters))
   {
-    this->TellThatNot(request.Light->Name);
+    this->TellThatNot(request.Light->GetName());
     return true;
   }
   const bool done = self.Swept.Add(request, parameters, size);

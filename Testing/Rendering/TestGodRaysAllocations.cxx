@@ -164,6 +164,13 @@ const Kind Kinds[] = {
     } },
   { "Taps", [](Stage& scene) { SumTaps(scene.Rays); }, 2 }, // lists of its passes: drawn, told
   { "Margin", [](Stage& scene) { scene.Rays->SetLayerMargin(0.25); } },
+  { "Exposure",
+    [](Stage& scene)
+    {
+      scene.Rays->AutomaticExposureOn();
+      scene.Rays->DarkenLightBackgroundOn();
+      scene.Renderer->SetBackground(1.0, 1.0, 1.0);
+    } },
   { "Medium", [](Stage& scene) { scene.Rays->SetModel(vtkNew<vtkGodRaysHomogeneousModel>()); } },
   { "Atmosphere", [](Stage& scene) { scene.Rays->SetModel(vtkNew<vtkGodRaysAtmosphereModel>()); } },
   { "Coverage", [](Stage& scene) { SetMedium<vtkGodRaysEpipolarCoverageIntegrator>(scene); } },
