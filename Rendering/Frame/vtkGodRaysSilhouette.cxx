@@ -7,6 +7,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -17,6 +18,8 @@
 #include "vtkGodRaysRole.h"
 #include "vtkGraph.h"
 #include "vtkImageData.h"
+#include "vtkImageMapper3D.h"
+#include "vtkImageSlice.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -87,6 +90,10 @@ vtkGodRaysSilhouette::vtkGodRaysSilhouette(
       else if (auto volume = vtkVolume::SafeDownCast(part))
       {
         this->DrawVolume(volume, node->GetMatrix());
+      }
+      else if (auto slice = vtkImageSlice::SafeDownCast(part))
+      {
+        this->DrawSlice(slice, node->GetMatrix());
       }
     }
   }
@@ -360,6 +367,73 @@ void vtkGodRaysSilhouette::DrawVolume(vtkVolume* volume, vtkMatrix4x4* toWorld)
 }
 
 //------------------------------------------------------------------------------
+// As where its plane cuts the box of its image: the ends of that on the box's edges, all triangles of which
+// are what it covers, in whichever order they are.
+void vtkGodRaysSilhouette::DrawSlice(vtkImageSlice* slice, vtkMatrix4x4* toWorld)
+{
+  vtkImageMapper3D* mapper = slice->GetMapper();
+  if (!slice->GetVisibility() || !mapper || mapper->GetNumberOfInputConnections(0) == 0)
+  {
+    return;
+  }
+  mapper->Update(); // its plane and its bounds need that, too
+  vtkNew<vtkMatrix4x4> matrix;
+  vtkMatrix4x4::Multiply4x4(this->ToClip, toWorld, matrix);
+  const vtkBoundingBox box(mapper->GetBounds());
+  double plane[4];
+  mapper->GetSlicePlaneInDataCoords(toWorld, plane);
+  const double near = 1e-6 * box.GetDiagonalLength() * vtkMath::Norm(plane);
+  double corners[8][3]; // those of i are at the upper end along the axes that are bits of i
+  double heights[8];
+  for (int i = 0; i < 8; ++i)
+  {
+    box.GetCorner(i, corners[i]);
+    heights[i] = vtkMath::Dot(corners[i], plane) + plane[3];
+  }
+  std::vector<std::array<double, 2>> ends;
+  const auto add = [&](const double* point)
+  {
+    std::array<double, 2> pixel;
+    if (this->Project(point, matrix, pixel.data()))
+    {
+      ends.push_back(pixel);
+    }
+  };
+  for (int i = 0; i < 8; ++i)
+  {
+    if (std::abs(heights[i]) <= near)
+    {
+      add(corners[i]);
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int j = i | (1 << axis);
+      if (j != i && std::min(heights[i], heights[j]) < -near &&
+        std::max(heights[i], heights[j]) > near)
+      {
+        const double part = heights[i] / (heights[i] - heights[j]);
+        double point[3];
+        for (int k = 0; k < 3; ++k)
+        {
+          point[k] = corners[i][k] + part * (corners[j][k] - corners[i][k]);
+        }
+        add(point);
+      }
+    }
+  }
+  for (std::size_t a = 0; a < ends.size(); ++a)
+  {
+    for (std::size_t b = 0; b < a; ++b)
+    {
+      for (std::size_t c = 0; c < b; ++c)
+      {
+        this->DrawTriangle(ends[a].data(), ends[b].data(), ends[c].data());
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkGodRaysSilhouette::DrawPoint(const double pixel[2], int radius)
 {
   const int column = static_cast<int>(std::floor(pixel[0]));
@@ -393,6 +467,10 @@ void vtkGodRaysSilhouette::DrawTriangle(const double a[2], const double b[2], co
   const auto [left, right] = std::minmax({ a[0], b[0], c[0] });
   const auto [bottom, top] = std::minmax({ a[1], b[1], c[1] });
   const double area = GetSide(a, b, c[0], c[1]);
+  if (area == 0.0)
+  {
+    return; // every place is on the right side of its edges
+  }
   const int lastColumn = std::min(static_cast<int>(right), this->Columns - 1);
   const int lastRow = std::min(static_cast<int>(top), this->Rows - 1);
   for (int row = std::max(static_cast<int>(bottom), 0); row <= lastRow; ++row)

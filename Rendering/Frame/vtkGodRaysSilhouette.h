@@ -17,6 +17,7 @@ class vtkCamera;
 class vtkDataSet;
 class vtkGodRaysCompositor;
 class vtkGraph;
+class vtkImageSlice;
 class vtkMatrix4x4;
 class vtkPolyData;
 class vtkPropCollection;
@@ -62,6 +63,7 @@ private:
   void DrawPoints(vtkDataSet* data, vtkMatrix4x4* toWorld, double radius);
   void DrawGraph(vtkGraph* graph, vtkMatrix4x4* toWorld);
   void DrawVolume(vtkVolume* volume, vtkMatrix4x4* toWorld);
+  void DrawSlice(vtkImageSlice* slice, vtkMatrix4x4* toWorld);
   bool Project(const double* point, vtkMatrix4x4* matrix, double pixel[2]) const;
   void DrawBall(const double* center, double radius, vtkMatrix4x4* matrix);
   void DrawPoint(const double pixel[2], int radius);

@@ -15,6 +15,8 @@
 #include "vtkDataSetMapper.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageData.h"
+#include "vtkImageSlice.h"
+#include "vtkImageSliceMapper.h"
 #include "vtkInformation.h"
 #include "vtkLight.h"
 #include "vtkLineSource.h"
@@ -437,15 +439,20 @@ TEST_F(GodRaysSunPlacer, SeesPropsOfAllKinds)
   vtkNew<vtkVolume> volume;
   volume->SetMapper(ofVolume);
   volume->GetProperty()->SetScalarOpacity(opacity);
+  vtkNew<vtkImageSliceMapper> ofSlice;
+  ofSlice->SetInputConnection(wavelet->GetOutputPort());
+  vtkNew<vtkImageSlice> slice;
+  slice->SetMapper(ofSlice);
   vtkNew<vtkAssembly> assembly;
   assembly->AddPart(MakeBox({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }));
   vtkNew<vtkActor> nothing;
   vtkNew<vtkVolume> noVolume;
+  vtkNew<vtkImageSlice> noSlice;
   const std::vector<std::pair<const char*, std::function<vtkProp*()>>> props = {
     { "data set", [&] { return makeActor(ofData); } },
     { "glyphs", [&] { return makeActor(glyphs); } },
     { "blocks", [&] { return makeActor(ofBlocks); } }, { "volume", [&] { return volume.Get(); } },
-    { "assembly", [&] { return assembly.Get(); } }
+    { "slice", [&] { return slice.Get(); } }, { "assembly", [&] { return assembly.Get(); } }
   };
   for (const auto& [name, make] : props)
   {
@@ -453,6 +460,7 @@ TEST_F(GodRaysSunPlacer, SeesPropsOfAllKinds)
     this->Renderer->AddViewProp(prop);
     this->Renderer->AddViewProp(nothing);
     this->Renderer->AddViewProp(noVolume);
+    this->Renderer->AddViewProp(noSlice);
     this->Placer->Find(this->Renderer);
     EXPECT_GT(this->Placer->GetCoverage(), 0.0) << name;
     vtkGodRaysPass::SetRole(prop, vtkGodRaysPass::IGNORED);
@@ -464,5 +472,39 @@ TEST_F(GodRaysSunPlacer, SeesPropsOfAllKinds)
     EXPECT_EQ(this->Placer->GetCoverage(), 0.0) << name;
     prop->VisibilityOn();
     this->Renderer->RemoveAllViewProps();
+  }
+}
+
+TEST_F(GodRaysSunPlacer, SeesTheRectangleOfASlice)
+{
+  vtkNew<vtkRTAnalyticSource> wavelet;
+  wavelet->SetWholeExtent(-1, 1, -2, 2, -1, 1);
+  vtkNew<vtkImageSliceMapper> mapper;
+  mapper->SetInputConnection(wavelet->GetOutputPort());
+  vtkNew<vtkImageSlice> slice;
+  slice->SetMapper(mapper);
+  const auto cover = [this](vtkProp3D* prop)
+  {
+    prop->SetPosition(0.3, 0.2, 0.0);
+    prop->SetOrientation(25.0, 35.0, 0.0);
+    this->Renderer->AddViewProp(prop);
+    this->Placer->Find(this->Renderer);
+    this->Renderer->RemoveAllViewProps();
+    return this->Placer->GetCoverage();
+  };
+  for (const int axis : { 0, 1, 2 })
+  {
+    for (const int number : { 0, 1 }) // in the image's middle, and at its end
+    {
+      mapper->SetOrientation(axis);
+      mapper->SetSliceNumber(number);
+      std::array<double, 3> center = { 0.0, 0.0, 0.0 };
+      std::array<double, 3> size = { 2.0, 4.0, 2.0 };
+      center[axis] = number;
+      size[axis] = 0.0;
+      const double expected = cover(MakeBox(center, size));
+      EXPECT_GT(expected, 0.01) << axis;
+      EXPECT_NEAR(cover(slice), expected, 0.05 * expected) << axis << " " << number;
+    }
   }
 }
