@@ -174,8 +174,10 @@ def draw(name, background=None, samples=0, columns=None, make=default_scenes.mak
     for prop in overlays:
         prop.VisibilityOff()
     window.Render()
-    # a skybox is drawn at the far end of the depth
-    data = (read(window, "depth")[..., 0] < 1) | (read(window, "alpha")[..., 3] > 127)
+    # a skybox is drawn at the far end of the depth; before a gradient alpha is 1 everywhere
+    data, alpha = read(window, "depth")[..., 0] < 1, read(window, "alpha")[..., 3]
+    if alpha.min() == 0:
+        data |= alpha > 127
     for prop in overlays:
         prop.VisibilityOn()
     window.Render()
