@@ -4,6 +4,7 @@
 options, and the documents made of its tables."""
 
 import json
+import math
 import os
 import pathlib
 import re
@@ -36,6 +37,24 @@ class OutputTest(ProgramTest):
 
     def picture(self, name):
         return self.read(self.folder / name, (WIDTH, HEIGHT))
+
+
+class Skies(OutputTest):
+    def get_light_above_the_sun(self, air, elevation):
+        """The brightest channel of the sky 5 degrees above the sun, as it is shown: 1 is white."""
+        pitch = math.radians(elevation + 5.0)
+        path = self.folder / "sky.exr"
+        self.write(
+            self.mesh, "--sky", air, "--sun", f"0,{elevation}", "--no-rays", "--view-angle", "20",
+            "--camera-position", "0,1000,1000",
+            "--focal-point", f"0,{1000 + 10 * math.cos(pitch)},{1000 + 10 * math.sin(pitch)}", "--output", path)
+        channels, _ = exr_reader.read(path)
+        return max(float(channels[c][HEIGHT // 2, WIDTH // 2]) for c in "RGB")
+
+    def test_the_exposure_leaves_room_about_the_sun(self):
+        self.assertAlmostEqual(self.get_light_above_the_sun("mars", 8), 1.0, delta=0.05)
+        # where there is room, it is not chosen for that
+        self.assertLess(self.get_light_above_the_sun("earth-clear", 40), 0.8)
 
 
 class Cameras(OutputTest):
