@@ -24,6 +24,7 @@ set(godrays_plugin_environment
   "GODRAYS_MPIRUN=${GODRAYS_MPIRUN}"
   "GODRAYS_XVFB=${GODRAYS_XVFB}"
   "GODRAYS_BASELINES=${PROJECT_SOURCE_DIR}/Testing/Baseline"
+  "GODRAYS_PANEL=$<TARGET_NAME_IF_EXISTS:GodRaysPanel>" # empty without Qt
   "GODRAYS_TEMPORARY=${CMAKE_BINARY_DIR}/Testing/Plugin")
 file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/Testing/Plugin")
 list(JOIN godrays_paraview_python ":" godrays_plugin_python)

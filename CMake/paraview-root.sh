@@ -67,7 +67,8 @@ find "$root$libraries/cmake/$name" -name '*-targets-*.cmake' -exec sed -i -f "$r
 if [ -d "$libraries/vtk" ]; then
   cp -rs --no-clobber "$libraries/vtk" "$root$libraries/"
 fi
-find "$libraries" -mindepth 1 -maxdepth 1 ! -name cmake ! -name vtk \
+# The library of mathematics stays the system's alone: CMake warns of another where programs look for libraries.
+find "$libraries" -mindepth 1 -maxdepth 1 ! -name cmake ! -name vtk ! -name 'libm.*' \
   -exec ln -sfn -t "$root$libraries" {} +
 ln -sfn "/usr/include/$name" "$root/usr/include/$name"
 find /usr/bin \( -name "*pv${name#paraview-}*" -o -name 'pvbatch*' -o -name 'pvpython*' -o -name 'pv*server' \

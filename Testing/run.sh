@@ -135,6 +135,7 @@ rm -f build/summary.txt
 if $paraview && $paraview_shares_vtk; then
   make_paraview_root build/paraview
   build dev -DGODRAYS_WRAP_PYTHON=ON -DGODRAYS_BUILD_PARAVIEW_PLUGIN=ON \
+    -DGODRAYS_BUILD_PARAVIEW_PANEL=$paraview_panel \
     -DParaView_DIR="$PWD/build/paraview/usr/lib/native/cmake/paraview"
 else
   build dev -DGODRAYS_WRAP_PYTHON=ON -DGODRAYS_BUILD_PARAVIEW_PLUGIN=OFF
@@ -143,7 +144,7 @@ cmake --install build --prefix build/install >build/install.log ||
   die "the installation into build/install failed: see build/install.log"
 if $paraview && ! $paraview_shares_vtk; then
   make_paraview_root build-paraview/root
-  build paraview
+  build paraview -DGODRAYS_BUILD_PARAVIEW_PANEL=$paraview_panel
   trees+=(build-paraview)
 fi
 

@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The plugin of the installed tree: it is complete, and draws."""
 
+import os
 import pathlib
+import subprocess
 
 from plugin_testing import *
 
@@ -24,6 +26,20 @@ class Installed(Case):
         self.assertGreaterEqual(len(ours), 7)  # three libraries, their wrappings, the plugin
         for library in ours:
             self.assertTrue(pathlib.Path(library).is_relative_to(prefix), library)
+        self.assertNotIn("libQt", "".join(lines), "what needs Qt is loaded without a window")
+
+    def test_the_panel_is_beside_it(self):
+        """Where GodRays looks for it, with all that it is linked to."""
+        plugins = pathlib.Path(PLUGIN).parents[1]
+        name = os.environ["GODRAYS_PANEL"]  # empty without Qt
+        self.assertEqual([each.name for each in plugins.glob("*Panel*")], [name] if name else [])
+        if name:
+            panel = plugins / name / pathlib.Path(PLUGIN).name.replace("GodRays", name)
+            linked = subprocess.run(
+                ["ldd", panel], check=True, capture_output=True, text=True, env={"LC_ALL": "C"}
+            ).stdout
+            self.assertIn("Widgets", linked)  # a control
+            self.assertNotIn("not found", linked)
 
 
 main()

@@ -98,7 +98,7 @@ def read_icon(file):
 class Window(unittest.TestCase):
     def assert_icon(self, shown, preset):
         """The panel has the picture of a preset: some place is like it, and like no other preset's."""
-        if not list(PLUGINS.glob("GodRaysPanel/GodRaysPanel*")):
+        if not os.environ["GODRAYS_PANEL"]:
             return  # built without Qt
         pictures = {
             file.stem.removeprefix("Preset-"): read_icon(file)
