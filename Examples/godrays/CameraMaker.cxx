@@ -17,12 +17,6 @@ constexpr double LongestShareOfPicture = 0.74;
 }
 
 //------------------------------------------------------------------------------
-Vector3 Add(const Vector3& a, double factor, const Vector3& b)
-{
-  return { a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2] };
-}
-
-//------------------------------------------------------------------------------
 CameraMaker::CameraMaker(const Scene& scene, const Options& options)
   : Aspect(static_cast<double>(options.Size[0]) / options.Size[1])
   , Data(scene)
@@ -101,8 +95,8 @@ void CameraMaker::Turn(vtkCamera* camera, double x, double y) const
   Vector3 focus;
   camera->GetPosition(position.data());
   camera->GetFocalPoint(focus.data());
-  camera->SetPosition(Add(position, 1.0, way).data());
-  camera->SetFocalPoint(Add(focus, 1.0, way).data());
+  camera->SetPosition(AddScaled(position, 1.0, way).data());
+  camera->SetFocalPoint(AddScaled(focus, 1.0, way).data());
 }
 
 //------------------------------------------------------------------------------
@@ -116,12 +110,12 @@ void CameraMaker::StandOnTerrain(vtkCamera* camera, double azimuth, const Vector
 {
   const Vector3 ahead = this->Data.GetDirection(azimuth, 0.0);
   const double length = this->Data.GetExtent(ahead);
-  Vector3 position = Add(this->Center, -0.45 * length, ahead);
+  Vector3 position = AddScaled(this->Center, -0.45 * length, ahead);
   const double ground = this->Data.GetHighest(position, 0.12 * length);
   const double level = vtkMath::Dot(position.data(), this->Data.Up.data());
   const double clearance = this->StandHeight * this->Data.GetExtent(this->Data.Up);
-  position = Add(position, ground + clearance - level, this->Data.Up);
-  const Vector3 focus = Add(position, 0.5 * length, look);
+  position = AddScaled(position, ground + clearance - level, this->Data.Up);
+  const Vector3 focus = AddScaled(position, 0.5 * length, look);
   camera->SetPosition(position.data());
   camera->SetFocalPoint(focus.data());
 }
@@ -145,7 +139,7 @@ void CameraMaker::ShowWhole(vtkCamera* camera, const Vector3& look) const
   {
     Vector3 corner;
     this->Data.Bounds.GetCorner(i, corner.data());
-    const Vector3 arm = Add(corner, -1.0, this->Center);
+    const Vector3 arm = Subtract(corner, this->Center);
     const double x = std::abs(vtkMath::Dot(arm.data(), right.data())) / this->Aspect;
     const double y = std::abs(vtkMath::Dot(arm.data(), up.data()));
     const double depth = vtkMath::Dot(arm.data(), look.data());
@@ -153,7 +147,7 @@ void CameraMaker::ShowWhole(vtkCamera* camera, const Vector3& look) const
     distance = std::max(distance, std::max(x, y) / tangent - depth);
   }
   distance = distance > 0.0 ? distance : this->Diagonal;
-  const Vector3 position = Add(this->Center, -distance, look);
+  const Vector3 position = AddScaled(this->Center, -distance, look);
   camera->SetFocalPoint(this->Center.data());
   camera->SetPosition(position.data());
   camera->SetParallelScale(halfHeight > 0.0 ? halfHeight : this->Diagonal);
@@ -174,7 +168,7 @@ void CameraMaker::ApplySettings(vtkCamera* camera) const
     camera->GetPosition(position.data());
     Vector3 former;
     camera->GetFocalPoint(former.data());
-    position = Add(Add(position, -1.0, former), 1.0, focus);
+    position = AddScaled(Subtract(position, former), 1.0, focus);
     camera->SetFocalPoint(focus.data());
     camera->SetPosition(position.data());
   }

@@ -14,11 +14,6 @@
 
 class vtkCamera;
 
-/**
- * a + factor b.
- */
-Vector3 Add(const Vector3& a, double factor, const Vector3& b);
-
 class CameraMaker
 {
 public:

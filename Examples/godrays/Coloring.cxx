@@ -4,6 +4,7 @@
 
 #include "Colormaps.h"
 #include "Failure.h"
+#include "Values.h"
 
 #include "vtkActor.h"
 #include "vtkCellData.h"
@@ -222,11 +223,7 @@ void Coloring::CheckFound() const
   {
     return;
   }
-  std::string names;
-  for (const std::string& name : this->Seen)
-  {
-    names += (names.empty() ? "" : ", ") + name;
-  }
+  const std::string names = Join({ this->Seen.begin(), this->Seen.end() }, ", ");
   throw Failure("--scalars: there is no array '" + this->Settings.Scalars + "'; " +
     (names.empty() ? "there are none" : "there are " + names));
 }

@@ -4,6 +4,7 @@
 
 #include "Files.h"
 #include "Keys.h"
+#include "Values.h"
 
 #include <algorithm>
 #include <sstream>
@@ -16,17 +17,6 @@ std::string Replace(std::string text, const std::string& from, const std::string
   for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
   {
     text.replace(at, from.size(), to);
-  }
-  return text;
-}
-
-//------------------------------------------------------------------------------
-std::string Join(const std::vector<std::string>& words, const std::string& between)
-{
-  std::string text;
-  for (const std::string& word : words)
-  {
-    text += (text.empty() ? "" : between) + word;
   }
   return text;
 }

@@ -32,17 +32,6 @@ const std::string Airs = "earth-clear, earth-hazy, earth-polluted, mars, bruneto
                          "nishita-1993, lodato-2015";
 
 //------------------------------------------------------------------------------
-std::string Join(const std::vector<std::string>& words)
-{
-  std::string text;
-  for (const std::string& word : words)
-  {
-    text += (text.empty() ? "" : ", ") + word;
-  }
-  return text;
-}
-
-//------------------------------------------------------------------------------
 /**
  * Adds options of one value to a parser. Each has its own sentence for a wrong value, with what it
  * should be.
@@ -295,14 +284,14 @@ void AddLookOptions(Parser& parser, Options& options)
     "Of volumes: the values in the middle of those shown, and how far they range, as radiologists "
     "have it; opacity goes from 0 to its most there");
   parser.AddCall("--volume-preset", "NAME",
-    "Opacities and colours of a CT volume, in Hounsfield units: " + Join(GetVolumePresets()),
+    "Opacities and colours of a CT volume, in Hounsfield units: " + Join(GetVolumePresets(), ", "),
     [&options](const std::string& text)
     {
       const auto names = GetVolumePresets();
       if (std::find(names.begin(), names.end(), text) == names.end())
       {
-        throw Failure("--volume-preset: " + Quoted(text) + " should be one of " + Join(names) +
-          Suggest(text, names));
+        throw Failure("--volume-preset: " + Quoted(text) + " should be one of " +
+          Join(names, ", ") + Suggest(text, names));
       }
       options.VolumePreset = text;
     });

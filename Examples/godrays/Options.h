@@ -7,12 +7,12 @@
 #ifndef Options_h
 #define Options_h
 
+#include "Vectors.h"
+
 #include <array>    // For std::array
 #include <optional> // For std::optional
 #include <string>   // For std::string
 #include <vector>   // For std::vector
-
-using Vector3 = std::array<double, 3>;
 
 struct Options
 {

@@ -4,6 +4,7 @@
 
 #include "Failure.h"
 #include "Suggestions.h"
+#include "Values.h"
 
 #include "vtkGodRaysMediumModel.h"
 #include "vtkGodRaysPresets.h"
@@ -32,7 +33,6 @@ const std::vector<Preset>& GetPresets()
 //------------------------------------------------------------------------------
 const Preset& FindPreset(const std::string& name)
 {
-  std::string names;
   std::vector<std::string> all;
   for (const Preset& preset : GetPresets())
   {
@@ -41,7 +41,7 @@ const Preset& FindPreset(const std::string& name)
       return preset;
     }
     all.push_back(preset.Name);
-    names += (names.empty() ? "" : ", ") + preset.Name;
   }
-  throw Failure("--preset: '" + name + "' should be one of " + names + Suggest(name, all));
+  throw Failure(
+    "--preset: '" + name + "' should be one of " + Join(all, ", ") + Suggest(name, all));
 }

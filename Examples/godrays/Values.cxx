@@ -31,6 +31,17 @@ std::vector<std::string> Split(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
+std::string Join(const std::vector<std::string>& words, const std::string& between)
+{
+  std::string text;
+  for (const std::string& word : words)
+  {
+    text += (text.empty() ? "" : between) + word;
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
 bool ReadNumber(const std::string& text, double& value)
 {
   char* end = nullptr;

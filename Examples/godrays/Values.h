@@ -23,6 +23,11 @@ std::string Quoted(const std::string& text);
 std::vector<std::string> Split(const std::string& text);
 
 /**
+ * The words as a list, with this between them.
+ */
+std::string Join(const std::vector<std::string>& words, const std::string& between);
+
+/**
  * Read one finite number. Returns whether the text is that and nothing else.
  */
 bool ReadNumber(const std::string& text, double& value);

@@ -150,7 +150,7 @@ private:
     Vector3 direction = this->Result.LightDirection;
     if (this->Settings.Light)
     {
-      direction = Add(*this->Settings.Light, -1.0, this->Cameras.Center);
+      direction = Subtract(*this->Settings.Light, this->Cameras.Center);
     }
     else if (!this->Settings.Sun)
     {
@@ -256,8 +256,8 @@ private:
         vtkMath::Normalize(arm.data());
         Vector3 focus;
         camera->GetFocalPoint(focus.data());
-        camera->SetPosition(Add({ position[0], position[1], position[2] }, way, arm).data());
-        camera->SetFocalPoint(Add(focus, way, arm).data());
+        camera->SetPosition(AddScaled({ position[0], position[1], position[2] }, way, arm).data());
+        camera->SetFocalPoint(AddScaled(focus, way, arm).data());
       }
       this->Cameras.SetClippingRange(camera);
     }
@@ -402,14 +402,14 @@ private:
       toWorld->MultiplyPoint(point, point);
       ends[i] = { point[0] / point[3], point[1] / point[3], point[2] / point[3] };
     }
-    Vector3 direction = Add(ends[1], -1.0, ends[0]);
+    Vector3 direction = Subtract(ends[1], ends[0]);
     vtkMath::Normalize(direction.data());
     this->Result.LightDirection = direction;
     double azimuth = 0.0;
     double elevation = 0.0;
     this->Data.GetAngles(direction, azimuth, elevation);
     this->Result.LightIsLamp = camera->GetParallelProjection() != 0 || elevation < 0.0;
-    this->Result.LightPosition = Add(ends[1], this->Cameras.Diagonal, direction);
+    this->Result.LightPosition = AddScaled(ends[1], this->Cameras.Diagonal, direction);
     if (this->Result.LightIsLamp && !this->Settings.Sky.empty())
     {
       this->Result.LightIsLamp = false;
