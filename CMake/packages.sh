@@ -22,19 +22,19 @@ paraview_packages=(paraview paraview-dev openmpi-bin)
 # paraview_panel is whether the plugin's part that needs Qt, for ParaView's panel, must be built
 # (GODRAYS_BUILD_PARAVIEW_PANEL): with the development files of that Qt.
 paraview_shares_vtk=false
-paraview_panel=ON
+paraview_panel=AUTO
 case $suite in
   bookworm) # Debian 12
     test_packages+=(libvtk9-qt-dev clang-format-14 clang-14 libclang-rt-14-dev invesalius-examples mricron-data
       pymol-data)
-    paraview_packages+=(libqt5svg5 qtbase5-dev python3-paraview-) ;;
+    paraview_packages+=(libqt5svg5 qtbase5-dev python3-paraview-)
+    paraview_panel=ON ;;
   trixie) # Debian 13
     test_packages+=(python3-pyvista)
-    paraview_packages+=(qt6-svg-plugins python3-paraview-)
-    paraview_panel=AUTO ;; # untried
+    paraview_packages+=(qt6-svg-plugins python3-paraview-) ;;
   forky) # Debian 14
     test_packages+=(python3-pyvista)
-    paraview_packages+=(qt6-svg-plugins qt6-base-dev qt6-5compat-dev qt6-tools-dev libvtk9-qt-dev python3-paraview)
+    paraview_packages+=(qt6-svg-plugins python3-paraview)
     paraview_shares_vtk=true ;;
   *)
     die "this system, ${suite:-which /etc/os-release does not name}, is not known: packages are listed for
