@@ -13,6 +13,7 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkCutter.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysRole.h"
@@ -24,6 +25,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPointGaussianMapper.h"
 #include "vtkPoints.h"
@@ -367,8 +369,7 @@ void vtkGodRaysSilhouette::DrawVolume(vtkVolume* volume, vtkMatrix4x4* toWorld)
 }
 
 //------------------------------------------------------------------------------
-// As where its plane cuts the box of its image: the ends of that on the box's edges, all triangles of which
-// are what it covers, in whichever order they are.
+// As where its plane cuts the box of its image, which is a little larger than the image: its faces are cut, too.
 void vtkGodRaysSilhouette::DrawSlice(vtkImageSlice* slice, vtkMatrix4x4* toWorld)
 {
   vtkImageMapper3D* mapper = slice->GetMapper();
@@ -377,60 +378,25 @@ void vtkGodRaysSilhouette::DrawSlice(vtkImageSlice* slice, vtkMatrix4x4* toWorld
     return;
   }
   mapper->Update(); // its plane and its bounds need that, too
-  vtkNew<vtkMatrix4x4> matrix;
-  vtkMatrix4x4::Multiply4x4(this->ToClip, toWorld, matrix);
-  const vtkBoundingBox box(mapper->GetBounds());
-  double plane[4];
-  mapper->GetSlicePlaneInDataCoords(toWorld, plane);
-  const double near = 1e-6 * box.GetDiagonalLength() * vtkMath::Norm(plane);
-  double corners[8][3]; // those of i are at the upper end along the axes that are bits of i
-  double heights[8];
-  for (int i = 0; i < 8; ++i)
-  {
-    box.GetCorner(i, corners[i]);
-    heights[i] = vtkMath::Dot(corners[i], plane) + plane[3];
-  }
-  std::vector<std::array<double, 2>> ends;
-  const auto add = [&](const double* point)
-  {
-    std::array<double, 2> pixel;
-    if (this->Project(point, matrix, pixel.data()))
-    {
-      ends.push_back(pixel);
-    }
-  };
-  for (int i = 0; i < 8; ++i)
-  {
-    if (std::abs(heights[i]) <= near)
-    {
-      add(corners[i]);
-    }
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const int j = i | (1 << axis);
-      if (j != i && std::min(heights[i], heights[j]) < -near &&
-        std::max(heights[i], heights[j]) > near)
-      {
-        const double part = heights[i] / (heights[i] - heights[j]);
-        double point[3];
-        for (int k = 0; k < 3; ++k)
-        {
-          point[k] = corners[i][k] + part * (corners[j][k] - corners[i][k]);
-        }
-        add(point);
-      }
-    }
-  }
-  for (std::size_t a = 0; a < ends.size(); ++a)
-  {
-    for (std::size_t b = 0; b < a; ++b)
-    {
-      for (std::size_t c = 0; c < b; ++c)
-      {
-        this->DrawTriangle(ends[a].data(), ends[b].data(), ends[c].data());
-      }
-    }
-  }
+  vtkBoundingBox bounds(mapper->GetBounds());
+  bounds.Inflate(1e-6 * bounds.GetDiagonalLength());
+  double size[3];
+  bounds.GetLengths(size);
+  vtkNew<vtkImageData> box;
+  box->SetDimensions(2, 2, 2);
+  box->SetOrigin(bounds.GetMinPoint());
+  box->SetSpacing(size);
+  double coefficients[4];
+  mapper->GetSlicePlaneInDataCoords(toWorld, coefficients);
+  const double part = -coefficients[3] / vtkMath::Dot(coefficients, coefficients);
+  vtkNew<vtkPlane> plane;
+  plane->SetNormal(coefficients);
+  plane->SetOrigin(part * coefficients[0], part * coefficients[1], part * coefficients[2]);
+  vtkNew<vtkCutter> cutter;
+  cutter->SetInputData(box);
+  cutter->SetCutFunction(plane);
+  cutter->Update();
+  this->DrawSurface(cutter->GetOutput(), toWorld);
 }
 
 //------------------------------------------------------------------------------
