@@ -524,16 +524,18 @@ BACKGROUNDS = {
 }
 
 
-def make(name, size):
+def open_window(size):
     """A window with one renderer, as a first script has it."""
-    _, props, azimuth, height, up = SCENES[name]
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetSize(size)
     renderer = vtk.vtkRenderer()
     window.AddRenderer(renderer)
-    for prop in props():
-        renderer.AddViewProp(prop)
+    return window, renderer
+
+
+def aim(renderer, azimuth, height, up):
+    """See all, from the front turned by two angles [degrees]."""
     camera = renderer.GetActiveCamera()
     camera.SetFocalPoint(0, 0, 0)
     camera.SetPosition((0, 0, 1) if up == "y" else (0, -1, 0))
@@ -541,4 +543,13 @@ def make(name, size):
     camera.Azimuth(azimuth)
     camera.Elevation(height)
     renderer.ResetCamera()
+
+
+def make(name, size):
+    """A window that shows a scene."""
+    _, props, *view = SCENES[name]
+    window, renderer = open_window(size)
+    for prop in props():
+        renderer.AddViewProp(prop)
+    aim(renderer, *view)
     return window, renderer

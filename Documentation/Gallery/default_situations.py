@@ -10,7 +10,7 @@ import vtkmodules.all as vtk
 from vtkmodules.util.numpy_support import numpy_to_vtk
 
 import default_scenes
-from default_scenes import actor, elevation, through
+from default_scenes import actor, elevation, open_window, through
 
 
 def shine(renderer, position, color, directional=False):
@@ -288,13 +288,9 @@ SITUATIONS = {
 
 
 def make(name, size):
-    """A window with one renderer that shows a situation."""
+    """A window that shows a situation."""
     fill, height, zoom = SITUATIONS[name]
-    window = vtk.vtkRenderWindow()
-    window.SetOffScreenRendering(True)
-    window.SetSize(size)
-    renderer = vtk.vtkRenderer()
-    window.AddRenderer(renderer)
+    window, renderer = open_window(size)
     fill(renderer)
     camera = renderer.GetActiveCamera()
     camera.Elevation(height)

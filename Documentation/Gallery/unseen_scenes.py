@@ -20,6 +20,12 @@ from default_scenes import MODELS, actor, contour, elevation, function, imported
 from default_situations import add, ball
 
 
+def show(renderer, mapper):
+    prop = vtk.vtkActor()
+    prop.SetMapper(mapper)
+    add(renderer, prop)
+
+
 def find_pyvista():
     """The folder of PyVista's own data, without importing it; "" without PyVista."""
     found = importlib.util.find_spec("pyvista")
@@ -147,9 +153,7 @@ def peptide(renderer):
     mapper = vtk.vtkMoleculeMapper()
     mapper.UseVDWSpheresSettings()
     mapper.SetInputConnection(reader.GetOutputPort(1))
-    prop = vtk.vtkActor()
-    prop.SetMapper(mapper)
-    add(renderer, prop)
+    show(renderer, mapper)
 
 
 def rock(renderer):
@@ -211,7 +215,7 @@ def frog(renderer):
 
 
 def channels(renderer):
-    """The channels of a river's delta, within a translucent block."""
+    """The channels of a river's delta, within an outline."""
     reader = read(vtk.vtkXMLImageDataReader(), f"{PYVISTA}/channels.vti")
     keep = vtk.vtkThreshold()
     keep.SetInputConnection(reader.GetOutputPort())
@@ -335,9 +339,7 @@ def galaxy(renderer):
     mapper.SetScaleFactor(0.03)
     mapper.EmissiveOn()
     mapper.SetScalarRange(0, 4)
-    prop = vtk.vtkActor()
-    prop.SetMapper(mapper)
-    add(renderer, prop)
+    show(renderer, mapper)
 
 
 def spheres(renderer):
@@ -362,9 +364,7 @@ def balls_by_a_mapper(renderer):
     mapper.SetScaleArray("values")
     mapper.SetScaleModeToScaleByMagnitude()
     mapper.SetScalarRange(0.2, 1.2)
-    prop = vtk.vtkActor()
-    prop.SetMapper(mapper)
-    add(renderer, prop)
+    show(renderer, mapper)
 
 
 def tetrahedra(renderer):
@@ -558,19 +558,9 @@ SCENES = {
 
 
 def make(name, size):
-    """A window with one renderer, as a first script has it."""
-    fill, azimuth, height, up = SCENES[name]
-    window = vtk.vtkRenderWindow()
-    window.SetOffScreenRendering(True)
-    window.SetSize(size)
-    renderer = vtk.vtkRenderer()
-    window.AddRenderer(renderer)
+    """A window that shows a scene."""
+    fill, *view = SCENES[name]
+    window, renderer = default_scenes.open_window(size)
     fill(renderer)
-    camera = renderer.GetActiveCamera()
-    camera.SetFocalPoint(0, 0, 0)
-    camera.SetPosition((0, 0, 1) if up == "y" else (0, -1, 0))
-    camera.SetViewUp((0, 1, 0) if up == "y" else (0, 0, 1))
-    camera.Azimuth(azimuth)
-    camera.Elevation(height)
-    renderer.ResetCamera()
+    default_scenes.aim(renderer, *view)
     return window, renderer
