@@ -369,7 +369,7 @@ void vtkGodRaysSilhouette::DrawVolume(vtkVolume* volume, vtkMatrix4x4* toWorld)
 }
 
 //------------------------------------------------------------------------------
-// As where its plane cuts the box of its image, which is a little larger than the image: its faces are cut, too.
+// As where its plane cuts the box of its image, which is a little larger than that: its faces are cut, too.
 void vtkGodRaysSilhouette::DrawSlice(vtkImageSlice* slice, vtkMatrix4x4* toWorld)
 {
   vtkImageMapper3D* mapper = slice->GetMapper();
