@@ -13,11 +13,19 @@
 #include <cmath>
 
 //------------------------------------------------------------------------------
-bool Scene::IsTerrain() const
+bool Scene::IsLow() const
 {
   const double wide = std::min(this->GetExtent(this->East), this->GetExtent(this->North));
   const double high = this->GetExtent(this->Up);
   return high > 0.0 && high < LowestOfShapes * wide;
+}
+
+//------------------------------------------------------------------------------
+bool Scene::IsTerrain() const
+{
+  constexpr double steepest = 0.18;
+  const double length = std::max(this->GetExtent(this->East), this->GetExtent(this->North));
+  return this->HasGround && this->IsLow() && this->GetExtent(this->Up) < steepest * length;
 }
 
 //------------------------------------------------------------------------------

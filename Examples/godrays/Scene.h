@@ -26,13 +26,16 @@ struct Scene
   vtkIdType NumberOfVoxels = 0; ///< drawn as volumes
   double ElevationScale = 1.0;
   std::vector<std::string> Arrays; ///< by which props are coloured
+  bool HasGround = false;          ///< elevations, or a surface that is seen once from above
 
-  /// What is lower, as a fraction of its width, is terrain.
+  /// What is lower, as a fraction of its width, is low.
   static constexpr double LowestOfShapes = 0.3;
 
   /**
-   * Whether the data are wide and low, to be looked at from within.
+   * Whether the data are wide and low; and whether they are ground, too, so gentle that they are to be
+   * looked at from within.
    */
+  bool IsLow() const;
   bool IsTerrain() const;
 
   /**

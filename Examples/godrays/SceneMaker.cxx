@@ -4,6 +4,7 @@
 
 #include "Coloring.h"
 #include "Failure.h"
+#include "UpAxis.h"
 #include "Volumes.h"
 
 #include "vtkActor.h"
@@ -151,6 +152,7 @@ public:
     this->SetAxes(up);
     this->StretchElevations();
     this->Measure();
+    this->FindGround();
     return this->Result;
   }
 
@@ -392,6 +394,20 @@ private:
       prop->SetScale(
         up[0] != 0.0 ? scale : 1.0, up[1] != 0.0 ? scale : 1.0, up[2] != 0.0 ? scale : 1.0);
     }
+  }
+
+  //----------------------------------------------------------------------------
+  void FindGround()
+  {
+    const auto isGround = [this](const vtkSmartPointer<vtkProp3D>& prop)
+    {
+      auto* actor = vtkActor::SafeDownCast(prop);
+      auto* surface = actor ? vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput()) : nullptr;
+      return surface && IsGround(surface, this->Result.Up);
+    };
+    const auto& props = this->Result.Props;
+    this->Result.HasGround = this->HasElevation ||
+      (this->Result.IsLow() && std::any_of(props.begin(), props.end(), isGround));
   }
 
   //----------------------------------------------------------------------------

@@ -20,6 +20,8 @@ constexpr double ClearlyLonger = 1.2;
 constexpr double ClearlyBroader = 1.5;
 constexpr double Foot = 0.02;     // of the height
 constexpr double OpenShare = 0.5; // of the ground, at least, that an open surface covers
+constexpr double OnceShare =
+  0.9; // of a ground's polygons, at least, that are seen from above, once
 
 //------------------------------------------------------------------------------
 /**
@@ -51,12 +53,17 @@ double GetFootShare(vtkPolyData* surface, int axis)
 
 //------------------------------------------------------------------------------
 /**
- * The area that a surface covers from above less what it covers from below, along an axis. It is 0 of
- * closed ones.
+ * The area that a surface covers along an axis.
  */
-double GetOpenArea(vtkPolyData* surface, int axis)
+struct CoveredArea
 {
-  double sum = 0.0;
+  double Open = 0.0;  ///< seen from above less seen from below; 0 of closed surfaces
+  double Whole = 0.0; ///< of all its polygons
+};
+
+CoveredArea GetCoveredArea(vtkPolyData* surface, int axis)
+{
+  CoveredArea area;
   auto cell = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
   for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
   {
@@ -71,10 +78,12 @@ double GetOpenArea(vtkPolyData* surface, int axis)
       surface->GetPoint(ids[i], corners[2]);
       double normal[3];
       vtkTriangle::ComputeNormalDirection(corners[0], corners[1], corners[2], normal);
-      sum += 0.5 * normal[axis];
+      area.Open += 0.5 * normal[axis];
+      area.Whole += 0.5 * std::abs(normal[axis]);
     }
   }
-  return std::abs(sum);
+  area.Open = std::abs(area.Open);
+  return area;
 }
 }
 
@@ -95,9 +104,20 @@ std::string GetReasonForUp(vtkPolyData* surface, char axis)
     return std::string("it stands along ") + axis;
   }
   if (lengths[up] < Scene::LowestOfShapes * std::min(lengths[0], lengths[other]) &&
-    GetOpenArea(surface, up) > OpenShare * lengths[0] * lengths[other])
+    GetCoveredArea(surface, up).Open > OpenShare * lengths[0] * lengths[other])
   {
     return std::string("it lies flat over X and ") + (axis == 'Z' ? 'Y' : 'Z');
   }
   return "";
+}
+
+//------------------------------------------------------------------------------
+bool IsGround(vtkPolyData* surface, const Vector3& up)
+{
+  const int axis = up[0] != 0.0 ? 0 : up[1] != 0.0 ? 1 : 2;
+  double lengths[3];
+  vtkBoundingBox(surface->GetBounds()).GetLengths(lengths);
+  lengths[axis] = OpenShare;
+  const CoveredArea area = GetCoveredArea(surface, axis);
+  return area.Open > lengths[0] * lengths[1] * lengths[2] && area.Open > OnceShare * area.Whole;
 }

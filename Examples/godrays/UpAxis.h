@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Which axis of a surface points up, where its file does not say it.
+ * What a surface's shape tells about it: which axis points up, where its file does not say it, and whether it
+ * is ground.
  */
 
 #ifndef UpAxis_h
 #define UpAxis_h
+
+#include "Vectors.h" // For Vector3
 
 #include <string> // For std::string
 
@@ -18,5 +21,10 @@ class vtkPolyData;
  * other two, as terrain does.
  */
 std::string GetReasonForUp(vtkPolyData* surface, char axis);
+
+/**
+ * Whether a surface is seen once from above, nearly everywhere, and from below not at all, as terrain is.
+ */
+bool IsGround(vtkPolyData* surface, const Vector3& up);
 
 #endif

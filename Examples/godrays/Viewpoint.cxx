@@ -20,6 +20,8 @@ constexpr double LookAzimuth = 335.0; // a little from the right
 constexpr double Pitch = -6.0;
 constexpr double LowestPitch = -15.0;
 constexpr double HighestPitch = 30.0;
+constexpr double PitchOnLow = -20.0;          // the data's ground is seen
+constexpr double PitchOnLowBeforeSky = -10.0; // a horizon is, too
 constexpr double PitchOnFlat = -50.0;
 constexpr double SunBesideCenter = 11.0;
 constexpr double LowestSun = 0.5;        // above the horizon
@@ -190,9 +192,13 @@ private:
         : elevation - 0.28 * this->Cameras.Angle;
       return std::clamp(pitch, Pitch, highest);
     }
-    return !this->Data.IsTerrain() ? Pitch
-      : this->Settings.Parallel    ? ParallelTerrainPitch
-                                   : TerrainPitch;
+    if (this->Data.IsTerrain())
+    {
+      return this->Settings.Parallel ? ParallelTerrainPitch : TerrainPitch;
+    }
+    return !this->Data.IsLow()     ? Pitch
+      : this->Settings.Sky.empty() ? PitchOnLow
+                                   : PitchOnLowBeforeSky;
   }
 
   //----------------------------------------------------------------------------

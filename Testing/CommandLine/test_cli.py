@@ -804,6 +804,26 @@ class Composition(ProgramTest):
                     edges = covered[0], covered[-1], covered[:, 0], covered[:, -1]
                     self.assertFalse(any(edge.any() for edge in edges), "cut off")
 
+    def test_low_data_are_seen_whole_unless_they_are_gentle_ground(self):
+        balls = vtkAppendPolyData()
+        for i in range(25):
+            ball = vtkSphereSource()
+            ball.SetCenter(1.1 * (i % 5), 1.1 * (i // 5), 0)
+            balls.AddInputConnection(ball.GetOutputPort())
+        balls.Update()
+        sample_files.write(sample_files.vtkXMLPolyDataWriter(), balls.GetOutput(), self.folder / "balls.vtp")
+        sample_files.write(sample_files.vtkXMLStructuredGridWriter(), sample_files.structured_grid(),
+            self.folder / "hills.vts")
+        plain = ["--no-rays", "--background", "#010203", "--color", "white"]
+        for name, height, is_whole in ("balls.vtp", 1, True), ("hills.vts", 0.25, True), ("hills.vts", 0.1, False):
+            with self.subTest((name, height)):
+                picture = self.draw(self.folder / name, "--elevation-scale", height, *plain, size=(300, 200))
+                covered = (picture != (1, 2, 3)).any(axis=2)
+                edges = covered[0], covered[-1], covered[:, 0], covered[:, -1]
+                self.assertEqual(not any(edge.any() for edge in edges), is_whole)
+                self.assertGreater(covered.mean(), 0.2 if is_whole else 0.36)
+                self.assertLess(covered.mean(), 0.36 if is_whole else 0.8)
+
     def test_the_sun_is_in_the_picture_beside_the_data(self):
         size = 300, 200
         files = self.bulky_files()
