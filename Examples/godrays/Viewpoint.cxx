@@ -20,6 +20,8 @@ constexpr double LookAzimuth = 335.0; // a little from the right
 constexpr double Pitch = -6.0;
 constexpr double LowestPitch = -15.0;
 constexpr double HighestPitch = 30.0;
+constexpr double HighestPitchOnTerrain = 10.0;
+constexpr double HighestPitchOnLow = -2.0;
 constexpr double PitchOnLow = -20.0;          // the data's ground is seen
 constexpr double PitchOnLowBeforeSky = -10.0; // a horizon is, too
 constexpr double PitchOnFlat = -50.0;
@@ -175,6 +177,17 @@ private:
   }
 
   //----------------------------------------------------------------------------
+  /**
+   * From where a sun is still to be seen. Of low data, that is not from below.
+   */
+  double GetHighestPitch() const
+  {
+    return this->Data.IsTerrain() ? HighestPitchOnTerrain
+      : this->Data.IsLow()        ? HighestPitchOnLow
+                                  : HighestPitch;
+  }
+
+  //----------------------------------------------------------------------------
   double GetPitch() const
   {
     if (this->IsFlat())
@@ -186,7 +199,7 @@ private:
     if (this->Settings.Sun && this->GetLightAngles(azimuth, elevation))
     {
       // A sun that is higher than such a view has it cannot be in the picture.
-      const double highest = this->Data.IsTerrain() ? 10.0 : HighestPitch;
+      const double highest = this->GetHighestPitch();
       const double pitch = elevation > highest + 0.5 * this->Cameras.Angle
         ? Pitch
         : elevation - 0.28 * this->Cameras.Angle;
@@ -320,7 +333,7 @@ private:
       double azimuth = 0.0;
       double pitch = 0.0;
       this->Data.GetAngles(look, azimuth, pitch);
-      pitch = std::clamp(pitch + turn[1], LowestPitch, HighestPitch);
+      pitch = std::clamp(pitch + turn[1], LowestPitch, this->GetHighestPitch());
       camera = this->Cameras.Make(azimuth + turn[0], pitch);
       this->FillPicture(camera);
     }

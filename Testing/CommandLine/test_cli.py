@@ -823,6 +823,9 @@ class Composition(ProgramTest):
                 self.assertEqual(not any(edge.any() for edge in edges), is_whole)
                 self.assertGreater(covered.mean(), 0.2 if is_whole else 0.36)
                 self.assertLess(covered.mean(), 0.36 if is_whole else 0.8)
+        done = godrays(self.folder / "balls.vtp", "--sun", "340,12", "--stats", "--output", self.folder / "sun.png")
+        position = re.search(r"--camera-position (\S+)", done.stdout)[1].split(",")
+        self.assertGreater(float(position[2]), 0)  # a sun that is given does not have them seen from below
 
     def test_the_sun_is_in_the_picture_beside_the_data(self):
         size = 300, 200
