@@ -92,8 +92,10 @@ for name in "$@"; do
   echo "$out/$name-python.png: /usr/bin/python3 Examples/$name/$name.py"
   /usr/bin/python3 Examples/$name/$name.py "$out/$name-python.png"
 done
-echo "$out/Outdoor-baked.png: build/bin/Outdoor baked"
-build/bin/Outdoor "$out/Outdoor-baked.png" baked' "${examples[@]}"
+for mode in baked medium; do
+  echo "$out/Outdoor-$mode.png: build/bin/Outdoor $mode"
+  build/bin/Outdoor "$out/Outdoor-$mode.png" $mode
+done' "${examples[@]}"
 
 cat <<END
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Outdoors: the sun behind clouds, mountains, and a fire on a slope with its smoke.
-// Or, with the argument baked, shafts of the clouds behind everything.
+// Or, with the argument baked, shafts of the clouds behind everything; or, with medium, in haze and smoke
+// that scatter light.
 
 #include "../ExampleWindow.h"
 #include "BakeSky.h"
@@ -11,6 +12,7 @@
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataSetSurfaceFilter.h"
+#include "vtkGodRaysAtmosphereModel.h"
 #include "vtkGodRaysCloudLayerSource.h"
 #include "vtkGodRaysFireSource.h"
 #include "vtkGodRaysPass.h"
@@ -144,14 +146,31 @@ int main(int argc, char* argv[])
   camera->SetViewAngle(55.0);
   camera->SetClippingRange(0.2, 200.0);
 
+  const std::string last = argc > 1 ? argv[argc - 1] : "";
+  const std::string mode = last == "baked" || last == "medium" ? last : "";
   vtkNew<vtkGodRaysPass> rays;
   rays->AddLight(sun);
-  vtkGodRaysPass::SetRole(flames, vtkGodRaysPass::LIGHT);
-  rays->ApplyPreset("low-sun");
   rays->SetAutomaticExposure(false); // the sky behind says how bright the sun is
-  rays->SetIntensity(0.75);
-  rays->SetSunAngularRadius(6.0); // the sun is hidden: what shines is the bright sky about it
-  rays->SetBackgroundGlow(0.0);
+  if (mode == "medium")
+  {
+    // Haze, with a visibility of 39 km on the ground. Molecules are in the sky already.
+    vtkNew<vtkGodRaysAtmosphereModel> haze;
+    haze->SetMieScattering(1e-4, 1e-4, 1e-4);
+    haze->SetMieScaleHeight(600.0);
+    haze->SetRayleighScattering(0.0, 0.0, 0.0);
+    haze->SetWorldUnitInMeters(100.0);
+    rays->SetModel(haze);
+    rays->SetIntensity(sky->GetExposure());
+    vtkGodRaysPass::SetRole(smoke, vtkGodRaysPass::MEDIUM);
+  }
+  else
+  {
+    vtkGodRaysPass::SetRole(flames, vtkGodRaysPass::LIGHT);
+    rays->ApplyPreset("low-sun");
+    rays->SetIntensity(0.75);
+    rays->SetSunAngularRadius(6.0); // the sun is hidden: what shines is the bright sky about it
+    rays->SetBackgroundGlow(0.0);
+  }
   rays->Attach(renderer);
 
   double time = 4.98; // [s]; a second is ten of the clock
@@ -163,8 +182,7 @@ int main(int argc, char* argv[])
     fire->UpdateTimeStep(time);
   };
   advance();
-  const bool baked = argc > 1 && argv[argc - 1] == std::string("baked");
-  if (baked)
+  if (mode == "baked")
   {
     // The shafts of the clouds alone, once, behind everything. They are made short enough to end within a
     // face of the panorama: sums along lines of one picture do not go on in the next.
@@ -185,5 +203,5 @@ int main(int argc, char* argv[])
 
   vtkNew<vtkRenderWindow> window;
   window->AddRenderer(renderer);
-  return ShowOrWrite(window, size, argc - baked, argv, advance);
+  return ShowOrWrite(window, size, argc - !mode.empty(), argv, advance);
 }

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Outdoors: the sun behind clouds, mountains, and a fire on a slope with its smoke.
-Or, with the argument baked, shafts of the clouds behind everything."""
+Or, with the argument baked, shafts of the clouds behind everything; or, with medium, in haze and smoke
+that scatter light."""
 
 import sys
 
@@ -118,15 +119,31 @@ camera.SetViewUp(0, 0, 1)
 camera.SetViewAngle(55)
 camera.SetClippingRange(0.2, 200)
 
-rays = godrays.enable(
-    renderer,
-    light=[sun, flames],
-    preset="low-sun",
-    automatic_exposure=False,  # the sky behind says how bright the sun is
-    intensity=0.75,
-    sun_angular_radius=6,  # the sun is hidden: what shines is the bright sky about it
-    background_glow=0,
-)
+mode = sys.argv[-1] if sys.argv[-1] in ("baked", "medium") else None
+if mode == "medium":
+    # Haze, with a visibility of 39 km on the ground. Molecules are in the sky already.
+    rays = godrays.enable(
+        renderer,
+        light=sun,
+        medium=smoke,
+        model="atmosphere",
+        mie_scattering=(1e-4, 1e-4, 1e-4),
+        mie_scale_height=600,
+        rayleigh_scattering=(0, 0, 0),
+        world_unit_in_meters=100,
+        intensity=sky.GetExposure(),
+        automatic_exposure=False,
+    )
+else:
+    rays = godrays.enable(
+        renderer,
+        light=[sun, flames],
+        preset="low-sun",
+        automatic_exposure=False,  # the sky behind says how bright the sun is
+        intensity=0.75,
+        sun_angular_radius=6,  # the sun is hidden: what shines is the bright sky about it
+        background_glow=0,
+    )
 
 time = 4.98  # [s]; a second is ten of the clock
 
@@ -139,8 +156,7 @@ def advance():
 
 
 advance()
-baked = sys.argv[-1] == "baked"
-if baked:
+if mode == "baked":
     # The shafts of the clouds alone, once, behind everything. They are made short enough to end within a
     # face of the panorama: sums along lines of one picture do not go on in the next.
     rays.GetModel().SetDensity(0.85)
@@ -155,9 +171,10 @@ if baked:
 
 window = vtk.vtkRenderWindow()
 window.AddRenderer(renderer)
-size = sys.argv[2] if len(sys.argv) > 2 + baked else "1280x720"
+count = len(sys.argv) - (mode is not None)
+size = sys.argv[2] if count > 2 else "1280x720"
 window.SetSize([int(each) for each in size.split("x")])
-if len(sys.argv) > 1 + baked:
+if count > 1:
     window.SetMultiSamples(0)
     window.SetOffScreenRendering(True)
     window.Render()

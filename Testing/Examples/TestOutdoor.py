@@ -1,13 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The outdoor scene: rays blur nothing, smoke is a body from every side, and time runs;
-and shafts that are baked into the sky stay behind the scene, and are those that are drawn live.
+"""The outdoor scene: rays blur nothing, smoke is a body from every side, and time runs; shafts that are baked into
+the sky stay behind the scene, and are those that are drawn live; and smoke in haze is the truth, in clouds' shafts.
 
 Usage: TestOutdoor.py example.py program
 """
 
 import os
 import runpy
+import subprocess
 import sys
 
 import godrays
@@ -260,8 +261,45 @@ def check_faces_meet():
     check("long shafts would end at an edge", jumps[1] > 10, f"{jumps[1]:.2f} levels")
 
 
+def check_both_programs_agree():
+    picture = os.path.join(folder, "Outdoor-medium_program.png")
+    subprocess.run([program, picture, "400x300", "medium"], check=True)
+    reader = vtk.vtkPNGReader()
+    reader.SetFileName(picture)
+    reader.Update()
+    error = numpy.abs(pixels(reader.GetOutput()).astype(int) - shown()).max()
+    check("C++ and Python draw the same medium", error <= 2, f"{error} levels")
+
+
+def check_clouds_make_shafts():
+    shown()
+    light = layer(rays.GetScatteringImage)
+    godrays.vtkGodRaysPass.SetRole(clouds, godrays.vtkGodRaysPass.IGNORED)
+    shown()
+    without = layer(rays.GetScatteringImage)
+    godrays.vtkGodRaysPass.SetRole(clouds, godrays.vtkGodRaysPass.OCCLUDER)
+    shadow = (1 - light.sum(axis=2) / without.sum(axis=2))[covered()]
+    low, high = numpy.percentile(shadow, (5, 95))
+    check("below the clouds light is in shafts", high - low > 0.2, f"from {low:.2f} to {high:.2f} of it are taken")
+
+
+def check_smoke_in_haze_is_the_truth():
+    """Of what the exact reference has: no clouds, which are translucent, and no flames, which are points."""
+    clouds.VisibilityOff()
+    flames.VisibilityOff()
+    rays.GetIntegrator().SetVerifyPixels(300)
+    shown()
+    error = rays.GetIntegrator().GetErrorEstimate()
+    check("smoke and haze are within the tolerance", 0 < error < 1 / 255, f"{error:.4f}")
+    smoky = layer(rays.GetScatteringImage)
+    smoke.VisibilityOff()
+    shown()
+    change = numpy.abs(smoky - layer(rays.GetScatteringImage)).max() / smoky.max()
+    check("without the smoke they would not be", change > 0.05, f"{change:.2f}")
+
+
 folder = os.getcwd()
-example, _ = sys.argv[1:]
+example, program = sys.argv[1:]
 sys.path.insert(0, os.path.dirname(example))
 failures = []
 
@@ -283,4 +321,8 @@ box = next(prop for prop in renderer.GetViewProps() if prop.IsA("vtkSkybox"))
 check_baked_shafts_are_behind()
 check_baked_sky_is_the_live_one()
 check_faces_meet()
+run("medium")
+check_both_programs_agree()
+check_clouds_make_shafts()
+check_smoke_in_haze_is_the_truth()
 sys.exit(f"{len(failures)} checks failed" if failures else 0)
