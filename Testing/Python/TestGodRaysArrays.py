@@ -4,6 +4,7 @@
 
 import os
 import pathlib
+import pickle
 import subprocess
 import sys
 import tempfile
@@ -12,6 +13,8 @@ import unittest
 
 import godrays
 import numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkConeSource, vtkCylinderSource, vtkSphereSource
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkIOPLY import vtkPLYWriter
@@ -163,8 +166,28 @@ class Render(unittest.TestCase):
             godrays.render(5)
         with self.assertRaisesRegex(ValueError, "no points"):
             godrays.render(data.NewInstance())
-        with self.assertRaisesRegex(ValueError, "of 1 pixel or more"):
+        with self.assertRaisesRegex(ValueError, "of 1 to 16384 pixels"):
             godrays.render(data, (0, 5))
+
+    def test_points_without_cells_are_seen(self):
+        cloud = vtkPolyData()
+        cloud.SetPoints(vtkPoints())
+        for place in numpy.ndindex(4, 4, 4):
+            cloud.GetPoints().InsertNextPoint(*place)
+        shown = godrays.render(cloud, SIZE, rays=False, background=(0, 0, 0))
+        self.assertGreater((shown.max(2) > 50).mean(), 0.01)
+        for i in range(64):
+            cloud.GetPoints().SetPoint(i, float("nan"), 0, 0)
+        cloud.GetPoints().Modified()
+        with self.assertRaisesRegex(ValueError, "no point of the data has finite coordinates"):
+            godrays.render(cloud, SIZE)
+
+    def test_whole_numbers_of_any_size(self):
+        layer = numpy.zeros((20, 30), int)
+        layer[8:12, 14:18] = 1
+        shafts = godrays.scatter(layer, light=(0.5, 0.5))
+        self.assertTrue((shafts == godrays.scatter(layer.astype(float), light=(0.5, 0.5))).all())
+        self.assertGreater(shafts.max(), 0)
 
     def test_rays_are_seen_and_parameters_arrive(self):
         source = vtkCylinderSource()
@@ -231,6 +254,14 @@ class Render(unittest.TestCase):
         self.assertFalse((godrays.render(renderer, (80, 60), light=BEHIND) == without).all())
         self.assertTrue((godrays.render(renderer, (80, 60), rays=False) == without).all())
         self.assertIs(godrays.vtkGodRaysPass.Find(renderer), rays)
+
+    def test_it_goes_to_another_process(self):
+        picture = godrays.render(vtkSphereSource(), (20, 10))
+        again = pickle.loads(pickle.dumps(picture))
+        self.assertIs(type(again), type(picture))
+        self.assertTrue((again == picture).all())
+        with self.assertRaisesRegex(ValueError, r"'picture.jpg' should end in [.]png"):
+            picture.save("picture.jpg")
 
     def test_it_shows_itself(self):
         picture = godrays.render(vtkSphereSource(), SIZE)

@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Properties of the wrapped classes, and what they tell: exceptions and warnings of Python."""
 
+import functools
 import importlib.metadata
 import inspect
 import math
+import re
 import unittest
 import warnings
 
@@ -13,7 +15,8 @@ from godrays._parameters import get_names
 from godrays._properties import snake as to_snake
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow, vtkVersion
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
-from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkFiltersSources import vtkConeSource
+from vtkmodules.vtkRenderingCore import vtkActor, vtkCamera, vtkRenderer, vtkRenderWindow
 
 CLASSES = [getattr(godrays, name) for name in godrays.__all__ if name.startswith("vtkGodRays")]
 MODELS = [each for each in CLASSES if issubclass(each, godrays.vtkGodRaysModel)]
@@ -172,6 +175,99 @@ class Errors(unittest.TestCase):
         self.assertRegex(str(told[0].message), r"^The scene is drawn without god rays.*Position is not finite")
         self.assertEqual(told[0].filename, __file__)
         self.assertNotIn("vtkGodRays", self.messages.GetOutput())
+
+
+class Mistakes(unittest.TestCase):
+    """What newcomers type: one message, with what there is or what is meant."""
+
+    def setUp(self):
+        self.renderer = vtkRenderer()
+
+    def test_misspelt_names_are_guessed(self):
+        atmosphere = "there is no atmosphere 'earth-haze'; did you mean earth-hazy? There are: bruneton-2008, earth-cl"
+        rays = godrays.vtkGodRaysPass()
+        enable = functools.partial(godrays.enable, self.renderer)
+        for error, words, call in (
+            (TypeError, "no parameter intensty; did you mean intensity[?] There are: ", lambda: enable(intensty=1)),
+            (TypeError, "no parameter ocluders; did you mean occluders[?]", lambda: enable(ocluders=[])),
+            (TypeError, "render.. has no parameter backgroud; did you mean background[?]",
+                lambda: godrays.render(vtkConeSource(), backgroud="red")),
+            (TypeError, "visibility is a parameter of the model homogeneous; give", lambda: enable(visibility=5)),
+            (ValueError, "no preset 'fogg'; did you mean fog[?]", lambda: enable(preset="fogg")),
+            (ValueError, "no preset 3; there are: default", lambda: enable(preset=3)),
+            (ValueError, "no model 'homogenous'; did you mean homog", lambda: enable(model="homogenous")),
+            (ValueError, "no role 'occluders'; did you mean occluder[?]", lambda: godrays.tag(vtkActor(), "occluders")),
+            (ValueError, "did you mean occlusion[?]", lambda: setattr(rays, "output", "occlusoin")),
+            (ValueError, "intensity='big' should be a number", lambda: setattr(rays, "intensity", "big")),
+            (ValueError, "intensity='big' should be a number", lambda: enable(intensity="big")),
+            (ValueError, re.escape(atmosphere), lambda: godrays.sky(self.renderer, atmosphere="earth-haze")),
+            (ValueError, "does not know 'densty'; did you mean dens", lambda: godrays.from_pmndrs({"densty": 1})),
+        ):
+            with self.subTest(words), self.assertRaisesRegex(error, words):
+                call()
+        self.assertIsNone(self.renderer.GetPass())
+        with self.assertRaises(ValueError) as raised:
+            godrays.sky(self.renderer, atmosphere="venus")
+        self.assertNotIn("rayleigh", str(raised.exception))  # a constant, but no atmosphere
+
+    def test_a_model_by_its_name(self):
+        rays = godrays.vtkGodRaysPass()
+        rays.model = "homogeneous"
+        self.assertIsInstance(rays.model, godrays.vtkGodRaysHomogeneousModel)
+        with self.assertRaisesRegex(ValueError, "no model 'homogenous'; did you mean"):
+            rays.model = "homogenous"
+
+    def test_values_of_another_shape(self):
+        cone = vtkConeSource()
+        for words, call in (
+            ("size=100 should be a width and a height of 1 to 16384 pixels", lambda: godrays.render(cone, 100)),
+            ("size='9x9' should", lambda: godrays.render(cone, "9x9")),
+            (r"size=\(nan, 4\) should", lambda: godrays.render(cone, (math.nan, 4))),
+            (r"size=\(99999, 99999\) should", lambda: godrays.render(cone, (99999, 99999))),
+            ("camera=3 should be a vtkCamera, or", lambda: godrays.render(cone, camera=3)),
+            (r"camera=\(1, 2, 3\) should", lambda: godrays.render(cone, camera=(1, 2, 3))),
+            ("zoom='2' should be a positive number", lambda: godrays.render(cone, zoom="2")),
+            (r"background=\(255, 0, 0\) should be three numbers in \[0, 1\]",
+                lambda: godrays.render(cone, background=(255, 0, 0))),
+            ("no color '#zzzzzz'", lambda: godrays.render(cone, background="#zzzzzz")),
+            (r"light=\(1, 0\) is no direction; say in three numbers", lambda: godrays.render(cone, light=(1, 0))),
+            ("sun_at='top' should be a place", lambda: godrays.enable(self.renderer, sun_at="top")),
+            ("sun=3 should be a vtkGodRaysSun, .azimuth, elevation.", lambda: godrays.sky(self.renderer, sun=3)),
+            ("no place at latitude 'a' and longitude 2: they are in", lambda: godrays.sun("2024-06-21T12:00", "a", 2)),
+            ("None is no date with a time", lambda: godrays.sun(None, 1, 2)),
+            ("light='middle' should be a place", lambda: godrays.scatter([[1.0]], light="middle")),
+            ("density='thick' should be a finite number", lambda: godrays.from_pmndrs({"density": "thick"})),
+        ):
+            with self.subTest(words), self.assertRaisesRegex(ValueError, words):
+                call()
+
+    def test_things_of_another_kind(self):
+        class Closed:
+            renderer = None
+
+        for error, words, call in (
+            (TypeError, "needs a vtkImageData, not NoneType", lambda: godrays.to_array(None)),
+            (TypeError, "needs a filter, a vtkAlgorithm, not NoneType", lambda: godrays.apply(None, [[1.0]])),
+            (TypeError, "needs a dict of parameters, not NoneType", lambda: godrays.from_pmndrs(None)),
+            (TypeError, "god rays need a vtkRenderer.*not NoneType", lambda: godrays.enable(None)),
+            (ValueError, "the Closed has no renderer: it is closed", lambda: godrays.enable(Closed())),
+            (ValueError, "there are no data", lambda: godrays.render([])),
+            (godrays.Error, "it is a folder", lambda: godrays.render("/")),
+        ):
+            with self.subTest(words), self.assertRaisesRegex(error, words):
+                call()
+        godrays.disable(Closed())  # has none
+
+    def test_leaving_twice(self):
+        window = vtkRenderWindow()
+        window.AddRenderer(self.renderer)
+        with godrays.enable(self.renderer, light=(0, 0, 1)) as rays:
+            rays.__exit__(None, None, None)
+        self.assertIsNone(self.renderer.GetPass())
+
+    def test_what_is_offered(self):
+        self.assertLessEqual({"enable", "render", "__version__"}, set(dir(godrays)))
+        self.assertFalse({"annotations", "Any", "TYPE_CHECKING"} & set(dir(godrays)))
 
 
 class Package(unittest.TestCase):

@@ -129,7 +129,7 @@ class Words(unittest.TestCase):
     def test_what_is_unknown_or_has_no_counterpart(self):
         for name in FUNCTIONS:
             with self.subTest(name):
-                with self.assertRaisesRegex(ValueError, f"{name} does not know 'colour'; it knows: \\w+"):
+                with self.assertRaisesRegex(ValueError, f"{name} does not know 'colour'; .*[Tt]here are: \\w+"):
                     getattr(godrays, name)({"colour": 1})
         with self.assertWarnsRegex(godrays.GodRaysWarning, "kernelSize has no counterpart: "):
             godrays.from_pmndrs({"kernelSize": 3})

@@ -20,7 +20,7 @@ as godrays.Error.
 
 from __future__ import annotations
 
-import math
+from numbers import Real
 from typing import TYPE_CHECKING, Any
 
 try:
@@ -48,6 +48,8 @@ from ._arrays import tone_map as tone_map
 from ._errors import Error as Error
 from ._errors import GodRaysWarning as GodRaysWarning
 from ._errors import raising as raising
+from ._errors import tell_names as _tell_names
+from ._errors import to_numbers as _to_numbers
 from ._measure import measure as measure
 from ._migration import from_babylon as from_babylon
 from ._migration import from_blender as from_blender
@@ -61,11 +63,13 @@ from ._parameters import add_model as _add_model
 from ._parameters import find_names as _find_names
 from ._parameters import find_settings as _find_settings
 from ._parameters import get_names as _get_names
+from ._parameters import make_model as _make_model
 from ._properties import set_value as _set_value
 from ._render import render as render
 from ._targets import find_angles as _find_angles
 from ._targets import find_renderer as _find_renderer
 from ._targets import find_shining as _find_shining
+from ._targets import is_closed as _is_closed
 from ._targets import rebuild as _rebuild
 from ._targets import refer as _refer
 from ._targets import to_lights as _to_lights
@@ -215,15 +219,14 @@ def enable(
     ):
         parameters = {**parameters, "model": "volume"}
     parameters = _add_model(rays, preset, parameters)
-    settings = _find_settings(rays, parameters)
+    others = ("ignored", "light", "medium", "occluders", "preset", "sun_at")
+    settings = _find_settings(rays, parameters, others)
     lights = _to_lights(light)
     occluders = [_to_prop(prop) for prop in _to_list(occluders)]
     ignored = [_to_prop(prop) for prop in _to_list(ignored)]
     tagged = _find_shining(renderer)
     if sun_at is not None:
-        sun_at = [float(number) for number in sun_at]
-        if len(sun_at) != 2 or not all(map(math.isfinite, sun_at)):
-            raise ValueError(f"sun_at={sun_at} should be a place in the picture, such as (0.7, 0.8)")
+        sun_at = _to_numbers("sun_at", sun_at, (2,), "a place in the picture, such as (0.7, 0.8)")
     elif not lights and not tagged and rays.GetNumberOfLights() == 0:
         lights = [each for each in renderer.GetLights() if each.LightTypeIsSceneLight()]
         by_hand, once = vtkGodRaysPass.SUN_BY_HAND, vtkGodRaysPass.SUN_ONCE
@@ -308,16 +311,19 @@ def sky(
     own = {"Atmosphere", "Sun", "SunElevation", "SunAzimuth"}
     settings = _find_names(parameters, _get_names(vtkGodRaysSkyPass()) - own)
     if sun is not None and not isinstance(sun, vtkGodRaysSun):
-        sun = [float(number) for number in sun]
-        if len(sun) not in (2, 3) or len(sun) == 3 and not any(sun):
-            raise ValueError(f"sun={sun} should be (azimuth, elevation) or a direction (x, y, z)")
+        meaning = "a vtkGodRaysSun, (azimuth, elevation) or a direction (x, y, z)"
+        sun = _to_numbers("sun", sun, (2, 3), meaning)
+        if len(sun) == 3 and not any(sun):
+            raise ValueError(f"sun={sun} should be {meaning}")
     if light is not None and not isinstance(light, vtkLight):
         raise TypeError(f"light should be a vtkLight, not {type(light).__name__}")
     if isinstance(atmosphere, str):
         name, atmosphere = atmosphere, vtkGodRaysAtmosphere()
         atmosphere.AddObserver("ErrorEvent", lambda *_: None)  # told as an exception
         if not atmosphere.LoadPreset(name):
-            raise ValueError(f"there is no atmosphere {name!r}; see vtkGodRaysAtmosphere.LoadPreset")
+            constants = [each.lower().replace("_", "-") for each in dir(atmosphere) if each.isupper()]
+            listed = [each for each in constants if atmosphere.LoadPreset(each)]
+            raise ValueError(f"there is no atmosphere {name!r}" + _tell_names(name, listed))
 
     found = vtkGodRaysSkyPass.Attach(renderer)
     for name, value in settings.items():
@@ -342,6 +348,8 @@ def disable(target: Target) -> None:
 
     ValueError: another pass was given them for its delegate by hand, and has to be given another one.
     """
+    if _is_closed(target):
+        return
     renderer = _find_renderer(target)
     rays = vtkGodRaysPass.Find(renderer)
     if rays is None:
@@ -376,7 +384,7 @@ def tag(prop: Prop, role: Role | int) -> None:
     """
     if isinstance(role, str):
         if role not in _ROLES:
-            raise ValueError(f"there is no role {role!r}; there are: {', '.join(_ROLES)}")
+            raise ValueError(f"there is no role {role!r}" + _tell_names(role, _ROLES))
         role = _ROLES[role]
     vtkGodRaysPass.SetRole(_to_prop(prop), role)
 
@@ -400,12 +408,13 @@ def sun(
     position = vtkGodRaysSunPosition()
     text = date.isoformat() if hasattr(date, "isoformat") else date
     position.AddObserver("ErrorEvent", lambda *_: None)  # told as exceptions
-    if not abs(latitude) <= 90 or not abs(longitude) <= 180:
+    numbers = isinstance(latitude, Real) and isinstance(longitude, Real)
+    if not numbers or not abs(latitude) <= 90 or not abs(longitude) <= 180:
         raise ValueError(
-            f"there is no place at latitude {latitude} and longitude {longitude}: they are in "
+            f"there is no place at latitude {latitude!r} and longitude {longitude!r}: they are in "
             "[-90, 90] and [-180, 180]"
         )
-    if not position.SetDateTime(text):
+    if not isinstance(text, str) or not position.SetDateTime(text):
         raise ValueError(
             f"{text!r} is no date with a time from 1900 to 2100, such as 2024-06-21T19:30+02:00"
         )
@@ -430,7 +439,7 @@ def _enter(rays):
 
 
 def _exit(rays, *_):
-    target = rays._target()
+    target = rays._target() if rays._target else None
     rays._target = None
     if target is not None:
         disable(target)
@@ -447,6 +456,12 @@ def _layer(name):
         had no rays. See Get{name}Image().""")
 
 
+def _model():
+    """The property model of a pass, which takes the names that enable() takes, too."""
+    own = vars(vtkGodRaysPass)["model"]
+    return property(own.fget, lambda rays, model: own.fset(rays, _make_model(model)), None, own.__doc__)
+
+
 _classes = [
     each
     for name, each in sorted(globals().items())
@@ -456,6 +471,7 @@ _property.install(_classes)
 for _name, _attribute in {
     "scattering": _layer("Scattering"),
     "occlusion": _layer("Occlusion"),
+    "model": _model(),
     "__enter__": _enter,
     "__exit__": _exit,
 }.items():
@@ -469,3 +485,6 @@ if not TYPE_CHECKING:
         "raising", "render", "scatter", "sky", "sun", "tag", "to_array", "to_image", "tone_map",
         *(each.__name__ for each in _classes),
     ]
+
+    def __dir__() -> list[str]:
+        return [*__all__, "__all__", "__doc__", "__version__"]

@@ -9,8 +9,9 @@ import textwrap
 from typing import TYPE_CHECKING, Any
 
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
-from ._errors import Error, raising
+from ._errors import Error, raising, to_numbers
 from ._properties import describe, set_value, snake
 from .vtkGodRaysFilters import vtkGodRaysScatteringFilter, vtkGodRaysToneMappingFilter
 
@@ -50,11 +51,13 @@ def to_array(image: vtkImageData) -> Any:
 
     image: a vtkImageData; its active scalars count. Of the array the top row is the first.
 
-    Error: the image is empty.
+    Error: the image is empty. TypeError: it is no image.
     """
     import numpy
     from vtkmodules.util.numpy_support import vtk_to_numpy
 
+    if not isinstance(image, vtkImageData):
+        raise TypeError(f"to_array() needs a vtkImageData, not {type(image).__name__}")
     scalars = image.GetPointData().GetScalars()
     if scalars is None or scalars.GetNumberOfTuples() == 0:
         raise Error("the image is empty")
@@ -70,6 +73,8 @@ def apply(filter: Any, array: Any) -> Any:
     array: the picture [row, column] or [row, column, channel], the top row first.
     Returns the filter's output, likewise. Error: what the filter tells, if it is one of this project's.
     """
+    if not isinstance(filter, vtkAlgorithm):
+        raise TypeError(f"apply() needs a filter, a vtkAlgorithm, not {type(filter).__name__}")
     filter.SetInputDataObject(0, to_image(array))
     with raising():
         filter.Update()
@@ -103,13 +108,16 @@ def scatter(
     given = {
         "Density": density, "Decay": decay, "Weight": weight, "Exposure": exposure,
         "NumberOfSamples": number_of_samples, "ErrorTolerance": error_tolerance, "Method": method}
-    light = [float(number) for number in light]
-    if len(light) not in (2, 3):
-        raise ValueError(f"light={light} should be a place in the picture, such as (0.7, 0.8), or (x, y, w)")
+    import numpy
+
+    place = to_numbers("light", light, (2, 3), "a place in the picture, such as (0.7, 0.8), or (x, y, w)")
+    array = numpy.asarray(array)
+    if array.dtype.kind in "iu" and array.dtype != numpy.uint8:
+        array = array.astype(float)  # whole numbers of other sizes are not summed
     filter = vtkGodRaysScatteringFilter()
     _set(filter, given)
     with raising():
-        (filter.SetLightPosition if len(light) == 2 else filter.SetLightClip)(*light)
+        (filter.SetLightPosition if len(place) == 2 else filter.SetLightClip)(*place)
     return apply(filter, array)
 
 

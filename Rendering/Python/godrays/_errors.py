@@ -4,8 +4,11 @@
 
 from __future__ import annotations
 
+import difflib
+import math
 import re
 import warnings
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
@@ -13,6 +16,25 @@ from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutput
 _MESSAGE = re.compile(
     r"^(?P<kind>ERROR|Warning|Generic Warning): In (?P<file>[^\n]*), line \d+\n"
     r"(?:(?P<class>vtk\w+) \(\w+\): )?(?P<text>.*?)(?:\n\n|\Z)", re.M | re.S)
+
+
+def tell_names(name: Any, names: Iterable[str]) -> str:
+    """The end of a message about a name that there is not: which was probably meant, and all there are."""
+    names = list(names)
+    near = difflib.get_close_matches(str(name).lower(), names, 1, 0.7)
+    meant = f"did you mean {near[0]}? There" if near else "there"
+    return f"; {meant} are: {', '.join(names)}"
+
+
+def to_numbers(name: str, value: Any, counts: Sequence[int], meaning: str) -> list[float]:
+    """A value as so many finite numbers; ValueError, with what it should be, if it is no such thing."""
+    try:
+        numbers = [float(number) for number in value]
+    except (TypeError, ValueError):
+        numbers = []
+    if len(numbers) not in counts or not all(map(math.isfinite, numbers)):
+        raise ValueError(f"{name}={value!r} should be {meaning}")
+    return numbers
 
 
 class Error(RuntimeError):

@@ -66,6 +66,9 @@ def measure(
         if window is None:
             raise ValueError("the renderer has no window to draw in; call its AddRenderer() first")
         window.Render()
+        if not rays.GetModel().IsA("vtkGodRaysMediumModel"):
+            raise ValueError(
+                "the picture has no light in a medium, but that of a look; enable() a preset such as 'fog'")
         if not rays.GetMediumImage(image, *asked):
             raise ValueError("the picture has no light in a medium: " + rays.GetPlan().strip())
     if file is not None:

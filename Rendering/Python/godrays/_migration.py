@@ -8,7 +8,7 @@ import math
 import warnings
 from typing import TYPE_CHECKING, Any
 
-from ._errors import GodRaysWarning
+from ._errors import GodRaysWarning, tell_names, to_numbers
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -69,11 +69,13 @@ _NO_COUNTERPART = {
 def _take(function: str, settings: Mapping[str, Any], defaults: Mapping[str, Any]) -> dict[str, Any]:
     """The settings over the defaults. Warns of what has no counterpart; ValueError: what there is not."""
     without = _NO_COUNTERPART[function]
+    if not hasattr(settings, "items"):
+        raise TypeError(f"{function}() needs a dict of parameters, not {type(settings).__name__}")
     unknown = [name for name in settings if name not in defaults and name not in without]
     if unknown:
         raise ValueError(
-            f"{function} does not know {', '.join(map(repr, unknown))}; it knows: "
-            f"{', '.join([*defaults, *without])}")
+            f"{function} does not know {', '.join(map(repr, unknown))}"
+            + tell_names(unknown[0], [*defaults, *without]))
     for name in settings:
         if name in without:
             warnings.warn(f"{name} has no counterpart: {without[name]}", GodRaysWarning, stacklevel=3)
@@ -82,14 +84,14 @@ def _take(function: str, settings: Mapping[str, Any], defaults: Mapping[str, Any
         if name not in settings:
             continue
         value = settings[name]
-        given = [value] if isinstance(value, (int, float)) else list(value)
+        single = isinstance(value, (int, float))
         shape = 3 if isinstance(default, tuple) else 1
-        if len(given) == 1 and shape == 3:
-            given *= 3
-        if len(given) != shape or not all(math.isfinite(number) for number in given):
-            kind = "three finite numbers" if shape == 3 else "a finite number"
-            raise ValueError(f"{name}={value!r} should be {kind}")
-        found[name] = tuple(map(float, given)) if shape == 3 else given[0]
+        kind = "three finite numbers" if shape == 3 else "a finite number"
+        given = to_numbers(name, [value] if single else value, (1, shape), kind)
+        if shape == 3:
+            found[name] = tuple(given * (3 // len(given)))
+        else:
+            found[name] = value if single else given[0]
     return found
 
 

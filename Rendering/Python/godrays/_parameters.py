@@ -7,6 +7,7 @@ from __future__ import annotations
 from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkRenderingOpenGL2 import vtkImageProcessingPass
 
+from ._errors import tell_names
 from ._properties import constant, snake
 from .vtkGodRaysRendering import (
     vtkGodRaysAtmosphereModel,
@@ -38,20 +39,27 @@ def get_names(owner):
     } - {"Role"}
 
 
+def make_model(model):
+    """A model by its name; others as they are."""
+    if not isinstance(model, str):
+        return model
+    if model not in MODELS:
+        raise ValueError(f"there is no model {model!r}" + tell_names(model, MODELS))
+    return MODELS[model]()
+
+
 def add_model(rays, preset, parameters):
     """The parameters of enable() with the model that they and the preset ask for, as an object."""
     names = {name.replace("_", "").lower(): name for name in parameters}
-    model = parameters.get(names.get("model"))
-    if isinstance(model, str):
-        if model not in MODELS:
-            raise ValueError(f"there is no model {model!r}; there are: {', '.join(MODELS)}")
-        model = MODELS[model]()
+    model = make_model(parameters.get(names.get("model")))
+    if model is not None:
         parameters = {**parameters, names["model"]: model}
     if preset is None:
         return parameters
-    has = vtkGodRaysPresets.NewModel(preset)
+    has = vtkGodRaysPresets.NewModel(preset) if isinstance(preset, str) else None
     if has is None:
-        raise ValueError(f"there is no preset {preset!r}; there are: {vtkGodRaysPresets.ListNames()}")
+        listed = vtkGodRaysPresets.ListNames().split(", ")
+        raise ValueError(f"there is no preset {preset!r}" + tell_names(preset, listed))
     if (model or rays.GetModel()).IsA(has.GetClassName()):
         return parameters
     if model is not None:
@@ -61,25 +69,30 @@ def add_model(rays, preset, parameters):
     return {**parameters, "model": has}
 
 
-def find_names(parameters, properties):
-    """The parameters under these names of properties, or a TypeError."""
+def find_names(parameters, properties, others=()):
+    """The parameters under these names of properties, or a TypeError, which names the others, too."""
     names = {name.lower(): name for name in properties}
     unknown = [name for name in parameters if name.replace("_", "").lower() not in names]
     if unknown:
-        valid = ", ".join(sorted(snake(name) for name in names.values()))
-        raise TypeError(f"there is no parameter {', '.join(unknown)}; there are: {valid}")
+        has = [each for each, cls in MODELS.items() if hasattr(cls, unknown[0]) and "model" in names]
+        if has:
+            raise TypeError(
+                f"{unknown[0]} is a parameter of the model {' or '.join(has)}; give model={has[0]!r}, or one "
+                "of its presets")
+        valid = sorted([*map(snake, properties), *others])
+        raise TypeError(f"there is no parameter {', '.join(unknown)}" + tell_names(unknown[0], valid))
     return {names[name.replace("_", "").lower()]: value for name, value in parameters.items()}
 
 
-def find_settings(rays, parameters):
-    """The parameters of enable() under their properties' names, or a TypeError."""
+def find_settings(rays, parameters, others):
+    """The parameters of enable() under their properties' names, or a TypeError, which names others, too."""
     simple = {name.replace("_", "").lower(): value for name, value in parameters.items()}
     owners = (
         rays,
         simple.get("model") or rays.GetModel(),
         simple.get("integrator") or find_integrator(rays, simple.get("model")),
     )
-    settings = find_names(parameters, set().union(*map(get_names, owners)))
+    settings = find_names(parameters, set().union(*map(get_names, owners)), others)
     for name, value in settings.items():
         owner = next(owner for owner in owners if name in get_names(owner))
         if isinstance(value, str):

@@ -13,7 +13,7 @@ import gc
 import re
 from typing import Any
 
-from ._errors import raising
+from ._errors import raising, tell_names
 
 
 def snake(name: str) -> str:
@@ -23,6 +23,8 @@ def snake(name: str) -> str:
 
 def constant(owner: Any, name: str, text: str) -> int:
     """The value of an owner's constant, such as 1 for "occlusion"."""
+    if re.match(rf"Set{name}\(self,\s+\w+:float", getattr(owner, "Set" + name).__doc__ or ""):
+        raise ValueError(f"{snake(name)}={text!r} should be a number")
     constants = {
         each.lower(): getattr(owner, each)
         for each in dir(owner)
@@ -30,8 +32,8 @@ def constant(owner: Any, name: str, text: str) -> int:
     }
     if text.lower() not in constants:
         raise ValueError(
-            f"{snake(name)}={text!r} is none of the constants of {owner.GetClassName()}: "
-            f"{', '.join(constants)}"
+            f"{snake(name)}={text!r} is none of the constants of {owner.GetClassName()}"
+            + tell_names(text, constants)
         )
     return int(constants[text.lower()])
 

@@ -9,10 +9,11 @@ import importlib
 import math
 import os
 import pathlib
+import re
 import warnings
 from typing import TYPE_CHECKING, Any
 
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject, vtkDataSet
+from vtkmodules.vtkCommonDataModel import vtkBoundingBox, vtkCompositeDataSet, vtkDataObject, vtkDataSet
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -24,11 +25,12 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 from ._arrays import to_image
-from ._errors import Error, GodRaysWarning, hushed
+from ._errors import Error, GodRaysWarning, hushed, tell_names, to_numbers
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+_LARGEST = 16384  # [pixels] of a side; X ends the program of larger windows
 _XML = {"vti": "ImageData", "vtp": "PolyData", "vtr": "RectilinearGrid", "vts": "StructuredGrid",
     "vtu": "UnstructuredGrid", "vtm": "MultiBlockData"}
 _READERS = {
@@ -59,33 +61,40 @@ def render(
         .vts, .vtm, .ply, .stl, .obj); a vtkProp; a list of these; or a vtkRenderer, or a plotter, whose scene
         is drawn with its own camera, lights and background, and is left as it was; rays that it has
         keep what they are given here.
-    size: width and height [pixels].
+    size: width and height [pixels], from 1 to 16384.
     preset: as of enable(); see presets().
     camera: from where the data are seen, (azimuth, elevation) [degrees]. All data are in the picture. Or a
         vtkCamera.
     up: the axis that points up, "x", "y" or "z". Azimuths are counted from the axis that comes next, in the
         order x, y, z, x, to the one after that: with z up, from x to y.
     zoom: how much larger all is seen [no unit].
-    background: a name of vtkNamedColors, "#rrggbb", or three numbers in [0, 1].
+    background: a name of vtkNamedColors, "#rrggbb", "#rgb", or three numbers in [0, 1].
     transparent: give the picture an alpha, that of the data.
     rays: off, the same picture is drawn without them.
     parameters: all that enable() takes, such as light, sun_at, intensity.
 
     Returns uint8 [row, column, channel] with 3 channels, or 4 if transparent; the top row first. It shows
     itself in Jupyter, and has save(file).
-    Error: there is no screen to draw on, or a file cannot be read.
+    Error: there is no screen to draw on, or a file cannot be read. ValueError: nothing of the data could be
+    seen, or a number is not as said above.
     """
     import godrays
 
-    width, height = (int(number) for number in size)
-    if width < 1 or height < 1:
-        raise ValueError(f"size={tuple(size)} should be a width and a height of 1 pixel or more")
+    _check_names(parameters, godrays.enable)
+    sides = f"a width and a height of 1 to {_LARGEST} pixels"
+    width, height = (int(number) for number in to_numbers("size", size, (2,), sides))
+    if not 1 <= min(width, height) <= max(width, height) <= _LARGEST:
+        raise ValueError(f"size={size!r} should be {sides}")
     scene = _scene(data)
     own = scene is None
     if own:
         scene = vtkRenderer()
         for prop in _props(data):
             scene.AddViewProp(prop)
+        if not scene.VisibleActorCount() + scene.VisibleVolumeCount():
+            raise ValueError("there are no data: nothing could be seen")
+        if not vtkBoundingBox(scene.ComputeVisiblePropBounds()).IsValid():
+            raise ValueError("no point of the data has finite coordinates: nothing could be seen")
         if background is not None:
             scene.SetBackground(*_color(background))
         _look(scene, camera, up, zoom, width / height)
@@ -115,6 +124,16 @@ def render(
         window.Finalize()
         if former is not None:
             former.AddRenderer(scene)
+
+
+def _check_names(parameters: dict[str, Any], enable: Any) -> None:
+    """Tell of a name that is probably a misspelt one of render()'s own, which enable() cannot know."""
+    own = list(render.__kwdefaults__)
+    known = {name.replace("_", "") for name in enable.__kwdefaults__}
+    for name in parameters:
+        end = "" if name.replace("_", "").lower() in known else tell_names(name, own)
+        if "did you mean" in end:
+            raise TypeError(f"render() has no parameter {name}{end}, and those of enable()")
 
 
 def _scene(data: Any) -> Any:
@@ -147,14 +166,24 @@ def _props(data: Any) -> list[Any]:
             f"render() needs a data set, a vtkAlgorithm, a file, a vtkProp, a renderer or a list, not {kind}")
     if data.GetNumberOfPoints() == 0:
         raise ValueError("the data set has no points: nothing could be seen")
+    if data.GetNumberOfCells() == 0:
+        from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
+
+        cloud = vtkVertexGlyphFilter()
+        cloud.SetInputData(data)
+        cloud.Update()
+        data = cloud.GetOutput()
     mapper.SetInputData(data)
     mapper.SetScalarRange(data.GetScalarRange())
     actor = vtkActor()
+    actor.GetProperty().SetPointSize(3)
     actor.SetMapper(mapper)
     return [actor]
 
 
 def _read_file(path: pathlib.Path) -> Any:
+    if path.is_dir():
+        raise Error(f"{path}: it is a folder; name a file in it")
     suffix = path.suffix.lower().lstrip(".")
     if suffix not in _READERS:
         raise Error(f"{path}: render() reads {', '.join('.' + each for each in sorted(_READERS))}; the "
@@ -180,12 +209,12 @@ def _look(scene: Any, camera: Any, up: str, zoom: float, aspect: float) -> None:
         scene.SetActiveCamera(camera)
         scene.ResetCameraClippingRange()
         return
-    azimuth, elevation = (math.radians(float(number)) for number in camera)
-    if not math.isfinite(azimuth + elevation) or not abs(elevation) <= math.radians(89.9):
-        raise ValueError(
-            f"camera={tuple(camera)} should be (azimuth, elevation), with an elevation within 89.9")
-    if not (math.isfinite(zoom) and zoom > 0):
-        raise ValueError(f"zoom={zoom} should be a positive number")
+    meaning = "a vtkCamera, or (azimuth, elevation), with an elevation within 89.9"
+    azimuth, elevation = map(math.radians, to_numbers("camera", camera, (2,), meaning))
+    if not abs(elevation) <= math.radians(89.9):
+        raise ValueError(f"camera={camera!r} should be {meaning}")
+    if not (isinstance(zoom, (int, float)) and math.isfinite(zoom) and zoom > 0):
+        raise ValueError(f"zoom={zoom!r} should be a positive number")
     if up not in ("x", "y", "z"):
         raise ValueError(f'up={up!r} should be "x", "y" or "z"')
     first = ("xyz".index(up) + 1) % 3
@@ -207,12 +236,17 @@ def _look(scene: Any, camera: Any, up: str, zoom: float, aspect: float) -> None:
 
 def _color(color: Any) -> Sequence[float]:
     if not isinstance(color, str):
-        return [float(number) for number in color]
+        meaning = 'three numbers in [0, 1], "#rrggbb" or a name of vtkNamedColors'
+        numbers = to_numbers("background", color, (3,), meaning)
+        if not 0 <= min(numbers) <= max(numbers) <= 1:
+            raise ValueError(f"background={color!r} should be {meaning}")
+        return numbers
     from vtkmodules.vtkCommonColor import vtkNamedColors
 
     text = color.strip()
-    if text.startswith("#") and len(text) == 7:
-        return [int(text[i : i + 2], 16) / 255 for i in (1, 3, 5)]
+    if re.fullmatch("#([0-9a-fA-F]{3}){1,2}", text):
+        digits = len(text) // 3
+        return [int(text[i : i + digits], 16) / (16**digits - 1) for i in range(1, len(text), digits)]
     colors = vtkNamedColors()
     if not colors.ColorExists(text):
         raise ValueError(f"there is no color {color!r}; give #rrggbb or a name of vtkNamedColors")
@@ -279,11 +313,20 @@ def _picture_class() -> Any:
                 return to_png(numpy.asarray(self))
 
             def save(self, file: Any) -> None:
-                """Write the picture as PNG."""
+                """Write the picture as PNG. ValueError: the name ends otherwise."""
+                if pathlib.Path(file).suffix.lower() != ".png":
+                    raise ValueError(f"file={str(file)!r} should end in .png: save() writes no other type")
                 pathlib.Path(file).write_bytes(to_png(numpy.asarray(self)))
 
+        Picture.__qualname__ = "Picture"  # where pickle finds it
         _picture = Picture
     return _picture
+
+
+def __getattr__(name: str) -> Any:
+    if name == "Picture":
+        return _picture_class()
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
 _picture: Any = None

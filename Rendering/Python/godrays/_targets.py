@@ -23,6 +23,8 @@ def find_renderer(target):
         if target is None:
             raise ValueError("the render window has no renderer; call AddRenderer() first")
     if not isinstance(target, vtkRenderer):
+        if is_closed(target):
+            raise ValueError(f"the {type(target).__name__} has no renderer: it is closed; make another one")
         target = getattr(target, "renderer", target)
     if not isinstance(target, vtkRenderer):
         raise TypeError(
@@ -30,6 +32,11 @@ def find_renderer(target):
             f"{type(target).__name__}"
         )
     return target
+
+
+def is_closed(target):
+    """Whether it is a plotter that has been closed."""
+    return hasattr(target, "renderer") and target.renderer is None
 
 
 def find_renderer_of_view(view):
@@ -110,7 +117,7 @@ def to_lights(light):
         return []
     if is_list(light):
         light = list(light)
-        if len(light) == 3 and all(isinstance(number, numbers.Real) for number in light):
+        if light and all(isinstance(number, numbers.Real) for number in light):
             return [make_sun(light)]
         return [each for member in light for each in to_lights(member)]
     if isinstance(light, vtkLight):
@@ -124,8 +131,9 @@ def to_lights(light):
 
 
 def make_sun(direction):
-    if not any(direction) or not all(map(math.isfinite, direction)):
-        raise ValueError(f"light={tuple(direction)} is no direction; say where the light comes from")
+    if len(direction) != 3 or not any(direction) or not all(map(math.isfinite, direction)):
+        raise ValueError(
+            f"light={tuple(direction)} is no direction; say in three numbers where the light comes from")
     sun = vtkLight()
     sun.SetPosition(*direction)
     sun.SetFocalPoint(0, 0, 0)
