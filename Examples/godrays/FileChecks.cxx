@@ -58,7 +58,8 @@ void CheckStl(const std::string& path)
   const std::uintmax_t needed = header + facet * ReadLittleEndian(path, 80);
   if (start != "solid" && needed > fs::file_size(path))
   {
-    throw Failure(path + ": is shorter than it says; copy it again");
+    throw Failure(path +
+      ": is shorter than it says, or no .stl; copy it again, or give it the extension of its type");
   }
 }
 

@@ -443,17 +443,37 @@ std::string GetExtension(const std::string& path)
   std::string extension = fs::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
     [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return extension;
+  const bool isNifti = extension == ".gz" && GetExtension(fs::path(path).stem().string()) == ".nii";
+  return isNifti ? ".nii" : extension; // which its reader unpacks
+}
+
+//------------------------------------------------------------------------------
+/**
+ * What to do about a file that is not there.
+ */
+std::string GetRemedy(const std::string& path)
+{
+  if (path.find("://") != std::string::npos)
+  {
+    return "; it is an address: name a file on this machine, without " +
+      path.substr(0, path.find("://") + 3);
+  }
+  return path[0] == '-' ? "; what follows -- is files: name options before it"
+                        : "; check the name and the folder";
 }
 
 //------------------------------------------------------------------------------
 const ReadFunction& CheckFile(const std::string& path)
 {
+  if (path.empty())
+  {
+    throw Failure("a file's name is empty; name the file, or leave it out");
+  }
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found)
   {
-    throw Failure(path + ": there is no such file; check the name and the folder");
+    throw Failure(path + ": there is no such file" + GetRemedy(path));
   }
   if (fs::is_directory(status))
   {
@@ -471,7 +491,12 @@ const ReadFunction& CheckFile(const std::string& path)
   {
     throw Failure(path + ": is empty; write or copy it again");
   }
-  const auto type = Types().find(GetExtension(path));
+  const std::string extension = GetExtension(path);
+  const auto type = Types().find(extension);
+  if (extension == ".gz" || extension == ".bz2" || extension == ".xz" || extension == ".zip")
+  {
+    throw Failure(path + ": is packed; unpack it first, as with gunzip or unzip");
+  }
   if (type == Types().end())
   {
     throw Failure(path + ": is of an unknown type; give one of " + GetExtensions());
@@ -494,8 +519,9 @@ std::string FindError(const Messages& messages)
 {
   for (const std::string& error : messages.GetErrors())
   {
-    // SimplifyMaterial() removes the textures that this is about.
-    if (error.find("texture is not in linear color space") == std::string::npos)
+    // SimplifyMaterial() removes the textures that the one is about; the other is of data without points.
+    if (error.find("texture is not in linear color space") == std::string::npos &&
+      error.find("No Points element available") == std::string::npos)
     {
       return error;
     }

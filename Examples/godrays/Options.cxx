@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <string>
 
@@ -82,6 +83,16 @@ std::vector<std::string> GetNames(const CLI::App& app)
 }
 
 //------------------------------------------------------------------------------
+std::string GetReason(const CLI::ParseError& error)
+{
+  const std::string text = error.what();
+  const std::string line = text.substr(0, text.find('\n'));
+  // "--size: 1 required WxH missing"
+  const bool isMissing = line.find(" required ") != std::string::npos;
+  return isMissing ? line.substr(0, line.find(": ")) + ": needs a value" : line;
+}
+
+//------------------------------------------------------------------------------
 /**
  * Parse the options of a file, and then those of the command line, which hold where both name one.
  */
@@ -97,11 +108,31 @@ void ParseAgain(CLI::App& app, Options& options, const std::string& path, int ar
       throw Failure(path + ": " + name.substr(2) + " is no option" + Suggest(name, names));
     }
   }
+  const auto parse = [&app, &options](std::vector<std::string> all)
+  {
+    std::reverse(all.begin(), all.end()); // as CLI11 has it
+    options = {};
+    app.clear();
+    app.parse(all);
+  };
+  try
+  {
+    parse(words);
+  }
+  catch (const CLI::Success&)
+  {
+    throw;
+  }
+  catch (const CLI::ParseError& error)
+  {
+    throw Failure(path + ": " + GetReason(error));
+  }
+  catch (const Failure& failure)
+  {
+    throw Failure(path + ": " + failure.what(), failure.Code);
+  }
   words.insert(words.end(), argv + 1, argv + argc);
-  std::reverse(words.begin(), words.end()); // as CLI11 has it
-  options = {};
-  app.clear();
-  app.parse(words);
+  parse(words);
 }
 }
 
@@ -138,13 +169,14 @@ std::optional<Options> ParseCommandLine(int argc, char* argv[])
   {
     const std::string extra = app.remaining().front();
     const std::string name = extra.substr(0, extra.find('='));
-    throw Failure(name + " is no option" + Suggest(name, GetNames(app)) + "; see godrays --help");
+    const bool isFile = std::filesystem::exists(extra);
+    throw Failure(name + " is no option" +
+      (isFile ? "; if the file is meant, name it ./" + extra : Suggest(name, GetNames(app))) +
+      "; see godrays --help");
   }
   catch (const CLI::ParseError& error)
   {
-    std::string line = error.what();
-    line = line.substr(0, line.find('\n'));
-    throw Failure(line + "; see godrays --help");
+    throw Failure(GetReason(error) + "; see godrays --help");
   }
   if (!options.Document.empty())
   {

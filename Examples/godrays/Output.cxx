@@ -276,7 +276,8 @@ void WriteNumbers(
   vtkNew<vtkImageData> image;
   if (!(irradiance ? rays->GetMediumImage(image, irradiance->data()) : rays->GetMediumImage(image)))
   {
-    throw Failure("--numbers: the picture has no light in a medium");
+    throw Failure(
+      "--numbers: the picture has no light in a medium; give a --preset that is one, such as fog");
   }
   if (GetExtension(path) == ".exr")
   {

@@ -108,6 +108,10 @@ std::unique_ptr<Stage> Playlist::Open(std::size_t item, std::size_t step, const 
     this->Step = std::abs(times[i] - *time) < std::abs(times[this->Step] - *time) ? i : this->Step;
   }
   this->Times = std::move(times);
+  if (this->Settings->Time && this->Times.empty())
+  {
+    notes.emplace_back("--time: no file has time steps, so it changes nothing");
+  }
   if (!this->Settings->Up && !files.front().UpNote.empty())
   {
     notes.push_back(files.front().UpNote);
@@ -115,6 +119,13 @@ std::unique_ptr<Stage> Playlist::Open(std::size_t item, std::size_t step, const 
   this->Took.Reading = GetSeconds() - start;
   std::optional<Waiting> waiting("preparing " + this->GetName(item));
   Scene scene = MakeSceneOf(files, *this->Settings, notes);
+  const std::string ofVolumes = this->Settings->VolumeMedium ? "--volume-medium"
+    : !this->Settings->VolumePreset.empty()                  ? "--volume-preset"
+                                                             : "";
+  if (!ofVolumes.empty() && scene.NumberOfVoxels == 0)
+  {
+    notes.push_back(ofVolumes + ": no volume is drawn, so it changes nothing");
+  }
   const Viewpoint place = view ? *view : MakeView(scene, *this->Settings);
   waiting.reset();
   this->HasAdvice = false;

@@ -12,6 +12,7 @@
 #include "vtkCellDataToPointData.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkContourFilter.h"
+#include "vtkDataArrayRange.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkGodRaysPass.h"
 #include "vtkIdList.h"
@@ -91,6 +92,36 @@ vtkSmartPointer<vtkPolyDataMapper> MakeSphereMapper(vtkPolyData* cloud)
 
 //------------------------------------------------------------------------------
 /**
+ * Give voxels whose value is no number the lowest one, which is clear; infinite ones are kept as the
+ * lowest or highest. False if there is no number at all.
+ */
+bool LeaveOutNonNumbers(vtkImageData* image)
+{
+  vtkDataArray* values = image->GetPointData()->GetScalars();
+  double range[2];
+  values->GetFiniteRange(range, 0);
+  if (range[0] > range[1])
+  {
+    return false;
+  }
+  const auto isFinite = [](double value) { return std::isfinite(value); };
+  auto all = vtk::DataArrayValueRange<1>(values);
+  if (!std::all_of(all.begin(), all.end(), isFinite))
+  {
+    auto numbers = vtk::TakeSmartPointer(values->NewInstance());
+    numbers->DeepCopy(values);
+    for (auto&& value : vtk::DataArrayValueRange<1>(numbers.Get()))
+    {
+      const double number = value;
+      value = std::isnan(number) ? range[0] : std::clamp(number, range[0], range[1]);
+    }
+    image->GetPointData()->SetScalars(numbers);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/**
  * Makes props of files. Colours are given last, when the range of all values is known.
  */
 class SceneMaker
@@ -121,7 +152,8 @@ public:
     }
     if (this->Result.NumberOfCells + this->Result.NumberOfVoxels == before)
     {
-      throw Failure(file.Path + ": holds nothing to draw; give a file with points and cells");
+      throw Failure(
+        file.Path + ": holds nothing to draw; give a file with points and cells", Failure::File);
     }
   }
 
@@ -247,7 +279,8 @@ private:
   //----------------------------------------------------------------------------
   void AddPolyData(vtkPolyData* surface)
   {
-    if (surface->GetNumberOfCells() == 0)
+    const bool isSeen = IsOfPoints(surface) || surface->GetLength() > 0.0;
+    if (surface->GetNumberOfCells() == 0 || !isSeen)
     {
       return;
     }
@@ -302,6 +335,10 @@ private:
     if (this->Settings.Isosurface)
     {
       this->AddIsosurface(image, *this->Settings.Isosurface);
+      return;
+    }
+    if (!LeaveOutNonNumbers(image))
+    {
       return;
     }
     vtkNew<vtkSmartVolumeMapper> mapper;

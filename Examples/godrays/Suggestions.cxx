@@ -48,5 +48,12 @@ std::string Suggest(const std::string& word, const std::vector<std::string>& nam
       best = name;
     }
   }
+  for (const std::string& name : names)
+  {
+    if (best.empty() && word.size() >= 4 && name.rfind(word, 0) == 0)
+    {
+      best = name;
+    }
+  }
   return best.empty() ? "" : "; did you mean " + best + "?";
 }

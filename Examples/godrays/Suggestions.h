@@ -12,7 +12,8 @@
 
 /**
  * "; did you mean NAME?" with the name that takes the fewest letters put in, left out or replaced, or
- * exchanged with their neighbours; empty if none is within a third of the word's length.
+ * exchanged with their neighbours; if none is within a third of the word's length, with the first that begins
+ * with a word of four letters or more; or else empty.
  */
 std::string Suggest(const std::string& word, const std::vector<std::string>& names);
 

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The program godrays (its path is in GODRAYS_PROGRAM): files of every type, options, errors."""
 
+import gzip
 import json
 import os
 import pathlib
@@ -17,13 +18,14 @@ import time
 import unittest
 
 import numpy
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 from vtkmodules.vtkFiltersSources import (
     vtkConeSource, vtkCubeSource, vtkCylinderSource, vtkPlaneSource, vtkSphereSource,
     vtkSuperquadricSource)
 from vtkmodules.vtkIOImage import vtkPNGReader
-from vtkmodules.vtkIOXML import vtkXMLImageDataReader
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter, vtkXMLPolyDataWriter
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import sample_files
@@ -448,6 +450,74 @@ class DamagedFiles(ProgramTest):
         path.chmod(0)
         self.fails(path, "--output", "p.png", says=["permissions"])
 
+    def test_names_that_are_not_what_they_seem(self):
+        dash = self.folder / "-dash.obj"
+        shutil.copy(self.folder / "a.obj", dash)
+        picture = self.folder / "p.png"
+        # as typed in its folder
+        done = subprocess.run([os.environ["GODRAYS_PROGRAM"], dash.name], cwd=self.folder, capture_output=True,
+            text=True, timeout=60)
+        self.assertEqual((done.returncode, done.stderr), (
+            2, "godrays: -dash.obj is no option; if the file is meant, name it ./-dash.obj; see godrays --help\n"))
+        for name, words in (
+            ("", ["name is empty"]), ("https://example.com/a.obj", ["an address", "on this machine"]),
+        ):
+            self.fails(name, "--output", picture, says=words, codes=[3])
+        self.fails("--", "-none.obj", says=["no such file", "options before it"], codes=[3])
+        text = self.folder / "text.stl"
+        shutil.copy(self.folder / "a.obj", text)
+        self.fails(text, "--output", picture, says=["or no .stl", "extension of its type"], codes=[3])
+
+    def test_packed_files(self):
+        volume = self.folder / "packed.nii.gz"
+        volume.write_bytes(gzip.compress((self.folder / "a.nii").read_bytes()))
+        self.assertTrue((self.draw(volume) == self.draw(self.folder / "a.nii")).all())
+        mesh = self.folder / "packed.vtp.gz"
+        mesh.write_bytes(gzip.compress(self.mesh.read_bytes()))
+        self.fails(mesh, "--output", self.folder / "p.png", says=["packed.vtp.gz", "unpack it"], codes=[3])
+
+    def write_volume(self, name, values):
+        image = vtkImageData()
+        image.SetDimensions(values.shape[::-1])
+        image.GetPointData().SetScalars(numpy_to_vtk(values.ravel(), deep=True))
+        image.GetPointData().GetScalars().SetName("values")
+        writer = vtkXMLImageDataWriter()
+        writer.SetFileName(str(self.folder / name))
+        writer.SetInputData(image)
+        writer.Write()
+        return self.folder / name
+
+    def test_voxels_that_are_no_numbers_are_left_out(self):
+        values = numpy.full((12, 12, 12), 0.0)
+        values[:, :, 5:] = 1.0
+        lowest = self.write_volume("lowest.vti", values)
+        values[:, :, :5] = numpy.nan
+        values[6, 6, 6] = numpy.inf
+        values[0, 0, 0] = 0.0
+        self.assertTrue((self.draw(self.write_volume("nan.vti", values)) == self.draw(lowest)).all())
+        nothing = self.write_volume("nothing.vti", numpy.full((4, 4, 4), numpy.nan))
+        self.fails(nothing, "--output", "p.png", says=["nothing.vti", "nothing to draw"], codes=[3])
+
+    def test_files_with_nothing_to_see(self):
+        point = self.folder / "point.obj"
+        point.write_text("v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n")
+        empty = self.folder / "nothing.vtp"
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(str(empty))
+        writer.SetInputData(vtkPolyData())
+        writer.Write()
+        for path in point, empty:
+            self.fails(path, "--output", "p.png", says=[path.name, "nothing to draw"], codes=[3])
+
+    def test_options_of_data_that_are_not_there(self):
+        for option, words in (
+            (["--time", 3], ["no file has time steps"]), (["--volume-preset", "ct-bone"], ["no volume is drawn"]),
+            (["--volume-medium"], ["no volume is drawn"]),
+        ):
+            self.draw(self.mesh, *option, told=[str(option[0]), *words])
+        self.fails(self.mesh, "--numbers", self.folder / "n.vti", says=["--preset"], codes=[2])
+        self.fails(self.mesh, "--output=", says=["--output: needs a value"], codes=[2])
+
     def test_file_without_geometry(self):
         path = self.folder / "points.vtk"
         path.write_text("# vtk DataFile Version 3.0\nempty\nASCII\nDATASET POLYDATA\n")
@@ -646,7 +716,7 @@ class Arguments(ProgramTest):
         for arguments, right in (
             (["--prest", "fog"], "--preset"), (["--isosruface=1"], "--isosurface"),
             (["--preset", "defualt"], "default"), (["--preset", "long-shaft"], "long-shafts"),
-            (["--colormap", "virids"], "viridis"), (["--volume-preset", "ct-bon"], "ct-bone"),
+            (["--out", "a.png"], "--output"), (["--colormap", "virids"], "viridis"), (["--volume-preset", "ct-bon"], "ct-bone"),
         ):
             with self.subTest(arguments):
                 self.fails(self.mesh, *arguments, says=[f"did you mean {right}?"], codes=[2])

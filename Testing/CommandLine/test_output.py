@@ -453,7 +453,7 @@ class Configuration(OutputTest):
         config = self.folder / "mistaken"
         for text, words in (
             ("prest = fog\n", ["mistaken", "prest", "did you mean --preset?"]),
-            ("sun = east\n", ["--sun", "east"]), ("[*.vtp\n", ["mistaken:1", "]"]),
+            ("sun = east\n", ["mistaken: --sun", "east"]), ("size =\n", ["mistaken: --size: needs a value"]), ("[*.vtp\n", ["mistaken:1", "]"]),
             ("--edges\n", ["mistaken:1", "without hyphens"]),
         ):
             config.write_text(text)
