@@ -34,7 +34,8 @@ case $suite in
     paraview_packages+=(qt6-svg-plugins python3-paraview-) ;;
   forky) # Debian 14
     test_packages+=(python3-pyvista)
-    paraview_packages+=(qt6-svg-plugins python3-paraview)
+    paraview_packages+=(qt6-svg-plugins qt6-base-dev qt6-5compat-dev qt6-tools-dev libvtk9-qt-dev python3-paraview)
+    paraview_panel=ON
     paraview_shares_vtk=true ;;
   *)
     die "this system, ${suite:-which /etc/os-release does not name}, is not known: packages are listed for
