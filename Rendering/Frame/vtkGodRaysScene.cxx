@@ -5,9 +5,13 @@
 #include "vtkActor2D.h"
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
+#include "vtkDefaultPass.h"
 #include "vtkFrameBufferObjectBase.h"
 #include "vtkGodRaysOpenGL.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderState.h"
@@ -29,6 +33,15 @@ public:
 };
 vtkStandardNewMacro(NoProp);
 
+/// Whether mappers write several textures at once, for an outer pass such as vtkSSAOPass. The renderer's
+/// passes for translucent geometry have several textures of their own, and VTK does not set them then.
+bool HasSeveralBuffers()
+{
+  GLint second = GL_NONE;
+  glGetIntegerv(GL_DRAW_BUFFER1, &second);
+  return second != GL_NONE;
+}
+
 /// All that follows the camera, once that has set the viewport.
 class Steps : public vtkRenderPass
 {
@@ -45,9 +58,18 @@ public:
     vtkRenderer* renderer = s->GetRenderer();
     this->UpdateLightGeometry(renderer);
     this->UpdateLights(renderer);
-    this->UpdateGeometry(renderer, s->GetFrameBuffer());
-    this->NumberOfRenderedProps = renderer->GetNumberOfPropsRendered();
+    if (HasSeveralBuffers())
+    {
+      this->OneByOne->Render(s);
+      this->NumberOfRenderedProps = this->OneByOne->GetNumberOfRenderedProps();
+    }
+    else
+    {
+      this->UpdateGeometry(renderer, s->GetFrameBuffer());
+      this->NumberOfRenderedProps = renderer->GetNumberOfPropsRendered();
+    }
   }
+  vtkNew<vtkDefaultPass> OneByOne;
 };
 vtkStandardNewMacro(Steps);
 }
@@ -74,7 +96,7 @@ void vtkGodRaysScene::Render(const vtkRenderState* s)
     this->UpdateCamera(s->GetRenderer());
     this->InFramebuffer->GetDelegatePass()->Render(s);
   }
-  this->NumberOfRenderedProps = s->GetRenderer()->GetNumberOfPropsRendered();
+  this->NumberOfRenderedProps = this->InFramebuffer->GetDelegatePass()->GetNumberOfRenderedProps();
 }
 
 //------------------------------------------------------------------------------
@@ -174,6 +196,33 @@ bool vtkGodRaysHiddenProps::IsHidden(vtkProp* prop)
 {
   const std::vector<vtkProp*>& hidden = GetHidden();
   return std::find(hidden.begin(), hidden.end(), prop) != hidden.end();
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysOwnShaders::vtkGodRaysOwnShaders(const vtkRenderState* s)
+{
+  vtkInformationObjectBaseVectorKey* key = vtkOpenGLRenderPass::RenderPasses();
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    vtkProp* prop = s->GetPropArray()[i];
+    vtkInformation* keys = prop->GetPropertyKeys();
+    if (keys && keys->Has(key))
+    {
+      const auto kept = vtkSmartPointer<vtkInformation>::New();
+      kept->CopyEntry(keys, key);
+      keys->Remove(key);
+      this->Passes.emplace_back(prop, kept);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkGodRaysOwnShaders::~vtkGodRaysOwnShaders()
+{
+  for (const auto& each : this->Passes)
+  {
+    each.first->GetPropertyKeys()->CopyEntry(each.second, vtkOpenGLRenderPass::RenderPasses());
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -19,6 +19,7 @@
 #include <vector>
 
 class vtkCameraPass;
+class vtkInformation;
 
 /// The renderer's own steps, as it takes them when it has no pass: with its depth peeling, SSAO,
 /// FXAA, shadows and hidden-line removal.
@@ -76,6 +77,20 @@ private:
   std::vector<std::pair<int, vtkProp*>> Hidden;
   std::size_t Former; // how many are hidden by others
   vtkSmartPointer<vtkProp> Nothing;
+};
+
+/// While it lives, passes around this one, such as vtkSSAOPass, add nothing to shaders of a state's props.
+class vtkGodRaysOwnShaders
+{
+public:
+  explicit vtkGodRaysOwnShaders(const vtkRenderState* s);
+  ~vtkGodRaysOwnShaders();
+  vtkGodRaysOwnShaders(const vtkGodRaysOwnShaders&) = delete;
+  void operator=(const vtkGodRaysOwnShaders&) = delete;
+
+private:
+  std::vector<std::pair<vtkSmartPointer<vtkProp>, vtkSmartPointer<vtkInformation>>>
+    Passes; ///< by prop
 };
 
 /// While it lives, 2-D props are taken out of a state's props; then they can be drawn.

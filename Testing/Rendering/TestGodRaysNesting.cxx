@@ -18,6 +18,7 @@
 #include "vtkRenderState.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkSSAAPass.h"
+#include "vtkSSAOPass.h"
 #include "vtkTextureObject.h"
 #include "vtkToneMappingPass.h"
 #include "vtkTranslucentPass.h"
@@ -161,6 +162,32 @@ TEST(GodRaysWithin, FXAAIsThePictureSmoothed)
   const Pictures pictures = Render<vtkOpenGLFXAAPass>();
   EXPECT_LT(GetMeanDifference(pictures.LitWithin, pictures.Lit),
     GetMeanDifference(pictures.BareWithin, pictures.Bare) + 1.5);
+}
+
+TEST(GodRaysWithin, AnSSAOPassOfANewWindowHasTranslucentPropsAsRenderStepsDrawThem)
+{
+  Messages messages;
+  const auto draw = [](bool withRays, bool peeling, double intensity)
+  {
+    Stage scene(Width, Height);
+    Arrange(scene);
+    scene.Renderer->AddActor(MakeGlass());
+    scene.Renderer->SetUseDepthPeeling(peeling);
+    scene.Rays->SetIntensity(intensity);
+    scene.Rays->Detach(scene.Renderer);
+    vtkNew<vtkRenderStepsPass> steps;
+    vtkNew<vtkSSAOPass> outer;
+    outer->SetRadius(0.5);
+    outer->SetDelegatePass(withRays ? static_cast<vtkRenderPass*>(scene.Rays) : steps);
+    scene.Renderer->SetPass(outer);
+    return GetPixels(scene.Window);
+  };
+  const auto expected = draw(false, false, 1.0);
+  for (const bool peeling : { false, true })
+  {
+    EXPECT_EQ(draw(true, peeling, 0.0), expected) << peeling;
+    EXPECT_GT(GetMeanDifference(draw(true, peeling, 1.0), expected), 5.0) << peeling;
+  }
 }
 
 TEST(GodRaysWithin, PassesInAViewportAreAsInAWindow)
