@@ -259,12 +259,17 @@ void vtkGodRaysOverlays::Draw()
   vtkRenderer* renderer = this->State->GetRenderer();
   for (const auto& overlay : this->Overlays)
   {
-    vtkProp* prop = overlay.second;
-    prop->RenderOpaqueGeometry(renderer); // where text and scalar bars are prepared
-    if (prop->HasTranslucentPolygonalGeometry())
+    overlay.second->RenderOpaqueGeometry(renderer); // where text and scalar bars are prepared
+  }
+  for (const auto& overlay : this->Overlays)
+  {
+    if (overlay.second->HasTranslucentPolygonalGeometry())
     {
-      prop->RenderTranslucentPolygonalGeometry(renderer);
+      overlay.second->RenderTranslucentPolygonalGeometry(renderer);
     }
-    prop->RenderOverlay(renderer);
+  }
+  for (const auto& overlay : this->Overlays)
+  {
+    overlay.second->RenderOverlay(renderer);
   }
 }

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is written in a scene blocks the same light with a margin about the picture and without one."""
+"""What is written in a scene blocks the same light with a margin about the picture and without one, and what lies over
+the picture is in its order."""
 
 import unittest
 
@@ -9,9 +10,16 @@ import numpy
 import vtkmodules.vtkRenderingFreeType
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkRenderingAnnotation import vtkAxesActor
-from vtkmodules.vtkRenderingCore import vtkBillboardTextActor3D, vtkLight, vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkRenderingAnnotation import vtkAxesActor, vtkCaptionActor2D
+from vtkmodules.vtkRenderingCore import (
+    vtkBillboardTextActor3D,
+    vtkLight,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkTextActor,
+)
 
 WIDTH, HEIGHT = 160, 120
 MARGIN = 0.25
@@ -81,6 +89,29 @@ class Labels(unittest.TestCase):
         self.assertGreater(layers[1].sum(), 100)  # axes block
         numpy.testing.assert_array_equal(layers[0], layers[1])  # labels do not
         numpy.testing.assert_array_equal(layers[2], layers[3])
+
+    def shown(self):
+        self.window.Render()
+        pixels = vtkUnsignedCharArray()
+        self.window.GetRGBACharPixelData(0, 0, WIDTH - 1, HEIGHT - 1, 1, pixels)
+        return vtk_to_numpy(pixels).reshape(HEIGHT, WIDTH, 4).copy()
+
+    def test_captions_keep_their_leaders_beside_text(self):
+        text = vtkTextActor()
+        text.SetInput("O O O")
+        text.GetTextProperty().SetFontSize(40)
+        text.SetPosition(40, 40)
+        caption = vtkCaptionActor2D()
+        caption.SetCaption("caption")
+        caption.SetAttachmentPoint(-2, -2, 0)
+        caption.SetPosition(60, 60)
+        self.renderer.AddViewProp(text)
+        alone = self.shown()
+        self.renderer.AddViewProp(caption)
+        alpha = self.shown()[..., 3]
+        self.assertGreater((alpha != alone[..., 3]).sum(), 200)
+        self.rays.Detach(self.renderer)
+        numpy.testing.assert_array_equal(alpha, self.shown()[..., 3])
 
 
 if __name__ == "__main__":
