@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysLightMeter.h"
 
-#include "vtkActor2D.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysOpenGL.h"
+#include "vtkGodRaysRole.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPropCollection.h"
@@ -307,7 +307,7 @@ double vtkGodRaysLightMeter::FindAlphaLayers(vtkRenderer* renderer)
   props->InitTraversal(iterator);
   while (vtkProp* prop = props->GetNextProp(iterator))
   {
-    if (prop->GetVisibility() && !vtkActor2D::SafeDownCast(prop) &&
+    if (prop->GetVisibility() && !vtkGodRaysIsOverlay(prop) &&
       prop->HasTranslucentPolygonalGeometry())
     {
       return BlendedAlphaLayers;

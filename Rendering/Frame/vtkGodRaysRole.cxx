@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysRole.h"
 
+#include "vtkActor2D.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkNew.h"
-#include "vtkProp.h"
+#include "vtkProp3D.h"
 #include "vtkPropAssembly.h"
 #include "vtkPropCollection.h"
 
@@ -48,6 +49,12 @@ void vtkGodRaysSetRole(vtkProp* prop, vtkGodRaysRole role)
     keys->Set(vtkGodRaysGetRoleKey(), static_cast<int>(role));
   }
   prop->SetPropertyKeys(keys);
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysIsOverlay(vtkProp* prop)
+{
+  return vtkActor2D::SafeDownCast(prop) || (!vtkProp3D::SafeDownCast(prop) && !prop->GetBounds());
 }
 
 //------------------------------------------------------------------------------

@@ -25,6 +25,10 @@ vtkInformationIntegerKey* vtkGodRaysGetRoleKey();
 vtkGodRaysRole vtkGodRaysGetRole(vtkProp* prop);
 void vtkGodRaysSetRole(vtkProp* prop, vtkGodRaysRole role);
 
+/// Whether a prop lies over the picture: a vtkActor2D, or what has no place in the scene, such as a chart,
+/// a scale or the 2-D representation of a widget.
+bool vtkGodRaysIsOverlay(vtkProp* prop);
+
 /// Whether a prop is a volume or an assembly that has one.
 bool vtkGodRaysHasVolume(vtkProp* prop);
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysScene.h"
 
-#include "vtkActor2D.h"
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
 #include "vtkDefaultPass.h"
 #include "vtkFrameBufferObjectBase.h"
 #include "vtkGodRaysOpenGL.h"
+#include "vtkGodRaysRole.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkObjectFactory.h"
@@ -232,7 +232,7 @@ vtkGodRaysOverlays::vtkGodRaysOverlays(const vtkRenderState* s)
   for (int i = 0; i < s->GetPropArrayCount(); ++i)
   {
     vtkProp*& prop = s->GetPropArray()[i];
-    if (vtkActor2D::SafeDownCast(prop))
+    if (vtkGodRaysIsOverlay(prop))
     {
       if (!this->Nothing)
       {

@@ -4,7 +4,6 @@
 
 #include "vtkAbstractMapper.h"
 #include "vtkActor.h"
-#include "vtkActor2D.h"
 #include "vtkCamera.h"
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysLight.h"
@@ -66,7 +65,7 @@ void Sort(const vtkGodRaysOcclusionPass::Request& request, Sorted& sorted)
   props->InitTraversal(iterator);
   while (vtkProp* prop = props->GetNextProp(iterator))
   {
-    if (!prop->GetVisibility() || vtkActor2D::SafeDownCast(prop))
+    if (!prop->GetVisibility() || vtkGodRaysIsOverlay(prop))
     {
       continue;
     }

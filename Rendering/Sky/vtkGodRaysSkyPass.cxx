@@ -3,7 +3,6 @@
 #include "vtkGodRaysSkyPass.h"
 
 #include "vtkActor.h"
-#include "vtkActor2D.h"
 #include "vtkCamera.h"
 #include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysAttachment.h"
@@ -14,6 +13,7 @@
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysPass.h"
 #include "vtkGodRaysQuad.h"
+#include "vtkGodRaysRole.h"
 #include "vtkGodRaysScene.h"
 #include "vtkGodRaysSceneCopy.h"
 #include "vtkGodRaysSetGet.h"
@@ -66,7 +66,7 @@ bool IsDrawnAfter(const vtkRenderState* s)
   vtkProp** props = s->GetPropArray();
   const auto isOpaque = [](vtkProp* prop)
   {
-    return vtkActor2D::SafeDownCast(prop) ||
+    return vtkGodRaysIsOverlay(prop) ||
       (vtkActor::SafeDownCast(prop) && !prop->HasTranslucentPolygonalGeometry());
   };
   return renderer->GetUseSSAO() ||

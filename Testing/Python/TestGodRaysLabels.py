@@ -12,7 +12,7 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkRenderingAnnotation import vtkAxesActor, vtkCaptionActor2D
+from vtkmodules.vtkRenderingAnnotation import vtkAxesActor, vtkCaptionActor2D, vtkLegendScaleActor
 from vtkmodules.vtkRenderingCore import (
     vtkBillboardTextActor3D,
     vtkLight,
@@ -95,6 +95,23 @@ class Labels(unittest.TestCase):
         pixels = vtkUnsignedCharArray()
         self.window.GetRGBACharPixelData(0, 0, WIDTH - 1, HEIGHT - 1, 1, pixels)
         return vtk_to_numpy(pixels).reshape(HEIGHT, WIDTH, 4).copy()
+
+    def test_scales_are_drawn_after_the_light(self):
+        pictures = []
+        scale = vtkLegendScaleActor()
+        for background in 0, 1, 0:
+            self.renderer.SetBackground(background, background, background)
+            pictures.append(self.shown())
+            self.renderer.AddViewProp(scale)
+            pictures.append(self.shown())
+            self.renderer.RemoveViewProp(scale)
+            if background == 0:
+                self.rays.Detach(self.renderer)
+        lit, lit_scale, _, over_white, black, over_black = pictures
+        self.assertGreater((lit != black).any(axis=2).sum(), 1000)
+        covered = (over_white == over_black).all(axis=2)  # by what is opaque
+        self.assertGreater(covered.sum(), 300)
+        numpy.testing.assert_array_equal(lit_scale[covered], over_black[covered])
 
     def test_captions_keep_their_leaders_beside_text(self):
         text = vtkTextActor()
