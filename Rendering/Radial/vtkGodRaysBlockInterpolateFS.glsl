@@ -1,7 +1,9 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 
-// The integral at each pixel of the picture, from that at the nodes of the lines about it.
+// The integral at each pixel of the picture, from that at the nodes of the lines about it. What is
+// needed in a box about the light alone, taps for short marches and ends of marches within a block,
+// is drawn there alone: NearLight is whether that is drawn, or the rest of the picture.
 
 in vec2 texCoord; // of the picture, as well as it is interpolated
 
@@ -16,8 +18,7 @@ uniform sampler2D layer;
 uniform sampler2D means;
 uniform sampler2D sums;     // at the nodes
 uniform sampler2D rows;     // for each row or column of the picture and each wedge, three values
-uniform vec2 sumsSize;      // of the textures [texels]
-uniform vec2 meansSize;     //
+uniform vec2 sumsSize;      // of the texture [texels]
 uniform vec4 wedgeLines[4]; // as for the means
 uniform vec4 wedgeRows[4];
 uniform vec4 wedgeStrips[4];
@@ -28,7 +29,7 @@ uniform float k;             // the kernel is e^(-k t)
 uniform float shortest;      // shorter marches are summed by taps [pixels]
 uniform float tapsPerPixel;  // of these
 uniform float bumpTapLength; // [pixels]
-uniform bool hasTail;
+uniform vec4 nearBox; // first column and row that are drawn with NearLight, and the first beyond
 uniform vec3 gain;
 
 vec3 SumTapsNearLight(vec2 point, vec2 march)
@@ -45,11 +46,10 @@ vec3 SumTapsNearLight(vec2 point, vec2 march)
 
 // What is to be added where an end of the march, at a point, is length steps beyond an end of a
 // block: the layer in between instead of the block's mean. bump: that length, its factor, the block.
-vec3 Bump(vec3 bump, vec2 point, vec2 step, int wedge, float line)
+vec3 Bump(vec3 bump, vec2 point, vec2 step, float firstColumn, float line)
 {
   float column = OneChannel ? floor(0.25 * bump.z) : bump.z;
-  vec2 position = (vec2(wedgeColumns[wedge] + column, line) + 0.5) / meansSize;
-  vec4 texel = textureLod(means, position, 0.0);
+  vec4 texel = texelFetch(means, ivec2(vec2(firstColumn + column, line + 0.5)), 0);
   vec3 mean = texel.rgb;
   if (OneChannel)
   {
@@ -68,39 +68,53 @@ vec3 Bump(vec3 bump, vec2 point, vec2 step, int wedge, float line)
   return bump.y * (sum / float(taps) - mean);
 }
 
+vec4 OfWedge(vec4 values[4], bool transposed, bool back)
+{
+  return transposed ? (back ? values[3] : values[2]) : (back ? values[1] : values[0]);
+}
+
 void main()
 {
   vec2 index = floor(texCoord * size);
+  bool near = all(greaterThanEqual(index, nearBox.xy)) && all(lessThan(index, nearBox.zw));
+  if (NearLight && !near)
+  {
+    discard;
+  }
   vec2 point = origin + index * pixel;
   vec2 march = marchConstant - marchSlope * point;
   bool transposed = abs(march.x) > abs(march.y);
-  float along = transposed ? march.x : march.y;
-  int wedge = (transposed ? 2 : 0) + ((marchSlope < 0.0) == (along < 0.0) ? 1 : 0);
-  vec3 result;
-  if (!(length(march) >= shortest && wedgeRows[wedge].w > 0.0))
+  bool back = (marchSlope < 0.0) == ((transposed ? march.x : march.y) < 0.0);
+  vec4 lines = OfWedge(wedgeLines, transposed, back);
+  vec3 strip = OfWedge(wedgeStrips, transposed, back).xyz;
+  float column = transposed ? (back ? wedgeColumns.w : wedgeColumns.z)
+                            : (back ? wedgeColumns.y : wedgeColumns.x);
+  int row = int(transposed ? index.x : index.y);
+  int place = 3 * ((transposed ? 2 : 0) + (back ? 1 : 0));
+  vec4 sumsPlace = texelFetch(rows, ivec2(row, place), 0);
+  vec4 front = texelFetch(rows, ivec2(row, place + 1), 0);
+  float even = ((transposed ? point.y : point.x) - sumsPlace.x) * sumsPlace.y;
+  float line = clamp(
+    LineOfEven(even, strip), 0.0, OfWedge(wedgeRows, transposed, back).w - 1.0);
+  vec2 step = vec2(lines.z + even * lines.w, back ? -1.0 : 1.0); // to the next row
+  step = transposed ? step.yx : step;
+  vec3 result = textureLod(sums, (vec2(sumsPlace.z, line) + 0.5) / sumsSize, 0.0).rgb;
+  result += Bump(front.xyz, point, step, column, line);
+  if (NearLight)
   {
-    result = SumTapsNearLight(point, march);
-  }
-  else
-  {
-    int row = int(transposed ? index.x : index.y);
-    vec4 place = texelFetch(rows, ivec2(row, 3 * wedge), 0);
-    vec4 front = texelFetch(rows, ivec2(row, 3 * wedge + 1), 0);
-    vec4 lines = wedgeLines[wedge];
-    float even = ((transposed ? point.y : point.x) - place.x) * place.y;
-    float line = clamp(LineOfEven(even, wedgeStrips[wedge].xyz), 0.0, wedgeRows[wedge].w - 1.0);
-    vec2 step = vec2(lines.z + even * lines.w, wedgeRows[wedge].y); // to the next row
-    step = transposed ? step.yx : step;
-    result = textureLod(sums, (vec2(place.z, line) + 0.5) / sumsSize, 0.0).rgb;
-    result += Bump(front.xyz, point, step, wedge, line);
-    if (hasTail)
+    vec4 tail = texelFetch(rows, ivec2(row, place + 2), 0);
+    if (tail.y != 0.0)
     {
-      vec4 tail = texelFetch(rows, ivec2(row, 3 * wedge + 2), 0);
-      if (tail.y != 0.0)
-      {
-        result += Bump(tail.xyz, point + tail.w * step, step, wedge, line);
-      }
+      result += Bump(tail.xyz, point + tail.w * step, step, column, line);
     }
+    if (!(length(march) >= shortest))
+    {
+      result = SumTapsNearLight(point, march);
+    }
+  }
+  else if (near)
+  {
+    result = vec3(0.0);
   }
   gl_FragData[0] = vec4(gain * (OneChannel ? vec3(result.r) : result), 1.0);
 }

@@ -98,11 +98,11 @@ struct vtkGodRaysBlockMeans::Internals
   Plan* Prepare(const vtkGodRaysRadialIntegrator::Request& request, const vtkGodRaysMarch& march);
   bool Bind(vtkOpenGLRenderWindow* window, vtkGodRaysTarget& target, int width, int height,
     unsigned int format);
-  vtkShaderProgram* BeginPicture(
-    const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan, bool lends);
   bool DrawMeans(const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan);
   bool DrawSums(const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan);
   bool DrawPicture(const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan);
+  bool DrawPart(
+    const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan, bool lends, bool isNear);
 };
 
 //------------------------------------------------------------------------------
@@ -205,32 +205,49 @@ bool vtkGodRaysBlockMeans::Internals::DrawSums(
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* vtkGodRaysBlockMeans::Internals::BeginPicture(
-  const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan, bool lends)
-{
-  if (lends)
-  {
-    const int* size = plan.March.PictureSize;
-    this->Rays.Prepare(request.Window, size[0], size[1], { GL_R32F, 0 });
-    request.Window->GetState()->vtkglDisable(GL_BLEND);
-  }
-  return (lends ? this->Rays.Bind() : request.Result->BindToAdd())
-    ? this->InterpolateQuad.Begin(request.Window, { { "OneChannel", plan.OneChannel } })
-    : nullptr;
-}
-
-//------------------------------------------------------------------------------
 bool vtkGodRaysBlockMeans::Internals::DrawPicture(
   const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan)
 {
-  const int index = plan.OneChannel ? 0 : 1;
   // The first light's rays of one channel are lent: a quarter of what a sum takes to write.
   const bool lends = plan.OneChannel && request.Result->IsEmpty();
-  vtkShaderProgram* program = this->BeginPicture(request, plan, lends);
+  const int* size = plan.March.PictureSize;
+  if (lends)
+  {
+    this->Rays.Prepare(request.Window, size[0], size[1], { GL_R32F, 0 });
+    request.Window->GetState()->vtkglDisable(GL_BLEND);
+  }
+  if (!(lends ? this->Rays.Bind() : request.Result->BindToAdd()))
+  {
+    return false;
+  }
+  const int* box = plan.NearBox;
+  const bool isNear = box[0] < box[2] && box[1] < box[3];
+  const bool isFar = box[0] > 0 || box[1] > 0 || box[2] < size[0] || box[3] < size[1];
+  if (isFar && !this->DrawPart(request, plan, lends, false))
+  {
+    return false;
+  }
+  vtkOpenGLState* state = request.Window->GetState();
+  const vtkOpenGLState::ScopedglEnableDisable enabled(state, GL_SCISSOR_TEST);
+  const vtkOpenGLState::ScopedglScissor scissor(state);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(box[0], box[1], box[2] - box[0], box[3] - box[1]);
+  return (!isNear || this->DrawPart(request, plan, lends, true)) &&
+    (!lends || request.Result->Lend(this->Rays, request.Light->Color, 1.0));
+}
+
+//------------------------------------------------------------------------------
+// Draw into the bound target what is in the box near the light, or else the rest of the picture.
+bool vtkGodRaysBlockMeans::Internals::DrawPart(
+  const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan, bool lends, bool isNear)
+{
+  vtkShaderProgram* program = this->InterpolateQuad.Begin(
+    request.Window, { { "OneChannel", plan.OneChannel }, { "NearLight", isNear } });
   if (!program)
   {
     return false;
   }
+  const int index = plan.OneChannel ? 0 : 1;
   const vtkGodRaysMarch& march = plan.March;
   SetWedges(program, plan);
   SetColumns(program, plan);
@@ -241,7 +258,6 @@ bool vtkGodRaysBlockMeans::Internals::DrawPicture(
   const vtkGodRaysTarget& sums = this->Sums[index];
   const vtkGodRaysTarget& means = this->Means[index];
   SetVector(program, "sumsSize", sums.GetWidth(), sums.GetHeight());
-  SetVector(program, "meansSize", means.GetWidth(), means.GetHeight());
   const auto set = [program](const char* name, double value)
   { program->SetUniformf(name, static_cast<float>(value)); };
   set("marchSlope", plan.Density);
@@ -249,7 +265,9 @@ bool vtkGodRaysBlockMeans::Internals::DrawPicture(
   set("shortest", plan.ShortestMarch);
   set("tapsPerPixel", 2.0 * plan.Chosen->TapsPerPixel);
   set("bumpTapLength", plan.Chosen->BumpTapLength);
-  program->SetUniformi("hasTail", plan.HasTail);
+  float box[4];
+  std::copy_n(plan.NearBox, 4, box);
+  program->SetUniform4f("nearBox", box);
   float gain[3];
   for (int c = 0; c < 3; ++c)
   {
@@ -262,7 +280,7 @@ bool vtkGodRaysBlockMeans::Internals::DrawPicture(
   this->InterpolateQuad.SetTexture("sums", sums.GetColor());
   this->InterpolateQuad.SetTexture("rows", plan.Rows.Texture);
   this->InterpolateQuad.End();
-  return !lends || request.Result->Lend(this->Rays, request.Light->Color, 1.0);
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -18,7 +18,7 @@ namespace
 constexpr double FarthestLight = 1e7;
 
 // Of a wedge, beyond 1: a shader's rounding may find a pixel in the wedge next to its own.
-constexpr double SlopeMargin = 4e-6;
+constexpr double SlopeMargin = 1e-5;
 
 constexpr double ShortestBlock = 2.0; // [pixels]
 
@@ -38,10 +38,10 @@ int FindStripFactor(double spacing)
 // What each attains on black and white noise from pixel to pixel: root mean square error [fraction
 // of the peak] times the root of the number of pixels that are summed, or less; measured.
 const vtkGodRaysBlockPlan::Effort Efforts[] = {
-  { 0.16, 1.0, 1.0, 16.0, 0.125, 2.0, 2e-3 },
-  { 0.077, 1.0, 1.0, 16.0, 0.0625, 1.0, 1e-3 },
-  { 0.040, 0.5, 2.0, 16.0, 0.0625, 1.0, 1e-3 },
-  { 0.020, 0.5, 2.0, 8.0, 0.0625, 1.0, 5e-4 },
+  { 0.16, 1.0, 1.0, 16.0, 0.125, 2.0, 3e-3 },
+  { 0.077, 1.0, 1.0, 16.0, 0.125, 1.0, 3e-3 },
+  { 0.050, 0.5, 1.0, 16.0, 0.125, 1.0, 2e-3 },
+  { 0.025, 0.5, 2.0, 16.0, 0.125, 1.0, 1e-3 },
   { 0.014, 1.0 / 3.0, 3.0, 8.0, 0.0625, 1.0, 2e-4 },
   { 0.0085, 1.0 / 6.0, 4.0, 8.0, 0.0625, 0.5, 1e-4 },
 };
@@ -143,7 +143,7 @@ void vtkGodRaysBlockPlan::Fill()
   ++this->NodeColumns;
   this->MakeBlockTable();
   this->MakeNodeTable();
-  this->MakeRowTable();
+  this->PlaceNearBox(this->MakeRowTable());
 }
 
 //------------------------------------------------------------------------------
@@ -329,11 +329,12 @@ void vtkGodRaysBlockPlan::MakeWeights(const Wedge& wedge, int node, int row, int
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysBlockPlan::MakeRowTable()
+// Returns how far from the light the ends of marches within a block count, along either axis [pixels].
+double vtkGodRaysBlockPlan::MakeRowTable()
 {
   const int* size = this->March.PictureSize;
   this->Rows.Resize(std::max(size[0], size[1]), 3 * NumberOfWedges);
-  this->HasTail = false;
+  double reach = 0.0;
   const double phi = vtkGodRays::MeanExponential(this->March.K);
   for (int w = 0; w < NumberOfWedges; ++w)
   {
@@ -356,19 +357,23 @@ void vtkGodRaysBlockPlan::MakeRowTable()
         1.0 / (wedge.SlopeStep * (wedge.Near + r)), wedge.NodeColumn + block + g, 0.0);
       const double length = f < 0.5 ? r - begin : r - *next;
       this->Rows.Set(i, 3 * w + 1, length, length / (march * phi), block, 0.0);
-      this->MakeTail(wedge, r, march, i, 3 * w + 2);
+      if (this->MakeTail(wedge, r, march, i, 3 * w + 2))
+      {
+        reach = std::max(reach, wedge.Near + r);
+      }
     }
   }
+  return reach;
 }
 
 //------------------------------------------------------------------------------
-// Where the march ends within a block.
-void vtkGodRaysBlockPlan::MakeTail(const Wedge& wedge, double r, double march, int row, int index)
+// Where the march ends within a block; false if that does not count.
+bool vtkGodRaysBlockPlan::MakeTail(const Wedge& wedge, double r, double march, int row, int index)
 {
   const double tail = r - march;
   if (tail <= 0.0 || tail >= wedge.Nodes.back())
   {
-    return;
+    return false;
   }
   const auto next = std::upper_bound(wedge.Nodes.begin() + 1, wedge.Nodes.end() - 1, tail);
   const int block = static_cast<int>(next - wedge.Nodes.begin()) - 1;
@@ -376,9 +381,29 @@ void vtkGodRaysBlockPlan::MakeTail(const Wedge& wedge, double r, double march, i
   const double length = 2.0 * tail < begin + *next ? tail - begin : tail - *next;
   const double k = this->March.K;
   const double factor = -std::exp(-k) / vtkGodRays::MeanExponential(k) * length / march;
-  if (std::abs(factor) > this->Chosen->LeastTail)
+  if (std::abs(factor) <= this->Chosen->LeastTail)
   {
-    this->Rows.Set(row, index, length, factor, block, -march);
-    this->HasTail = true;
+    return false;
+  }
+  this->Rows.Set(row, index, length, factor, block, -march);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// What is drawn by taps, or has ends of marches that count, as far from the light.
+void vtkGodRaysBlockPlan::PlaceNearBox(double reach)
+{
+  // without a density marches are 0, and taps everywhere
+  reach = std::max(reach, this->ShortestMarch / std::max(std::abs(this->Density), 1e-30)) + 1.0;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double size = this->March.PictureSize[axis];
+    const auto place = [&](double point)
+    {
+      return std::min(
+        std::max((point - this->March.GetPoint(axis, 0)) / this->March.Step[axis], 0.0), size);
+    };
+    this->NearBox[axis] = static_cast<int>(std::floor(place(this->Light[axis] - reach)));
+    this->NearBox[axis + 2] = static_cast<int>(std::ceil(place(this->Light[axis] + reach)));
   }
 }

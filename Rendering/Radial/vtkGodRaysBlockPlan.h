@@ -102,9 +102,10 @@ struct vtkGodRaysBlockPlan
   int Lines = 0; // as textures must hold
   int BlockColumns = 0;
   int NodeColumns = 0;
-  bool HasTail = false;
   double ShortestMarch = 0.0; // shorter ones are summed by taps
-  Table Blocks;               // textures of the shaders
+  int NearBox[4] = {}; // first column and row of those, and of marches whose ends within a block
+                       // count, and the first beyond them [pixels of the picture]
+  Table Blocks;        // textures of the shaders
   Table Nodes;
   Table Kernel;
   Table Rows;
@@ -180,8 +181,9 @@ private:
   void MakeBlockTable();
   void MakeNodeTable();
   void MakeWeights(const Wedge& wedge, int node, int row, int& first, int& last);
-  void MakeRowTable();
-  void MakeTail(const Wedge& wedge, double r, double march, int row, int index);
+  double MakeRowTable();
+  bool MakeTail(const Wedge& wedge, double r, double march, int row, int index);
+  void PlaceNearBox(double reach);
   double GetMarch(const Wedge& wedge, double r) const { return this->Density * (wedge.Near + r); }
 };
 
