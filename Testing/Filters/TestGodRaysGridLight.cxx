@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A light's depths through data against sums along its ways.
+
+#include "GodRaysFiltersTesting.h"
+#include "GodRaysGridScenes.h"
+#include "vtkGodRaysGridLight.h"
+#include "vtkGodRaysMath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <utility>
+
+using namespace GodRaysFiltersTesting;
+using namespace GodRaysGridScenes;
+using vtkGodRays::Vec3;
+
+//------------------------------------------------------------------------------
+// Sums along columns are exact; between columns, twice as far apart as the data, errors fall with the square
+// of their distance, in the grid and in its shadow. The light number 2 grazes the face that cuts the plume
+// off: depths have a bend there, between columns, and errors fall slower.
+TEST(GridLight, IsTheDepthOfTheWay)
+{
+  const Vec3 lights[] = { Vec3(0.3, 1.0, 0.2), Vec3(-1.0, 0.9, -0.8), Vec3(0.0, -0.2, 1.0),
+    Vec3(1.0, 0.0, 0.0), Vec3(1.0, 2.5, -5.0), Vec3(0.2, 0.1, -6.2) };
+  const std::pair<int, vtkSmartPointer<vtkImageData>> plumes[] = { { 80, MakePlume(80) },
+    { 160, MakePlume(160) } };
+  for (int i = 0; i < 6; ++i)
+  {
+    const bool directional = i < 4;
+    const Vec3 light = directional ? lights[i] / vtkGodRays::length(lights[i]) : lights[i];
+    double before = 0.0;
+    for (const auto& [n, image] : plumes)
+    {
+      vtkGodRaysGrid grid;
+      ASSERT_EQ(grid.Read(image), "");
+      vtkGodRaysGridLight depths;
+      depths.Build(grid, light, directional);
+      EXPECT_LE(depths.GetSize(), static_cast<std::size_t>(n * n * n / 8));
+      std::mt19937 generator = MakeGenerator(41);
+      const auto uniform = [&](double low, double high)
+      { return low + (high - low) * (generator() / 4294967296.0); };
+      double deepest = 0.0;
+      double squares = 0.0;
+      constexpr int count = 4000;
+      for (int k = 0; k < count; ++k)
+      {
+        const Vec3 p(uniform(-2.0, 2.0), uniform(-2.0, 2.0), uniform(-8.0, -4.0));
+        float actual = 0.0f;
+        depths.AddDepth(grid, grid.GetPlace(p), &actual);
+        Vec3 expected(0.0);
+        const Vec3 way = directional ? light : light - p;
+        const double length = directional ? 1.0 : vtkGodRays::length(way);
+        grid.AddDepth(
+          grid.GetPlace(p), grid.GetSteps(way / length), 0.0, directional ? 1e3 : length, expected);
+        deepest = std::max(deepest, expected.x);
+        squares += (actual - expected.x) * (actual - expected.x);
+      }
+      const double error = std::sqrt(squares / count) / deepest;
+      std::cout << "light " << i << ", " << n << " points: RMSE " << error
+                << " of the largest depth, " << deepest << "\n";
+      EXPECT_LE(error, i == 2 ? 0.02 : 0.002);
+      EXPECT_LE(n == 80 ? 0.0 : error, (i == 2 ? 0.5 : 0.3) * before);
+      before = error;
+    }
+  }
+}
