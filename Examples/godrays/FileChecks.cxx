@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <sstream>
 
 namespace
 {
@@ -66,17 +67,38 @@ void CheckStl(const std::string& path)
 //------------------------------------------------------------------------------
 void CheckNrrd(const std::string& path)
 {
-  // VTK reads for ever in a header that has no end, or that does not say how many sizes it has.
-  std::ifstream file(path);
+  // VTK reads for ever in a header whose last line has no end, that does not say how many sizes it has,
+  // or that counts files in steps of 0. For VTK, a header ends with an empty line, a null, or the file.
+  constexpr std::size_t most = 0x400000 - 1; // as VTK has it
+  constexpr double mostFiles = 100000;
+  std::string header(most, ' ');
+  std::ifstream file(path, std::ios::binary);
+  file.read(header.data(), most);
+  header.resize(static_cast<std::size_t>(file.gcount()));
+  header.resize(std::min(header.size(), header.find('\0')));
+  std::istringstream lines(header);
   bool ends = false;
+  bool hasFiles = false;
   int dimension = 0;
-  for (std::string line; !ends && std::getline(file, line);)
+  for (std::string line; !ends && std::getline(lines, line);)
   {
     std::sscanf(line.c_str(), "dimension: %d", &dimension);
-    ends = line.empty() || line == "\r" || line.rfind("data file:", 0) == 0 ||
-      line.rfind("datafile:", 0) == 0;
+    ends = line.empty() || line == "\r";
+    if (line.rfind("data file:", 0) == 0 || line.rfind("datafile:", 0) == 0)
+    {
+      hasFiles = true;
+      double least = 0.0;
+      double largest = 0.0;
+      double step = 1.0;
+      if (std::sscanf(
+            line.c_str() + line.find(':'), ": %*s %lf %lf %lf", &least, &largest, &step) == 3 &&
+        !(step >= 1.0 && largest - least <= mostFiles * step))
+      {
+        throw Failure(path + ": says a number of files that cannot be; write it again");
+      }
+    }
   }
-  if (!ends)
+  if (!ends && !(hasFiles && header.back() == '\n'))
   {
     throw Failure(path + ": ends before its data; copy it again");
   }

@@ -19,7 +19,8 @@ void CheckXml(const std::string& path);
 /// Of .stl, VTK reads what there is of a binary file that was cut off.
 void CheckStl(const std::string& path);
 
-/// Of .nrrd, VTK reads for ever in a header without an end, or without the number of its sizes.
+/// Of .nrrd, VTK reads for ever in a header without an end, without the number of its sizes, or with files
+/// counted in steps of 0.
 void CheckNrrd(const std::string& path);
 
 /// Of .byu, VTK reads for ever where polygons do not end.

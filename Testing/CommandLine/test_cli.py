@@ -375,8 +375,16 @@ class DamagedFiles(ProgramTest):
                     self.fails(path, "--output", self.folder / "p.png", says=[path.name, "no size"])
 
         path = self.folder / "header.nhdr"
-        path.write_text("NRRD0004\ntype: float\nsizes: 2 2 2\nencoding: raw\ndata file: values.raw\n")
-        self.fails(path, "--output", self.folder / "p.png", says=[path.name, "no dimension"])
+        start = "NRRD0004\ntype: float\n"
+        for text, words in (
+            ("sizes: 2 2 2\nencoding: raw\ndata file: values.raw\n", "no dimension"),
+            ("dimension: 3\nsizes: 2 2 2\nencoding: raw\ndata file: values.raw", "ends before its data"),
+            ("dimension: 3\nsizes: 2 2 2\nencoding: raw\ndata file: values.raw\nmore\0\n\n", "ends before its data"),
+            ("dimension: 3\nsizes: 2 2 2\nencoding: raw\ndata file: f%d 1 9 0\n", "number of files"),
+        ):
+            with self.subTest(text):
+                path.write_text(start + text)
+                self.fails(path, "--output", self.folder / "p.png", says=[path.name, words])
 
     def test_polygons_that_do_not_end(self):
         whole = (self.folder / "a.byu").read_text()
