@@ -42,6 +42,7 @@ public:
       (text->*&Billboard::GenerateQuad)(renderer);
     }
   }
+  static bool IsUndrawn(vtkBillboardTextActor3D* text) { return !(text->*&Billboard::IsValid)(); }
   /// It stays as it is for the renderer as that is now.
   static void Keep(vtkBillboardTextActor3D* text) { (text->*&Billboard::Quad)->Modified(); }
 };
@@ -83,6 +84,13 @@ vtkGodRaysProjection::vtkGodRaysProjection(vtkRenderer* renderer, const vtkGodRa
     renderer, [renderer](vtkBillboardTextActor3D* text) { Billboard::LayOut(text, renderer); });
   renderer->SetActiveCamera(standIn);
   ForBillboards(renderer, Billboard::Keep);
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysProjection::IsUndrawnBillboard(vtkProp* prop)
+{
+  auto text = vtkBillboardTextActor3D::SafeDownCast(prop);
+  return text && Billboard::IsUndrawn(text);
 }
 
 //------------------------------------------------------------------------------

@@ -14,6 +14,7 @@
 #include "vtkSmartPointer.h"
 
 class vtkCamera;
+class vtkProp;
 class vtkRenderer;
 struct vtkGodRaysView;
 
@@ -29,6 +30,13 @@ public:
   ~vtkGodRaysProjection();
   vtkGodRaysProjection(const vtkGodRaysProjection&) = delete;
   void operator=(const vtkGodRaysProjection&) = delete;
+
+  /**
+   * Whether a prop is a billboard that its renderer has not drawn yet. VTK takes it for a point and draws
+   * none whose point is outside the picture; once a layer had drawn it, VTK would show text that reaches
+   * inside.
+   */
+  static bool IsUndrawnBillboard(vtkProp* prop);
 
 private:
   vtkRenderer* Renderer;

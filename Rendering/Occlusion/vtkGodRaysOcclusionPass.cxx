@@ -65,7 +65,8 @@ void Sort(const vtkGodRaysOcclusionPass::Request& request, Sorted& sorted)
   props->InitTraversal(iterator);
   while (vtkProp* prop = props->GetNextProp(iterator))
   {
-    if (!prop->GetVisibility() || vtkGodRaysIsOverlay(prop))
+    if (!prop->GetVisibility() || vtkGodRaysIsOverlay(prop) ||
+      vtkGodRaysProjection::IsUndrawnBillboard(prop))
     {
       continue;
     }

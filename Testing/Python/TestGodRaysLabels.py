@@ -72,6 +72,19 @@ class Labels(unittest.TestCase):
             self.assertGreater(without.sum(), 500)
             self.assertLess((without != wide).sum(), 0.02 * without.sum())
 
+    def test_billboards_that_vtk_does_not_draw(self):
+        text = vtkBillboardTextActor3D()
+        text.SetInput("outside")
+        text.GetTextProperty().SetFontSize(40)
+        text.SetPosition(-5, 0, 0)  # left of the picture, into which the text reaches
+        self.renderer.AddViewProp(text)
+        self.rays.Detach(self.renderer)
+        without = self.shown()
+        self.rays.Attach(self.renderer)
+        for margin in 0, 0, MARGIN, 0:
+            self.assertFalse(self.blocked(margin).any())
+            numpy.testing.assert_array_equal(self.shown()[..., 3], without[..., 3])
+
     def test_axes(self):
         axes = vtkAxesActor()
         axes.SetTotalLength(2, 2, 2)
