@@ -20,6 +20,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <iostream>
+#include <string>
 
 /**
  * Take a size, such as 1920x1080, out of the arguments; without one it is 1280x720.
@@ -44,10 +46,44 @@ inline std::array<int, 2> TakeSize(int& argc, char* argv[])
 }
 
 /**
+ * Tell what is wrong, and how the program is called. Returns its exit status.
+ */
+inline int Refuse(const std::string& what)
+{
+  std::cerr << what
+            << "\nArguments: [picture.png] [WIDTHxHEIGHT]; without a picture, a window opens.\n";
+  return EXIT_FAILURE;
+}
+
+/**
+ * Whether there is a display for the window, where it needs one: VTK ends the program without.
+ */
+inline bool HasDisplay(vtkRenderWindow* window)
+{
+  const bool has = !window->IsA("vtkXOpenGLRenderWindow") || std::getenv("DISPLAY");
+  if (!has)
+  {
+    std::cerr << "There is no X display: DISPLAY is not set. Run this in a desktop session, or "
+                 "under xvfb-run -a -s \"-screen 0 1280x1024x24 -noreset\".\n";
+  }
+  return has;
+}
+
+/**
  * Write what the window shows to a PNG file, without opening it. Returns the program's exit status.
  */
-inline int WritePicture(vtkRenderWindow* window, std::array<int, 2> size, const char* file)
+inline int WritePicture(vtkRenderWindow* window, std::array<int, 2> size, const std::string& file)
 {
+  const std::string suffix = ".png";
+  if (file.size() < suffix.size() ||
+    file.compare(file.size() - suffix.size(), suffix.size(), suffix) != 0)
+  {
+    return Refuse("The name of a picture ends in .png, not " + file + ".");
+  }
+  if (!HasDisplay(window))
+  {
+    return EXIT_FAILURE;
+  }
   window->SetSize(size[0], size[1]);
   window->SetMultiSamples(0);
   window->SetOffScreenRendering(true);
@@ -58,7 +94,7 @@ inline int WritePicture(vtkRenderWindow* window, std::array<int, 2> size, const 
   picture->ShouldRerenderOff();
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(picture->GetOutputPort());
-  writer->SetFileName(file);
+  writer->SetFileName(file.c_str());
   writer->Write();
   return writer->GetErrorCode() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
@@ -71,9 +107,18 @@ inline int WritePicture(vtkRenderWindow* window, std::array<int, 2> size, const 
 inline int ShowOrWrite(vtkRenderWindow* window, std::array<int, 2> size, int argc, char* argv[],
   const std::function<void()>& advance = {})
 {
+  if (argc > 2)
+  {
+    return Refuse(
+      std::string("A size is WIDTHxHEIGHT, each from 1 to 16384, not ") + argv[2] + ".");
+  }
   if (argc > 1)
   {
     return WritePicture(window, size, argv[1]);
+  }
+  if (!HasDisplay(window))
+  {
+    return EXIT_FAILURE;
   }
   window->SetSize(size[0], size[1]);
   vtkNew<vtkRenderWindowInteractor> interactor;
