@@ -5,6 +5,7 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkGodRaysCompositor.h"
+#include "vtkGodRaysFramebuffer.h"
 #include "vtkGodRaysGate.h"
 #include "vtkGodRaysLight.h"
 #include "vtkGodRaysLightLayers.h"
@@ -185,18 +186,15 @@ bool vtkGodRaysShadowMap::Draw(
     request.Window, columns * this->Size, rows * this->Size, { 0, GL_DEPTH_COMPONENT32F });
   this->FindState(request, this->Asked);
   this->Kept = !this->Asked.Objects.empty() && this->Asked.IsSame(this->Drawn);
+  this->NumberOfChanged = 0;
   if (this->Kept)
   {
     return true;
   }
+  const bool hasRest = this->FindRest();
   this->Drawn.Clear();
   this->Depths.clear();
-  if (!map.Bind())
-  {
-    return false;
-  }
-  this->Render(request, map);
-  if (!this->RenderTranslucent(request, map))
+  if (!this->Render(request, map, hasRest) || !this->RenderTranslucent(request, map))
   {
     return false;
   }
@@ -227,6 +225,7 @@ void vtkGodRaysShadowMap::FindState(
       state.Places.insert(state.Places.end(), place, place + 4);
     }
   }
+  state.End();
   for (vtkProp* prop : *request.Occluders)
   {
     if (vtkVolume* volume = vtkGodRaysVolumeHaze::GetVolume(prop))
@@ -238,6 +237,7 @@ void vtkGodRaysShadowMap::FindState(
       state.Clear();
       return;
     }
+    state.End();
   }
 }
 
@@ -247,45 +247,143 @@ void vtkGodRaysShadowMap::State::Clear()
   this->Objects.clear();
   this->Numbers.clear();
   this->Places.clear();
+  this->Ends.clear();
 }
 
 //------------------------------------------------------------------------------
 bool vtkGodRaysShadowMap::State::IsSame(const State& other) const
 {
+  return this->Objects == other.Objects && this->Numbers == other.Numbers &&
+    this->HasSameFaces(other);
+}
+
+//------------------------------------------------------------------------------
+// And as many props.
+bool vtkGodRaysShadowMap::State::HasSameFaces(const State& other) const
+{
+  if (this->Ends.empty() || this->Ends.size() != other.Ends.size() ||
+    this->Ends[0] != other.Ends[0])
+  {
+    return false;
+  }
   double largest = 0.0;
   for (const double place : this->Places)
   {
     largest = std::max(largest, std::abs(place));
   }
-  return this->Objects == other.Objects && this->Numbers == other.Numbers &&
+  return std::equal(this->Objects.begin(), this->Objects.begin() + this->Ends[0][0],
+           other.Objects.begin()) &&
+    std::equal(
+      this->Numbers.begin(), this->Numbers.begin() + this->Ends[0][1], other.Numbers.begin()) &&
     std::equal(this->Places.begin(), this->Places.end(), other.Places.begin(), other.Places.end(),
       [=](double one, double two) { return std::abs(one - two) <= 1e-9 * largest; });
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysShadowMap::Render(
-  const vtkGodRaysMediumIntegrator::Request& request, vtkGodRaysTarget& map)
+bool vtkGodRaysShadowMap::State::HasSameProp(const State& other, std::size_t prop) const
+{
+  const auto isSame = [&](const auto& own, const auto& others, int kind)
+  {
+    return std::equal(own.begin() + this->Ends[prop][kind],
+      own.begin() + this->Ends[prop + 1][kind], others.begin() + other.Ends[prop][kind],
+      others.begin() + other.Ends[prop + 1][kind]);
+  };
+  return isSame(this->Objects, other.Objects, 0) && isSame(this->Numbers, other.Numbers, 1);
+}
+
+//------------------------------------------------------------------------------
+// Which props have not changed since the map was drawn last, or, once there is a map of such props, since it
+// was drawn: one that has changed stays out of it until none is left in it. False if there are none.
+bool vtkGodRaysShadowMap::FindRest()
+{
+  const std::size_t props = this->Asked.Ends.empty() ? 0 : this->Asked.Ends.size() - 1;
+  const bool hasRest = this->Asked.HasSameFaces(this->Rest);
+  this->RestIsDrawn = hasRest;
+  if (!hasRest)
+  {
+    this->IsAtRest.assign(props, this->Asked.HasSameFaces(this->Drawn));
+  }
+  const State& former = hasRest ? this->Rest : this->Drawn;
+  for (std::size_t i = 0; i < props; ++i)
+  {
+    if (this->IsAtRest[i] && !this->Asked.HasSameProp(former, i))
+    {
+      this->IsAtRest[i] = false;
+      this->RestIsDrawn = false;
+    }
+  }
+  const auto resting = std::count(this->IsAtRest.begin(), this->IsAtRest.end(), true);
+  if (!this->RestIsDrawn)
+  {
+    this->Rest = resting > 0 ? this->Asked : State();
+  }
+  this->NumberOfChanged = this->RestIsDrawn ? static_cast<int>(props - resting) : 0;
+  return resting > 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysShadowMap::Render(
+  const vtkGodRaysMediumIntegrator::Request& request, vtkGodRaysTarget& map, bool hasRest)
 {
   vtkOpenGLState* state = request.Window->GetState();
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthFunc(GL_LEQUAL);
+  const int rectangle[4] = { 0, 0, map.GetWidth(), map.GetHeight() };
+  if (hasRest)
+  {
+    this->RestMap.Prepare(request.Window, rectangle[2], rectangle[3], { 0, GL_DEPTH_COMPONENT32F });
+  }
+  if (!(hasRest ? this->RestMap : map).Bind())
+  {
+    this->Rest.Clear();
+    return false;
+  }
   state->vtkglDepthMask(GL_TRUE);
-  state->vtkglClearDepth(1.0);
-  state->vtkglClear(GL_DEPTH_BUFFER_BIT);
-  this->ForFaces(request,
-    [&request]()
+  if (!hasRest || !this->RestIsDrawn)
+  {
+    state->vtkglClearDepth(1.0);
+    state->vtkglClear(GL_DEPTH_BUFFER_BIT);
+    this->RenderProps(request, true, !hasRest);
+  }
+  if (hasRest)
+  {
+    const vtkGodRaysFramebuffer rest;
+    if (!map.Bind())
     {
-      for (vtkProp* prop : *request.Occluders)
-      {
-        prop->RenderOpaqueGeometry(request.Renderer);
-      }
-    });
-  if (request.Compositor && request.Compositor->IsDistributed())
+      return false;
+    }
+    rest.CopyTo(state, rectangle, GL_DEPTH_BUFFER_BIT);
+    this->RenderProps(request, false, true);
+  }
+  else if (request.Compositor && request.Compositor->IsDistributed())
   {
     std::vector<float> depth = map.ReadDepth();
     request.Compositor->Reduce(depth.data(), depth.size(), vtkGodRaysCompositor::LEAST);
     map.WriteDepth(depth);
   }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Of those that rest, those that change, or both.
+void vtkGodRaysShadowMap::RenderProps(
+  const vtkGodRaysMediumIntegrator::Request& request, bool resting, bool changed)
+{
+  vtkOpenGLState* state = request.Window->GetState();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  this->ForFaces(request,
+    [&]()
+    {
+      std::size_t i = 0;
+      for (vtkProp* prop : *request.Occluders)
+      {
+        const bool rests = i < this->IsAtRest.size() && this->IsAtRest[i];
+        if (rests ? resting : changed)
+        {
+          prop->RenderOpaqueGeometry(request.Renderer);
+        }
+        ++i;
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -683,6 +781,8 @@ void vtkGodRaysShadowMap::Set(vtkShaderProgram* program) const
 void vtkGodRaysShadowMap::Release(vtkWindow* window)
 {
   this->Drawn = State();
+  this->Rest = State();
+  this->RestMap.Release(window);
   this->Depths.clear();
   this->Layers.Clear();
   if (this->Peeler)

@@ -9,7 +9,9 @@
  * light that is infinitely far may have up to four nested faces instead, each half as wide as the one
  * before. What was drawn for the last light serves again while light, faces and occluders are the same in
  * the world; one face about all occluders, or about a fixed lamp, so serves while the camera moves. Of
- * plain actors VTK tells that; with any other prop, and on several processes, it is drawn anew.
+ * plain actors VTK tells that; with any other prop, and on several processes, it is drawn anew. Where only
+ * some occluders change, and faces stay as they are, the depths of the others are kept in a map of their own
+ * from the first such frame on: it is copied, and what changes is drawn over it.
  *
  * Translucent surfaces and volumes are layers of the grids, if Draw() is asked for them: without such props
  * nothing is drawn or kept for them.
@@ -23,6 +25,8 @@
 #include "vtkGodRaysShadowLayers.h"
 #include "vtkGodRaysTarget.h"
 
+#include <array>      // For std::array
+#include <cstddef>    // For std::size_t
 #include <functional> // For std::function
 #include <string>     // For std::string
 #include <vector>     // For std::vector
@@ -63,6 +67,13 @@ public:
   bool WasKept() const { return this->Kept; }
 
   /**
+   * How many props the last Draw() drew over those that had not changed, and how many props there are; the
+   * first is 0 where all were drawn, or none.
+   */
+  int GetNumberOfChanged() const { return this->NumberOfChanged; }
+  int GetNumberOfProps() const { return static_cast<int>(this->IsAtRest.size()); }
+
+  /**
    * What was drawn of translucent things, for the plan; empty if there are none.
    */
   std::string DescribeLayers() const;
@@ -83,13 +94,22 @@ private:
     std::vector<const void*> Objects;
     std::vector<double> Numbers;
     std::vector<double> Places; // of the occluders' bounds in the faces, the same but for rounding
+    std::vector<std::array<std::size_t, 2>>
+      Ends; // of objects and numbers: before the first occluder, and
+            // of each
 
     bool IsSame(const State& other) const;
+    bool HasSameFaces(const State& other) const;
+    bool HasSameProp(const State& other, std::size_t prop) const;
+    void End() { this->Ends.push_back({ this->Objects.size(), this->Numbers.size() }); }
     void Clear();
   };
   void FindState(const vtkGodRaysMediumIntegrator::Request& request, State& state) const;
 
-  void Render(const vtkGodRaysMediumIntegrator::Request& request, vtkGodRaysTarget& map);
+  bool Render(
+    const vtkGodRaysMediumIntegrator::Request& request, vtkGodRaysTarget& map, bool hasRest);
+  bool FindRest();
+  void RenderProps(const vtkGodRaysMediumIntegrator::Request& request, bool resting, bool changed);
   void ForFaces(
     const vtkGodRaysMediumIntegrator::Request& request, const std::function<void()>& draw);
   bool RenderTranslucent(const vtkGodRaysMediumIntegrator::Request& request, vtkGodRaysTarget& map);
@@ -106,9 +126,14 @@ private:
   vtkGodRaysTarget Maps[2]; // of one face or nested ones, and of six
   int Levels = 1;           // at most, of a light that is infinitely far
   vtkGodRaysShadowGrids Grids;
-  std::vector<float> Depths; // that the grids have; empty: not read yet
-  State Drawn;               // what is in the map
-  State Asked;               // what is wanted; here to keep its memory
+  std::vector<float> Depths;  // that the grids have; empty: not read yet
+  State Drawn;                // what is in the map
+  State Asked;                // what is wanted; here to keep its memory
+  State Rest;                 // what is in the map of props that have not changed
+  std::vector<bool> IsAtRest; // whether a prop is in it
+  vtkGodRaysTarget RestMap;
+  bool RestIsDrawn = false;
+  int NumberOfChanged = 0;
   bool Kept = false;
   bool Translucent = false; // whether it is asked for
   int LeftOut = 0;          // translucent props, if it is not

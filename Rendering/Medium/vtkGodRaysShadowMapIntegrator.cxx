@@ -216,6 +216,10 @@ std::string vtkGodRaysShadowMapIntegrator::Describe(vtkGodRaysModel*)
   text << "shadow map: " << map.GetNumberOfFaces() << " of " << map.GetSize() << " x "
        << map.GetSize() << " pixels for the last light"
        << (map.WasKept() ? ", kept, " : ", drawn, ");
+  if (map.GetNumberOfChanged() > 0)
+  {
+    text << "only " << map.GetNumberOfChanged() << " of " << map.GetNumberOfProps() << " props, ";
+  }
   if (this->Internal->ShadowsAlone)
   {
     text << "for data alone";

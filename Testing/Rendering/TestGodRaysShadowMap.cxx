@@ -191,6 +191,55 @@ TEST_F(GodRaysShadowMap, KeepsTheMapWhileNothingInItChanges)
   EXPECT_FALSE(isKept());
 }
 
+// The depths of what stays where it is are kept; what is drawn over them makes the same picture.
+TEST_F(GodRaysShadowMap, DrawsOnlyWhatMovesAmongThingsThatStay)
+{
+  this->AddPillars();
+  for (const double corner : { -12.0, 12.0 }) // faces stay as they are
+  {
+    this->Renderer->AddActor(MakeBox({ corner, corner, 0.25 * corner }, { 0.1, 0.1, 0.1 }));
+  }
+  auto box = MakeBox({ 0.5, 0.5, 2.0 }, { 2.0, 2.0, 0.1 });
+  auto other = MakeBox({ -1.5, 0.5, 2.0 }, { 1.0, 1.0, 0.1 });
+  this->Renderer->AddActor(box);
+  this->Renderer->AddActor(other);
+  auto sun = this->AddSun({ 0.15, 0.1, -1.0 });
+  const struct
+  {
+    double Box;
+    double Other;
+    const char* Part;                                // of the plan; none: all are drawn
+  } frames[] = { { 0.0, 0.0, "" }, { 0.3, 0.0, "" }, // the first time all are drawn, to be kept
+    { 0.5, 0.0, "only 1 of" }, { 0.5, 0.1, "" }, { 0.4, 0.2, "only 2 of" },
+    { 0.4, 0.3, "only 2 of" } };
+  const auto draw = [&](const auto& frame)
+  {
+    box->SetPosition(frame.Box, 0.0, 0.0);
+    other->SetPosition(0.0, frame.Other, 0.0);
+    return GetPixels(this->Scene.Window);
+  };
+  std::vector<decltype(GetPixels(this->Scene.Window))> pictures;
+  for (const auto& frame : frames)
+  {
+    pictures.push_back(draw(frame));
+    const std::string plan = this->Rays->GetPlan();
+    EXPECT_EQ(Says(plan, ", only "), *frame.Part != 0) << plan;
+    EXPECT_TRUE(Says(plan, frame.Part)) << plan;
+  }
+  EXPECT_GT(GetLargestDifference(pictures[1], pictures[2]), 2);
+  EXPECT_GT(GetLargestDifference(pictures[4], pictures[5]), 2);
+  sun->SetPosition(0.3, 0.1, -1.0);
+  this->Scene.Window->Render();
+  EXPECT_FALSE(Says(this->Rays->GetPlan(), ", only ")) << this->Rays->GetPlan();
+  sun->SetPosition(0.15, 0.1, -1.0);
+  for (std::size_t i = 0; i < pictures.size(); ++i)
+  {
+    vtkNew<vtkGodRaysShadowMapIntegrator> fresh; // which knows of no frame before
+    this->Rays->SetIntegrator(fresh);
+    EXPECT_EQ(pictures[i], draw(frames[i])) << i;
+  }
+}
+
 TEST_F(GodRaysShadowMap, AsksNoOtherProcessWhereOneHasAllData)
 {
   this->AddPillars();
