@@ -78,9 +78,9 @@ def to_lab(picture):
     return numpy.stack([116 * y - 16, 500 * (x - y), 200 * (y - z)], -1)
 
 
-def get_contrast(change, place):
+def get_contrast(change, place, where=True):
     """How much light changes along circles about the sun, apart from slow changes: the root mean square
-    of the lightness less its mean over 30 degrees [L*]."""
+    of the lightness less its mean over 30 degrees [L*], of the pixels where a mask is."""
     height, width = change.shape
     y, x = numpy.mgrid[0:height, 0:width] + 0.5
     x, y = x - place[0] * width, y - place[1] * height
@@ -89,8 +89,8 @@ def get_contrast(change, place):
     angle = ((numpy.arctan2(y, x) / (2 * math.pi) + 0.5) * count).astype(int) % count
     sums = numpy.zeros((ring.max() + 1, count))
     counts = numpy.zeros_like(sums)
-    numpy.add.at(sums, (ring, angle), change)
-    numpy.add.at(counts, (ring, angle), 1)
+    numpy.add.at(sums, (ring, angle), change * where)
+    numpy.add.at(counts, (ring, angle), where)
     window = count // 12
     squares = []
     for values, known in zip(sums[5:], counts[5:]):

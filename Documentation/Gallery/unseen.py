@@ -30,7 +30,6 @@ FILES = (
     f"{MODELS}/STL/sphereWithHole.stl",
     f"{MODELS}/3DS/fels.3ds",
     f"{MODELS}/glTF2/textureTransform/TextureTransformTest.gltf",
-    f"{MODELS}/PLY/pond.0.ply",
     f"{PYVISTA}/airplane.ply",
     f"{PYVISTA}/ant.ply",
     f"{PYVISTA}/nut.ply",
@@ -83,13 +82,19 @@ def run(program, file, folder, *options):
 
 def measure_file(program, file, folder):
     """The pictures without and with rays, their numbers and how much of the picture data are."""
-    data = run(program, file, folder, "--no-rays", "--transparent")[0][..., 3] == 255
+    data = run(program, file, folder, "--no-rays", "--transparent")[0][..., 3] > 127
     before = run(program, file, folder, "--no-rays")[0][..., :3]
     after, said = run(program, file, folder)
     rays = run(program, file, folder, "--show", "rays")[0].sum(-1)
     y, x = numpy.nonzero(rays >= numpy.quantile(rays, 0.999))  # about the sun
     place = (x.mean() / SIZE[0], y.mean() / SIZE[1])
     return (before, after[..., :3]), defaults.measure(before, after[..., :3], data, place), data.mean(), said
+
+
+def get_contrast_beside(before, after, data, place):
+    """The contrast of the shafts beside data alone."""
+    change = defaults.to_lab(after)[..., 0] - defaults.to_lab(before)[..., 0]
+    return defaults.get_contrast(change, place, ~data)
 
 
 def format_numbers(numbers):
@@ -118,13 +123,15 @@ def main(folder, program, names):
         (before, *after), data, places = defaults.draw(name, columns=columns, make=unseen_scenes.make)
         look, medium, plain = (
             defaults.measure(before, each, data, place) for each, place in zip(after, places))
+        beside, plain_beside = (
+            get_contrast_beside(before, after[i], data, places[i]) for i in (0, 2))
         fill = 100 * data.mean()
         shown = [before, *after[:2]]
         sheet.append(halve(numpy.concatenate(shown, axis=1)))
         if names:
             defaults.write(shown, os.path.join(pictures, name.replace(" ", "-") + ".jpg"))
         rows.append(f"| {name}: {describe(make)} | {fill:.0f} % | {format_numbers(look)} | {plain.contrast:.1f} "
-            f"| {format_numbers(medium)} |\n")
+            f"| {beside:.1f} | {plain_beside:.1f} | {format_numbers(medium)} |\n")
         print(rows[-1], end="", flush=True)
     files, file_sheet = [], []
     with tempfile.TemporaryDirectory() as here:
@@ -162,7 +169,7 @@ Made by
 The numbers are those of [Defaults.md](Defaults.md): dE is to be below 10, 90 to 110 % of the chroma are to be
 left, or 2.5 more of it where data are grey, and 0.5 % may be clipped. Where most data are dark, as a silhouette is,
 light before them is what one sees, and dE is above that. Plain is the contrast of a sum of which nobody chooses the
-strength.
+strength. Before white, that sum changes data alone: beside them, where one looks for shafts, its contrast is 0.
 
 One default was mended for them: slices of images had no place in the silhouette beside which the sun is put. Three
 slices through a scan had a dE of 16.1 and a contrast of 2.7 before; a photograph on a plane, a contrast of 2.7.
@@ -171,15 +178,16 @@ slices through a scan had a dE of 16.1 and a contrast of 2.7 before; a photograp
 
 Each without rays, with a look, and with `preset="haze"`.
 
-| | of the picture | dE of a look | chroma | clipped | contrast | plain | dE of a medium | chroma | clipped | contrast |
-|---|---|---|---|---|---|---|---|---|---|---|
+| | of the picture | dE of a look | chroma | clipped | contrast | plain | beside data | plain | dE of a medium | chroma | clipped | contrast |
+|---|---|---|---|---|---|---|---|---|---|---|---|---|
 """
 
 FILES_PAGE = """
 ## With `godrays FILE`
 
 Each with `--no-rays`, and as it is. The program's camera is to have data on a quarter to a third of the picture, or
-as near to that as the data's shape lets them, at most 84 % of its width and 80 % of its height.
+as near to that as the data's shape lets them, at most 84 % of its width and 80 % of its height. The two volumes are
+dark and let light through: it is most of what one sees there, and their dE is above 20.
 
 | | of the picture | dE | chroma | clipped | contrast |
 |---|---|---|---|---|---|
