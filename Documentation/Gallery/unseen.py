@@ -186,8 +186,9 @@ FILES_PAGE = """
 ## With `godrays FILE`
 
 Each with `--no-rays`, and as it is. The program's camera is to have data on a quarter to a third of the picture, or
-as near to that as the data's shape lets them, at most 84 % of its width and 80 % of its height. The two volumes are
-dark and let light through: it is most of what one sees there, and their dE is above 20.
+as near to that as the data's shape lets them, at most 84 % of its width and 80 % of its height. The two volumes
+are before the program's sky, where [their colours are not kept](../Pipeline.md#how-strong-the-rays-are); with
+`--background "#202838"` their dE is 8.5 and 2.5.
 
 | | of the picture | dE | chroma | clipped | contrast |
 |---|---|---|---|---|---|
