@@ -156,6 +156,10 @@ void AddRayOptions(Parser& parser, Options& options)
     "How long the scene's unit is in metres; a medium is as dense as suits the scene without it");
   parser.Add("--tolerance", options.Tolerance, 1e-6, 0.1,
     "Error that the rays may have, as a fraction of the brightest possible");
+  parser.AddFlag("--data-first", options.DataFirst,
+    "Rays change nothing of the data's colours but their lightness, and that by at most 10 of 100 "
+    "(CIE "
+    "1976 L*): for figures whose colours stand for numbers");
   parser.App
     .add_flag_function(
       "--no-rays", [&options](std::int64_t) { options.Rays = false; },

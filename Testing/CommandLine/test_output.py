@@ -57,6 +57,29 @@ class Skies(OutputTest):
         self.assertLess(self.get_light_above_the_sun("earth-clear", 40), 0.8)
 
 
+class Data(OutputTest):
+    def get_lightness(self, *arguments):
+        """CIE 1976 L* of the picture."""
+        shown = self.draw(self.mesh, "--scalars", "Elevation", *arguments) / 255
+        light = numpy.where(shown <= 0.04045, shown / 12.92, ((shown + 0.055) / 1.055) ** 2.4)
+        y = light @ (0.2126, 0.7152, 0.0722)
+        return numpy.where(y > 216 / 24389, 116 * numpy.cbrt(y) - 16, y * 24389 / 27)
+
+    def test_data_first_changes_their_lightness_alone_and_little(self):
+        white = ["--no-rays", "--background", "#010203", "--color", "white"]
+        covered = (self.draw(self.mesh, *white) != (1, 2, 3)).all(axis=2)
+        for axis in 0, 1:  # pixels at the edge are the background's in part
+            covered = covered & numpy.roll(covered, 1, axis) & numpy.roll(covered, -1, axis)
+        before = self.get_lightness("--no-rays")
+        for preset in "default", "fog":
+            rays = ["--preset", preset, "--intensity", "6"]
+            with self.subTest(preset):
+                changes = [abs(self.get_lightness(*rays, *first) - before)[covered].max()
+                    for first in ([], ["--data-first"])]
+                self.assertGreater(changes[0], 15)
+                self.assertLess(changes[1], 11)
+
+
 class Cameras(OutputTest):
     CAMERA = ["--camera-position", "0,-5,0", "--focal-point", "0,0,0", "--view-angle", "60"]
 
