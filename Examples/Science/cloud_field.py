@@ -296,7 +296,8 @@ def _read_shdom(path, radius):
     """nx ny nz; dx dy [km]; heights [km]; then i j k, water [g/m^3] and effective radius [um] of wet points.
 
     SHDOM's own has the format's number 2 before and temperatures after the heights, and counts from 1;
-    pyshdom counts from 0. Commas may be between numbers; what is after # or has a word in it is a comment.
+    pyshdom counts from 0, and may have the heights beside dx dy. Commas may be between numbers; what is
+    after # or has a word in it is a comment.
     """
     rows = []
     try:
@@ -308,6 +309,8 @@ def _read_shdom(path, radius):
     rows = [row for row in rows if row]
     of_shdom = bool(rows) and rows[0] == [2.0]
     rows = rows[of_shdom:]
+    if len(rows) > 1 and len(rows[0]) == 3 and len(rows[1]) == 2 + rows[0][2]:
+        rows[1:2] = rows[1][:2], rows[1][2:]
     if len(rows) < 4 or len(rows[0]) != 3 or len(rows[1]) != 2:
         raise FieldError(f"{path} is neither NetCDF nor a cloud of SHDOM, whose text begins with lines "
             "of nx ny nz, dx dy, and nz heights: see Examples/Science/README.md")

@@ -48,6 +48,7 @@ clouds = stage.volume_of(field.to_grid(), field.extinction.max(), (1, 1, 1))
 x, y, z = field.axes
 middle, width, depth = (x[0] + x[-1]) / 2, x[-1] - x[0], y[-1] - y[0]
 wet = z[field.extinction.max((1, 2)) > 0]
+reach = max(depth, 2.5 * wet[-1])  # of what is seen: the field, or a single cloud with room about it
 renderer = vtk.vtkRenderer()
 renderer.AddVolume(clouds)
 plane = vtk.vtkPlaneSource()
@@ -62,10 +63,10 @@ skylight = stage.light((0, -0.6, 1), (0.6, 0.75, 1), intensity=0.8)
 renderer.AddLight(sun)
 renderer.AddLight(skylight)
 rays = godrays.enable(renderer, light=[sun, skylight], medium=clouds, ignored=[sea], model="atmosphere",
-    mie_scattering=[0.5 / depth] * 3, mie_asymmetry=0.76, world_unit_in_meters=1, intensity=4,
+    mie_scattering=[0.5 / reach] * 3, mie_asymmetry=0.76, world_unit_in_meters=1, intensity=4,
     data_asymmetry=SHOWN_ASYMMETRY, data_scale=(1 - ASYMMETRY) / (1 - SHOWN_ASYMMETRY),
     automatic_exposure=False)
 eye = max(0.25 * wet[0], 50)
-stage.look(renderer, (middle, y[0] - 0.35 * depth, eye), (middle, y[0] + depth, 1.5 * wet[-1]), 50)
-renderer.GetActiveCamera().SetClippingRange(20, 30 * depth)
+stage.look(renderer, (middle, y[0] - 0.35 * reach, eye), (middle, y[0] + reach, 1.5 * wet[-1]), 50)
+renderer.GetActiveCamera().SetClippingRange(20, 30 * reach)
 window = stage.show(renderer)

@@ -100,7 +100,10 @@ class CloudField(unittest.TestCase):
         numpy.testing.assert_allclose(of_text.optical_depths(), depths, rtol=1e-6)
         self.assertIn(f"{depths.mean():.4g} in the mean", of_text.describe())
 
-        lines = path.read_text(encoding="utf-8").splitlines()  # SHDOM's own has temperatures
+        lines = path.read_text(encoding="utf-8").splitlines()
+        path.write_text("\n".join([*lines[:2], f"{lines[2]} {lines[3]}", *lines[4:]]), encoding="utf-8")
+        self.check(cloud_field.read(path), self.beta)  # as pyshdom's own files have them
+        # SHDOM's own has temperatures
         points = [line.split(",") for line in lines[5:]]
         points = [" ".join([*(str(int(each) + 1) for each in point[:3]), *point[3:]]) for point in points]
         path.write_text("\n".join(["2", *lines[1:4], "290 289 288 285", *points]), encoding="utf-8")
