@@ -220,19 +220,20 @@ bool vtkGodRaysBlockMeans::Internals::DrawPicture(
   {
     return false;
   }
+  // Both parts have their shaders from the first frame on, also where one of them has no pixel.
   const int* box = plan.NearBox;
-  const bool isNear = box[0] < box[2] && box[1] < box[3];
   const bool isFar = box[0] > 0 || box[1] > 0 || box[2] < size[0] || box[3] < size[1];
-  if (isFar && !this->DrawPart(request, plan, lends, false))
-  {
-    return false;
-  }
   vtkOpenGLState* state = request.Window->GetState();
   const vtkOpenGLState::ScopedglEnableDisable enabled(state, GL_SCISSOR_TEST);
   const vtkOpenGLState::ScopedglScissor scissor(state);
   state->vtkglEnable(GL_SCISSOR_TEST);
-  state->vtkglScissor(box[0], box[1], box[2] - box[0], box[3] - box[1]);
-  return (!isNear || this->DrawPart(request, plan, lends, true)) &&
+  state->vtkglScissor(0, 0, isFar ? size[0] : 0, size[1]);
+  if (!this->DrawPart(request, plan, lends, false))
+  {
+    return false;
+  }
+  state->vtkglScissor(box[0], box[1], std::max(box[2] - box[0], 0), std::max(box[3] - box[1], 0));
+  return this->DrawPart(request, plan, lends, true) &&
     (!lends || request.Result->Lend(this->Rays, request.Light->Color, 1.0));
 }
 
