@@ -128,7 +128,7 @@ def render(
 
 def _check_names(parameters: dict[str, Any], enable: Any) -> None:
     """Tell of a name that is probably a misspelt one of render()'s own, which enable() cannot know."""
-    own = list(render.__kwdefaults__)
+    own = list(render.__kwdefaults__ or {})
     known = {name.replace("_", "") for name in enable.__kwdefaults__}
     for name in parameters:
         end = "" if name.replace("_", "").lower() in known else tell_names(name, own)
