@@ -94,9 +94,8 @@ private:
     std::vector<const void*> Objects;
     std::vector<double> Numbers;
     std::vector<double> Places; // of the occluders' bounds in the faces, the same but for rounding
-    std::vector<std::array<std::size_t, 2>>
-      Ends; // of objects and numbers: before the first occluder, and
-            // of each
+    // Where objects and numbers end: those before the first occluder, and those of each.
+    std::vector<std::array<std::size_t, 2>> Ends;
 
     bool IsSame(const State& other) const;
     bool HasSameFaces(const State& other) const;

@@ -9,11 +9,39 @@
 #include "vtkGodRaysSingleScatteringReference.h"
 
 #include <cmath>
-#include <initializer_list>
 #include <iostream>
 
 using namespace GodRaysFiltersTesting;
 using namespace GodRaysGridScenes;
+
+namespace
+{
+struct Truth
+{
+  Picture Alone; // the medium without data
+  Picture Whole;
+};
+
+// What the reference makes of a plume in a medium, after the same settings as the filter's.
+template <typename Set>
+Truth FindTruth(vtkGodRaysGridFilter* filter, vtkImageData* plume, int columns, int rows, Set set)
+{
+  vtkNew<vtkGodRaysSingleScatteringReference> reference;
+  filter->SetInputData(0, plume);
+  filter->SetSize(columns, rows);
+  reference->SetSize(columns, rows);
+  set(filter);
+  set(reference.Get());
+  reference->SetTolerance(1e-5);
+  reference->Update();
+  Truth truth;
+  truth.Alone = FromImage(reference->GetOutput());
+  reference->SetInputData(2, plume);
+  reference->Update();
+  truth.Whole = FromImage(reference->GetOutput());
+  return truth;
+}
+}
 
 //------------------------------------------------------------------------------
 // As a filter: with the medium's own light it is the reference's picture; errors are told once.
@@ -21,28 +49,18 @@ TEST(GridFilter, IsTheReferenceWithTheMediumsLight)
 {
   auto plume = MakePlume(40);
   vtkNew<vtkGodRaysGridFilter> filter;
-  vtkNew<vtkGodRaysSingleScatteringReference> reference;
-  filter->SetInputData(0, plume);
-  filter->SetSize(24, 16);
-  reference->SetSize(24, 16);
-  for (vtkGodRaysGridMediumFilter* each :
-    std::initializer_list<vtkGodRaysGridMediumFilter*>{ filter, reference })
-  {
-    each->SetCameraPosition(3.0, 0.5, -3.0);
-    each->SetCameraFocalPoint(0.0, 0.0, -6.0);
-    each->SetViewAngle(40.0);
-    each->SetFarLimit(9.0);
-    each->SetScatteringCoefficient(0.02, 0.03, 0.05);
-    each->SetLight(0.3, 1.0, 0.4, 0.0);
-    each->SetDataAlbedo(0.9, 0.8, 0.7);
-    each->SetDataScale(0.8);
-  }
-  reference->SetTolerance(1e-5);
-  reference->Update();
-  const Picture alone = FromImage(reference->GetOutput());
-  reference->SetInputData(2, plume);
-  reference->Update();
-  const Picture expected = FromImage(reference->GetOutput());
+  const Truth truth = FindTruth(filter, plume, 24, 16,
+    [](vtkGodRaysGridMediumFilter* each)
+    {
+      each->SetCameraPosition(3.0, 0.5, -3.0);
+      each->SetCameraFocalPoint(0.0, 0.0, -6.0);
+      each->SetViewAngle(40.0);
+      each->SetFarLimit(9.0);
+      each->SetScatteringCoefficient(0.02, 0.03, 0.05);
+      each->SetLight(0.3, 1.0, 0.4, 0.0);
+      each->SetDataAlbedo(0.9, 0.8, 0.7);
+      each->SetDataScale(0.8);
+    });
   const auto compare = [&]()
   {
     filter->Update();
@@ -50,10 +68,10 @@ TEST(GridFilter, IsTheReferenceWithTheMediumsLight)
     double squares = 0.0;
     for (std::size_t i = 0; i < actual.Values.size(); ++i)
     {
-      const double difference = actual.Values[i] + alone.Values[i] - expected.Values[i];
+      const double difference = actual.Values[i] + truth.Alone.Values[i] - truth.Whole.Values[i];
       squares += difference * difference;
     }
-    return std::sqrt(squares / actual.Values.size()) / expected.GetMaximum();
+    return std::sqrt(squares / actual.Values.size()) / truth.Whole.GetMaximum();
   };
   const double error = compare();
   std::cout << "RMSE " << error << "\n";
@@ -94,48 +112,38 @@ TEST(GridFilter, KnowsAllLightsAndMedia)
     for (const bool spot : { false, true })
     {
       vtkNew<vtkGodRaysGridFilter> filter;
-      vtkNew<vtkGodRaysSingleScatteringReference> reference;
-      filter->SetInputData(0, plume);
-      filter->SetSize(13, 9);
-      reference->SetSize(13, 9);
-      for (vtkGodRaysGridMediumFilter* each :
-        std::initializer_list<vtkGodRaysGridMediumFilter*>{ filter, reference })
-      {
-        each->SetCameraPosition(2.0, 0.8, -2.5);
-        each->SetCameraFocalPoint(0.0, 0.2, -6.0);
-        each->SetViewAngle(45.0);
-        each->SetParallelProjection(parallel);
-        each->SetParallelScale(1.8);
-        each->SetFarLimit(10.0);
-        each->SetScatteringCoefficient(0.02, 0.03, 0.05);
-        each->SetScaleHeight(2.0);
-        each->SetGasScatteringCoefficient(0.01, 0.02, 0.04);
-        each->SetGasScaleHeight(5.0);
-        each->SetGroundLevel(-1.5);
-        each->SetPlanetRadius(5000.0);
-        each->SetLight(spot ? 1.5 : 0.6, spot ? 3.0 : 1.0, spot ? -5.0 : 0.4, spot ? 1.0 : 0.0);
-        each->SetConeAngle(25.0);
-        each->SetSpotDirection(-1.4, -3.0, -0.8);
-        each->SetSpotExponent(2.0);
-        each->SetDataAlbedo(0.9, 0.8, 0.7);
-      }
-      reference->SetTolerance(1e-5);
-      reference->Update();
-      const Picture alone = FromImage(reference->GetOutput());
-      reference->SetInputData(2, plume);
-      reference->Update();
-      const Picture expected = FromImage(reference->GetOutput());
+      const Truth truth = FindTruth(filter, plume, 13, 9,
+        [=](vtkGodRaysGridMediumFilter* each)
+        {
+          each->SetCameraPosition(2.0, 0.8, -2.5);
+          each->SetCameraFocalPoint(0.0, 0.2, -6.0);
+          each->SetViewAngle(45.0);
+          each->SetParallelProjection(parallel);
+          each->SetParallelScale(1.8);
+          each->SetFarLimit(10.0);
+          each->SetScatteringCoefficient(0.02, 0.03, 0.05);
+          each->SetScaleHeight(2.0);
+          each->SetGasScatteringCoefficient(0.01, 0.02, 0.04);
+          each->SetGasScaleHeight(5.0);
+          each->SetGroundLevel(-1.5);
+          each->SetPlanetRadius(5000.0);
+          each->SetLight(spot ? 1.5 : 0.6, spot ? 3.0 : 1.0, spot ? -5.0 : 0.4, spot ? 1.0 : 0.0);
+          each->SetConeAngle(25.0);
+          each->SetSpotDirection(-1.4, -3.0, -0.8);
+          each->SetSpotExponent(2.0);
+          each->SetDataAlbedo(0.9, 0.8, 0.7);
+        });
       filter->Update();
       const Picture actual = FromImage(filter->GetOutput());
       double squares = 0.0;
       double effect = 0.0;
       for (std::size_t i = 0; i < actual.Values.size(); ++i)
       {
-        const double change = expected.Values[i] - alone.Values[i];
+        const double change = truth.Whole.Values[i] - truth.Alone.Values[i];
         squares += (actual.Values[i] - change) * (actual.Values[i] - change);
         effect += change * change;
       }
-      const double scale = 1.0 / std::sqrt(actual.Values.size()) / expected.GetMaximum();
+      const double scale = 1.0 / std::sqrt(actual.Values.size()) / truth.Whole.GetMaximum();
       std::cout << (parallel ? "parallel" : "perspective") << (spot ? ", spotlight" : ", sun")
                 << ": RMSE " << scale * std::sqrt(squares) << ", effect of data "
                 << scale * std::sqrt(effect) << "\n";
