@@ -16,13 +16,12 @@ uniform vec2 origin;    // of the picture's first pixel in the layer [pixels, ce
 uniform vec2 pixel;     // distance of the picture's pixels [pixels of the layer]
 uniform sampler2D layer;
 uniform sampler2D means;
-uniform sampler2D sums;     // at the nodes
-uniform sampler2D rows;     // for each row or column of the picture and each wedge, three values
-uniform vec2 sumsSize;      // of the texture [texels]
-uniform vec4 wedgeLines[4]; // as for the means
-uniform vec4 wedgeRows[4];
-uniform vec4 wedgeStrips[4];
-uniform vec4 wedgeColumns;
+uniform sampler2D sums;      // at the nodes
+uniform sampler2D rows;      // for each row or column of the picture and each wedge, three values
+uniform vec2 sumsSize;       // of the texture [texels]
+uniform vec4 firstStrip;     // of each wedge: the first even line of those that are closer
+uniform float stripFactor;   // how many times
+uniform float lastLine;      // of any wedge
 uniform vec2 marchConstant; // from the point p, marchConstant - marchSlope p [pixels]
 uniform float marchSlope;
 uniform float k;             // the kernel is e^(-k t)
@@ -45,11 +44,11 @@ vec3 SumTapsNearLight(vec2 point, vec2 march)
 }
 
 // What is to be added where an end of the march, at a point, is length steps beyond an end of a
-// block: the layer in between instead of the block's mean. bump: that length, its factor, the block.
-vec3 Bump(vec3 bump, vec2 point, vec2 step, float firstColumn, float line)
+// block: the layer in between instead of the block's mean. bump: that length, its factor, the mean.
+vec3 Bump(vec3 bump, vec2 point, vec2 step, float line)
 {
   float column = OneChannel ? floor(0.25 * bump.z) : bump.z;
-  vec4 texel = texelFetch(means, ivec2(vec2(firstColumn + column, line + 0.5)), 0);
+  vec4 texel = texelFetch(means, ivec2(vec2(column, line + 0.5)), 0);
   vec3 mean = texel.rgb;
   if (OneChannel)
   {
@@ -68,11 +67,6 @@ vec3 Bump(vec3 bump, vec2 point, vec2 step, float firstColumn, float line)
   return bump.y * (sum / float(taps) - mean);
 }
 
-vec4 OfWedge(vec4 values[4], bool transposed, bool back)
-{
-  return transposed ? (back ? values[3] : values[2]) : (back ? values[1] : values[0]);
-}
-
 void main()
 {
   vec2 index = floor(texCoord * size);
@@ -85,27 +79,25 @@ void main()
   vec2 march = marchConstant - marchSlope * point;
   bool transposed = abs(march.x) > abs(march.y);
   bool back = (marchSlope < 0.0) == ((transposed ? march.x : march.y) < 0.0);
-  vec4 lines = OfWedge(wedgeLines, transposed, back);
-  vec3 strip = OfWedge(wedgeStrips, transposed, back).xyz;
-  float column = transposed ? (back ? wedgeColumns.w : wedgeColumns.z)
-                            : (back ? wedgeColumns.y : wedgeColumns.x);
   int row = int(transposed ? index.x : index.y);
   int place = 3 * ((transposed ? 2 : 0) + (back ? 1 : 0));
   vec4 sumsPlace = texelFetch(rows, ivec2(row, place), 0);
   vec4 front = texelFetch(rows, ivec2(row, place + 1), 0);
   float even = ((transposed ? point.y : point.x) - sumsPlace.x) * sumsPlace.y;
+  float strip = transposed ? (back ? firstStrip.w : firstStrip.z)
+                           : (back ? firstStrip.y : firstStrip.x);
   float line = clamp(
-    LineOfEven(even, strip), 0.0, OfWedge(wedgeRows, transposed, back).w - 1.0);
-  vec2 step = vec2(lines.z + even * lines.w, back ? -1.0 : 1.0); // to the next row
-  step = transposed ? step.yx : step;
+    LineOfEven(even, vec3(strip, strip + sumsPlace.w, stripFactor)), 0.0, lastLine);
+  // to the next row, along the line through the light
+  vec2 step = march * ((back ? -1.0 : 1.0) / (transposed ? march.x : march.y));
   vec3 result = textureLod(sums, (vec2(sumsPlace.z, line) + 0.5) / sumsSize, 0.0).rgb;
-  result += Bump(front.xyz, point, step, column, line);
+  result += Bump(front.xyz, point, step, line);
   if (NearLight)
   {
     vec4 tail = texelFetch(rows, ivec2(row, place + 2), 0);
     if (tail.y != 0.0)
     {
-      result += Bump(tail.xyz, point + tail.w * step, step, column, line);
+      result += Bump(tail.xyz, point + tail.w * step, step, line);
     }
     if (!(length(march) >= shortest))
     {

@@ -61,24 +61,12 @@ void SetWedges(vtkShaderProgram* program, const Plan& plan)
     rows[i][3] = static_cast<float>(wedge.Lines);
     strips[i][0] = static_cast<float>(wedge.Strip[0]);
     strips[i][1] = static_cast<float>(wedge.Strip[1]);
-    strips[i][2] = static_cast<float>(wedge.StripFactor);
+    strips[i][2] = static_cast<float>(plan.StripFactor);
   }
   program->SetUniform4fv("wedgeLines", NumberOfWedges, lines);
   program->SetUniform4fv("wedgeRows", NumberOfWedges, rows);
   program->SetUniform4fv("wedgeStrips", NumberOfWedges, strips);
   SetVector(program, "layerSize", plan.March.LayerSize[0], plan.March.LayerSize[1]);
-}
-
-//------------------------------------------------------------------------------
-// The first column of each wedge's blocks.
-void SetColumns(vtkShaderProgram* program, const Plan& plan)
-{
-  float columns[4];
-  for (int i = 0; i < NumberOfWedges; ++i)
-  {
-    columns[i] = static_cast<float>(plan.Wedges[i].BlockColumn);
-  }
-  program->SetUniform4f("wedgeColumns", columns);
 }
 }
 
@@ -172,7 +160,12 @@ bool vtkGodRaysBlockMeans::Internals::DrawMeans(
     return false;
   }
   SetWedges(program, plan);
-  SetColumns(program, plan);
+  float columns[NumberOfWedges]; // the first one of each wedge's blocks
+  for (int i = 0; i < NumberOfWedges; ++i)
+  {
+    columns[i] = static_cast<float>(plan.Wedges[i].BlockColumn);
+  }
+  program->SetUniform4f("wedgeColumns", columns);
   SetVector(program, "size", plan.BlockColumns, plan.Lines);
   program->SetUniformf("tapsPerPixel", static_cast<float>(plan.Chosen->TapsPerPixel));
   this->MeansQuad.SetTexture("layer", request.Layer->GetColor());
@@ -250,8 +243,13 @@ bool vtkGodRaysBlockMeans::Internals::DrawPart(
   }
   const int index = plan.OneChannel ? 0 : 1;
   const vtkGodRaysMarch& march = plan.March;
-  SetWedges(program, plan);
-  SetColumns(program, plan);
+  float strips[NumberOfWedges];
+  for (int i = 0; i < NumberOfWedges; ++i)
+  {
+    strips[i] = static_cast<float>(plan.Wedges[i].Strip[0]);
+  }
+  program->SetUniform4f("firstStrip", strips);
+  SetVector(program, "layerSize", march.LayerSize[0], march.LayerSize[1]);
   SetVector(program, "size", march.PictureSize[0], march.PictureSize[1]);
   SetVector(program, "origin", march.Origin[0], march.Origin[1]);
   SetVector(program, "pixel", march.Step[0], march.Step[1]);
@@ -262,6 +260,8 @@ bool vtkGodRaysBlockMeans::Internals::DrawPart(
   const auto set = [program](const char* name, double value)
   { program->SetUniformf(name, static_cast<float>(value)); };
   set("marchSlope", plan.Density);
+  set("stripFactor", plan.StripFactor);
+  set("lastLine", plan.Lines - 1.0);
   set("k", march.K);
   set("shortest", plan.ShortestMarch);
   set("tapsPerPixel", 2.0 * plan.Chosen->TapsPerPixel);

@@ -119,6 +119,7 @@ void vtkGodRaysBlockPlan::Fill()
   this->FindLight();
   // Within few blocks there is nothing to gain.
   this->ShortestMarch = std::max(24.0, 4.0 * std::abs(this->March.K));
+  this->StripFactor = FindStripFactor(this->Chosen->Spacing);
   this->Lines = 1;
   this->BlockColumns = 0;
   this->NodeColumns = 0;
@@ -216,7 +217,7 @@ void vtkGodRaysBlockPlan::FillWedge(Wedge& wedge)
   wedge.FirstLine = side + wedge.FirstSlope * wedge.Near;
   wedge.Lines = static_cast<int>(std::ceil((high - wedge.FirstSlope) / wedge.SlopeStep)) + 2;
   this->PlaceStrip(wedge, std::max(first, wedge.Near), last);
-  wedge.Lines += (wedge.StripFactor - 1) * (wedge.Strip[1] - wedge.Strip[0]);
+  wedge.Lines += (this->StripFactor - 1) * (wedge.Strip[1] - wedge.Strip[0]);
   this->MakeNodes(wedge);
 }
 
@@ -231,7 +232,6 @@ void vtkGodRaysBlockPlan::PlaceStrip(Wedge& wedge, double nearest, double last) 
   const double end = wedge.Lines - 1.0;
   wedge.Strip[0] = static_cast<int>(std::min(std::max(std::floor(axis - reach), 0.0), end));
   wedge.Strip[1] = static_cast<int>(std::min(std::max(std::ceil(axis + reach), 0.0), end));
-  wedge.StripFactor = FindStripFactor(spacing);
 }
 
 //------------------------------------------------------------------------------
@@ -354,9 +354,11 @@ double vtkGodRaysBlockPlan::MakeRowTable()
       const double f = (r - begin) / (*next - begin);
       const double g = f * this->GetMarch(wedge, *next) / march;
       this->Rows.Set(i, 3 * w, wedge.FirstLine + r * wedge.FirstSlope,
-        1.0 / (wedge.SlopeStep * (wedge.Near + r)), wedge.NodeColumn + block + g, 0.0);
+        1.0 / (wedge.SlopeStep * (wedge.Near + r)), wedge.NodeColumn + block + g,
+        wedge.Strip[1] - wedge.Strip[0]);
       const double length = f < 0.5 ? r - begin : r - *next;
-      this->Rows.Set(i, 3 * w + 1, length, length / (march * phi), block, 0.0);
+      this->Rows.Set(
+        i, 3 * w + 1, length, length / (march * phi), this->GetMean(wedge, block), 0.0);
       if (this->MakeTail(wedge, r, march, i, 3 * w + 2))
       {
         reach = std::max(reach, wedge.Near + r);
@@ -385,7 +387,7 @@ bool vtkGodRaysBlockPlan::MakeTail(const Wedge& wedge, double r, double march, i
   {
     return false;
   }
-  this->Rows.Set(row, index, length, factor, block, -march);
+  this->Rows.Set(row, index, length, factor, this->GetMean(wedge, block), -march);
   return true;
 }
 

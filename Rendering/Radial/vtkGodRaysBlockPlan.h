@@ -82,7 +82,6 @@ struct vtkGodRaysBlockPlan
     double FirstSlope = 0.0;
     double SlopeStep = 0.0;
     int Strip[2] = { 0, 0 };   // even lines between which there are more, see LineOfEven()
-    int StripFactor = 1;       // how many times as close they are there
     int Lines = 0;             // 0: there is no picture in it
     std::vector<double> Nodes; // from the nearest row [pixels]
     int NodeColumn = 0;
@@ -99,7 +98,8 @@ struct vtkGodRaysBlockPlan
   double Light[2] = { 0.0, 0.0 }; // as used [pixels of the layer]
   double Density = 0.0;
   std::array<Wedge, NumberOfWedges> Wedges;
-  int Lines = 0; // as textures must hold
+  int StripFactor = 1; // how many times as close lines are in strips
+  int Lines = 0;       // as textures must hold
   int BlockColumns = 0;
   int NodeColumns = 0;
   double ShortestMarch = 0.0; // shorter ones are summed by taps
@@ -184,6 +184,11 @@ private:
   double MakeRowTable();
   bool MakeTail(const Wedge& wedge, double r, double march, int row, int index);
   void PlaceNearBox(double reach);
+  // A block's place among all means, four of a layer of one channel being one texel.
+  int GetMean(const Wedge& wedge, int block) const
+  {
+    return (this->OneChannel ? 4 : 1) * wedge.BlockColumn + block;
+  }
   double GetMarch(const Wedge& wedge, double r) const { return this->Density * (wedge.Near + r); }
 };
 
