@@ -23,7 +23,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "Python"))
 import exr_reader
 import sample_files
-from test_cli import HEIGHT, WIDTH, ProgramTest, godrays
+from program_testing import HEIGHT, WIDTH, ProgramTest, godrays
 
 SIZE = f"{WIDTH}x{HEIGHT}"
 README = pathlib.Path(__file__).parent.parent.parent / "Examples/godrays/README.md"

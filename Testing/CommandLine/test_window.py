@@ -14,7 +14,7 @@ import unittest
 import numpy
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-from test_cli import ProgramTest
+from program_testing import ProgramTest
 
 
 class KeyEvent(ctypes.Structure):

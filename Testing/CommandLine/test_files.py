@@ -1,0 +1,254 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The program godrays with files of every type."""
+
+import json
+import pathlib
+import re
+import shutil
+import struct
+import sys
+import unittest
+
+import numpy
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
+from vtkmodules.vtkFiltersSources import (
+    vtkConeSource, vtkCubeSource, vtkCylinderSource, vtkPlaneSource, vtkSphereSource)
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import sample_files
+from program_testing import ProgramTest, godrays
+
+
+class Files(ProgramTest):
+    def test_every_type_is_drawn_with_rays(self):
+        without = self.draw_each(self.files, "--no-rays")
+        alone = self.draw_each(
+            self.files, "--no-rays", "--background", "#010203", "--color", "white")
+        for file, plain, data in zip(self.files, without, alone):
+            with self.subTest(file.name):
+                self.assertGreater((data != (1, 2, 3)).any(axis=2).mean(), 0.02, "empty")
+                self.assertGreater(abs(self.draw(file) - plain).max(), 20, "no rays")
+
+    def test_every_type_that_help_names_has_a_file(self):
+        help_text = godrays("--help").stdout  # newer CLI11 breaks the line
+        listed = re.search(r"^Reads ((?:\.\w+\s+)+)", help_text, re.MULTILINE).group(1)
+        self.assertEqual(sorted(listed.split()), sorted({file.suffix.lower() for file in self.files}))
+
+    def test_several_files_are_drawn_together(self):
+        together = self.draw(self.mesh, self.folder / "a.gltf")
+        self.assertGreater(abs(together - self.draw(self.mesh)).max(), 20)
+
+    def test_a_georeferenced_picture_has_true_lengths(self):
+        stats = godrays(
+            self.hills, "--elevation-scale", 1, "--stats", "--size", "64x48", "--output",
+            self.folder / "s.png").stdout
+        # 23 steps of 0.001 degrees, about 60 degrees north
+        east, north, up = map(float, re.search(r"([\d.]+) x ([\d.]+) x ([\d.]+)", stats).groups())
+        self.assertAlmostEqual(east, 23 * 55.8, delta=2)
+        self.assertAlmostEqual(north, 23 * 111.4, delta=2)
+        self.assertLess(up, 201)  # samples without a value are left out
+
+    def test_flat_and_stretched_elevations(self):
+        default = self.draw(self.hills)
+        self.assertGreater(abs(self.draw(self.hills, "--flat") - default).max(), 20)
+        self.assertGreater(abs(self.draw(self.hills, "--elevation-scale", 9) - default).max(), 20)
+
+
+    def write_obj(self, name, data, turn):
+        """Write a surface whose points (x, y, z) are turned by a function."""
+        points = [turn(*data.GetPoint(i)) for i in range(data.GetNumberOfPoints())]
+        cells = [data.GetCell(i).GetPointIds() for i in range(data.GetNumberOfCells())]
+        path = self.folder / name
+        path.write_text("".join("v {} {} {}\n".format(*point) for point in points) + "".join(
+            "f " + " ".join(str(ids.GetId(i) + 1) for i in range(ids.GetNumberOfIds())) + "\n"
+            for ids in cells))
+        return path
+
+    def write_stl(self, name, data, turn):
+        """Write the same as triangles."""
+        points = [turn(*data.GetPoint(i)) for i in range(data.GetNumberOfPoints())]
+        lines = ["solid x"]
+        for i in range(data.GetNumberOfCells()):
+            ids = [data.GetCell(i).GetPointId(j) for j in range(data.GetCell(i).GetNumberOfPoints())]
+            for b, c in zip(ids[1:], ids[2:]):
+                lines += ["facet normal 0 0 0", "outer loop"]
+                lines += ["vertex {} {} {}".format(*points[id]) for id in (ids[0], b, c)]
+                lines += ["endloop", "endfacet"]
+        path = self.folder / name
+        path.write_text("\n".join([*lines, "endsolid x", ""]))
+        return path
+
+    def test_the_axis_that_points_up_is_guessed_of_files_that_do_not_say_it(self):
+        tower = vtkConeSource()  # along Z, with its foot at -1
+        tower.SetResolution(16)
+        tower.SetHeight(2)
+        tower.SetRadius(0.5)
+        tower.SetDirection(0, 0, 1)
+        tower.Update()
+        car = vtkCubeSource()  # long along Z, on four wheels
+        car.SetBounds(-0.8, 0.8, 0.3, 1.5, -2, 2)
+        parts = vtkAppendPolyData()
+        parts.AddInputConnection(car.GetOutputPort())
+        for x, z in (-0.7, -1.5), (0.7, -1.5), (-0.7, 1.5), (0.7, 1.5):
+            wheel = vtkSphereSource()
+            wheel.SetCenter(x, 0.3, z)
+            wheel.SetRadius(0.3)
+            parts.AddInputConnection(wheel.GetOutputPort())
+        parts.Update()
+        hills = vtkPlaneSource()
+        hills.SetResolution(12, 12)
+        hills.Update()
+
+        def bent(x, y, z):
+            return x, y, 0.1 * numpy.sin(6 * x) * numpy.sin(6 * y)
+
+        def as_it_is(x, y, z):
+            return x, y, z
+
+        def y_up(x, y, z):
+            return x, z, -y
+
+        def z_up(x, y, z):
+            return x, -z, y
+
+        for name, data, turn, says in (
+            ("tower.obj", tower.GetOutput(), as_it_is, "it stands along Z"),
+            ("tower-y.obj", tower.GetOutput(), y_up, ""),
+            ("car.obj", parts.GetOutput(), as_it_is, ""),
+            ("hills.obj", hills.GetOutput(), bent, "it lies flat over X and Y"),
+            ("hills-y.obj", hills.GetOutput(), lambda *p: y_up(*bent(*p)), ""),
+            ("tower.stl", tower.GetOutput(), as_it_is, ""),
+            ("tower-y.stl", tower.GetOutput(), y_up, "it stands along Y"),
+            ("car.stl", parts.GetOutput(), z_up, ""),
+            ("hills.stl", hills.GetOutput(), bent, ""),
+            ("hills-y.stl", hills.GetOutput(), lambda *p: y_up(*bent(*p)), "it lies flat over X and Z"),
+        ):
+            with self.subTest(name):
+                write, usual = (self.write_obj, "Y") if name.endswith("obj") else (self.write_stl, "Z")
+                path = write(name, data, turn)
+                other = "Z" if usual == "Y" else "Y"
+                guess = self.draw(path, told=[name, says, "--up " + usual] if says else [])
+                right = self.draw(path, "--up", other if says else usual)
+                self.assertTrue((guess == right).all())
+
+    def test_points_are_drawn_as_spheres_of_the_size_of_their_gaps(self):
+        """Of a cloud on a ball, much of the ball is covered, also from near."""
+        directions = numpy.random.default_rng(1).normal(size=(400, 3))
+        points = directions / numpy.linalg.norm(directions, axis=1)[:, None]
+        ply = self.folder / "cloud.ply"
+        ply.write_text(
+            "ply\nformat ascii 1.0\nelement vertex 400\n" + "".join(
+                f"property float {axis}\n" for axis in "xyz") + "end_header\n" +
+            "".join("{} {} {}\n".format(*point) for point in points))
+        document = json.loads(sample_files.gltf(embed=False)[0])
+        data = points.astype("<f4").tobytes()
+        document.update(
+            meshes=[{"primitives": [{"attributes": {"POSITION": 0}, "mode": 0}]}],
+            nodes=[{"mesh": 0}], scenes=[{"nodes": [0]}],
+            buffers=[{"byteLength": len(data), "uri": "cloud.bin"}],
+            bufferViews=[{"buffer": 0, "byteOffset": 0, "byteLength": len(data)}],
+            accessors=[{"bufferView": 0, "componentType": 5126, "count": 400, "type": "VEC3",
+                        "min": [-1, -1, -1], "max": [1, 1, 1]}])
+        (self.folder / "cloud.bin").write_bytes(data)
+        gltf = self.folder / "cloud.gltf"
+        gltf.write_text(json.dumps(document))
+        size = 400, 400
+        x, y = numpy.meshgrid(numpy.linspace(-1, 1, size[0]), numpy.linspace(-1, 1, size[1]))
+        for file in ply, gltf:
+            for distance in (3, 6):
+                picture = self.draw(
+                    file, "--no-rays", "--background", "#010203", "--color", "white",
+                    "--camera-position", f"0,0,{distance}", "--focal-point", "0,0,0",
+                    "--view-angle", "50", size=size)
+                radius = numpy.tan(numpy.arcsin(1 / distance)) / numpy.tan(numpy.radians(25))
+                ball = numpy.hypot(x, y) < radius
+                covered = (picture != (1, 2, 3)).any(axis=2)
+                self.assertGreater(covered[ball].mean(), 0.5, (file.name, distance))
+
+    def test_points_at_one_place_are_drawn(self):
+        path = self.folder / "point.vtk"
+        path.write_text(
+            "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n1 2 3 1 2 3\n")
+        picture = self.draw(path, "--no-rays", "--background", "#010203")
+        self.assertTrue((picture != (1, 2, 3)).any())
+
+    def test_triangle_strips_are_drawn_as_triangles(self):
+        tube = vtkCylinderSource()
+        tube.SetCenter(0, 1.5, 0)
+        tube.SetHeight(3)
+        tube.SetRadius(1)
+        tube.SetResolution(16)
+        tube.CappingOff()
+        tube.Update()
+        path = self.folder / "tube.ply"
+        sample_files.write(sample_files.vtkPLYWriter(), sample_files.filtered(
+            sample_files.vtkTriangleFilter(), tube.GetOutput()), path)
+        arguments = ["--no-rays", "--background", "black", "--sun", "300,30"]
+        triangles = self.draw(path, *arguments)
+        for name in ("strips.ply", "strips-big.ply", "strips-little.ply"):
+            self.assertLess(abs(self.draw(self.folder / name, *arguments) - triangles).mean(), 1.0)
+
+
+class Gltf(ProgramTest):
+    def write(self, name, binary=False, **changes):
+        """Write a.gltf or a.glb with other members of the document."""
+        document = json.loads(sample_files.gltf(embed=binary)[0])
+        document.update(changes)
+        path = self.folder / name
+        text = json.dumps(document).encode()
+        if binary:
+            sample_files.write_glb_parts(path, text, sample_files.gltf(embed=True)[1])
+        else:
+            path.write_bytes(text)
+        return path
+
+    def textured(self, *uris):
+        """The members of a document whose first material has pictures."""
+        document = json.loads(sample_files.gltf(embed=False)[0])
+        document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {"index": 0}
+        for mesh in document["meshes"]:
+            mesh["primitives"][0]["attributes"]["TEXCOORD_0"] = 2
+        document["accessors"].append(
+            {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC2"})
+        return {
+            "materials": document["materials"], "meshes": document["meshes"],
+            "accessors": document["accessors"], "images": [{"uri": uri} for uri in uris],
+            "textures": [{"source": i} for i in range(len(uris))]}
+
+    def test_a_missing_picture_leaves_a_plain_colour(self):
+        plain = self.draw(self.folder / "a.gltf")
+        shutil.copy(self.folder / "a.bmp", self.folder / "there.bmp")
+        for binary in (False, True):
+            name = "missing" + (".glb" if binary else ".gltf")
+            path = self.write(name, binary, **self.textured("none/brick wall.png", "there.bmp"))
+            drawn = self.draw(path, told=[name, "none/brick wall.png", "missing", "plain colour"])
+            self.assertLess(abs(drawn - plain).max(), 3)
+
+    def test_a_picture_whose_name_has_a_space_is_found(self):
+        shutil.copy(self.folder / "a.png", self.folder / "a brick.png")
+        path = self.write("space.gltf", **self.textured("a%20brick.png"))
+        self.assertGreater(abs(self.draw(path) - self.draw(self.folder / "a.gltf")).max(), 20)
+
+    def test_a_missing_buffer(self):
+        path = self.write("buffer.gltf", buffers=[{"byteLength": 44, "uri": "none.bin"}])
+        self.fails(path, "--output", "p.png", says=["buffer.gltf", "none.bin", "missing"])
+
+    def test_what_cannot_be_read_has_its_name(self):
+        for binary in (False, True):
+            for extension, name in (
+                ("KHR_draco_mesh_compression", "Draco"), ("EXT_meshopt_compression", "meshopt")
+            ):
+                path = self.write(
+                    "packed" + (".glb" if binary else ".gltf"), binary,
+                    extensionsUsed=[extension], extensionsRequired=[extension])
+                self.fails(path, "--output", "p.png", says=[path.name, name, "without compression"])
+        old = self.write("old.gltf", asset={"version": "1.0"})
+        self.fails(old, "--output", "p.png", says=["old.gltf", "glTF 1", "convert"])
+        old = self.folder / "old.glb"
+        old.write_bytes(b"glTF" + struct.pack("<4I", 1, 40, 20, 0) + b"{}".ljust(20))
+        self.fails(old, "--output", "p.png", says=["old.glb", "glTF 1", "convert"])
+
+
+if __name__ == "__main__":
+    unittest.main()
