@@ -81,6 +81,42 @@ double vtkGodRaysMarch::GetLength() const
 }
 
 //------------------------------------------------------------------------------
+double vtkGodRaysMarch::GetLengthWithin() const
+{
+  constexpr int Points = 16; // on each side of a grid over the picture
+  double sum = 0.0;
+  for (int i = 0; i < Points * Points; ++i)
+  {
+    const int place[2] = { i % Points, i / Points };
+    double way[2];
+    double first = 0.0;
+    double last = 1.0;
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const double point =
+        this->GetPoint(axis, (place[axis] + 0.5) / Points * this->PictureSize[axis] - 0.5);
+      way[axis] = this->Constant[axis] - this->Slope * point;
+      if (way[axis] != 0.0)
+      {
+        const double a = (-0.5 - point) / way[axis];
+        const double b = (this->LayerSize[axis] - 0.5 - point) / way[axis];
+        first = std::max(first, std::min(a, b));
+        last = std::min(last, std::max(a, b));
+      }
+    }
+    sum += std::max(0.0, last - first) * std::hypot(way[0], way[1]);
+  }
+  return sum / (Points * Points);
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysMarch::IsSmall() const
+{
+  return std::min(this->LayerSize[0], this->LayerSize[1]) < SmallestSweep &&
+    this->GetLengthWithin() <= LongestOfSmall;
+}
+
+//------------------------------------------------------------------------------
 double vtkGodRaysMarch::GetSummedPixels() const
 {
   return std::max(1.0, this->GetLength() / std::sqrt(std::max(1.0, std::abs(this->K))));

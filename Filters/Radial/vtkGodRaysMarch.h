@@ -35,8 +35,10 @@ struct VTKGODRAYSFILTERS_EXPORT vtkGodRaysMarch
   /// Below these, sums along lines are not faster, or not as accurate, as taps; and how many taps of a
   /// picture are affordable: 100 a pixel of 1920 x 1080.
   static constexpr double ShortestSweep = 8.0; // [pixels]
-  static constexpr int SmallestSweep = 32;     // [pixels]
+  static constexpr int SmallestSweep = 32;     // [pixels], one way
   static constexpr double MostTaps = 2e8;
+  /// Of a small layer, but not of a long strip: there taps are as many as the square of its length.
+  static constexpr double LongestOfSmall = 128.0; // [pixels], in the mean
   ///@}
 
   double Constant[2] = { 0.0, 0.0 };
@@ -68,6 +70,13 @@ struct VTKGODRAYSFILTERS_EXPORT vtkGodRaysMarch
 
   /// How long the marches are within the layer, in the mean [pixels].
   double GetLength() const;
+
+  /// How long the parts of marches within the layer are, in the mean [pixels]: what taps pay for. Unlike
+  /// GetLength(), also where the layer is a strip.
+  double GetLengthWithin() const;
+
+  /// Whether the layer is too small for sums along lines.
+  bool IsSmall() const;
 
   /// How many pixels are summed, in the mean [pixels]. Steep kernels sum fewer.
   double GetSummedPixels() const;

@@ -50,12 +50,17 @@ const EffortRow Efforts[] = {
   { 0.0038, 1.0 / 6.0, EverywhereSubrows },
 };
 
+// Across layers of fewer pixels than that, what falls to 0 beyond the edges is all that there is: lines
+// are so close together.
+constexpr int ThinLayer = 4;
+constexpr double ThinSpacing = 1.0 / 32.0;
+
 //------------------------------------------------------------------------------
 // How many taps the whole picture takes at a distance that SumClippedTaps() chooses.
 double EstimateTaps(const vtkGodRaysMarch& march, double tolerance)
 {
   const double spacing = std::min(std::max(std::sqrt(tolerance / 0.09), 0.02), 1.0);
-  return march.GetLength() / spacing * march.PictureSize[0] * march.PictureSize[1];
+  return march.GetLengthWithin() / spacing * march.PictureSize[0] * march.PictureSize[1];
 }
 
 //------------------------------------------------------------------------------
@@ -66,11 +71,17 @@ bool ChooseEffort(double tolerance, const vtkGodRaysMarch& march, SweepEffort& e
   effort.TapTolerance = tolerance;
   const double parallelism = march.GetParallelism();
   const double scale = march.GetErrorScale();
+  const bool thin = std::min(march.LayerSize[0], march.LayerSize[1]) < ThinLayer;
   for (const EffortRow& row : Efforts)
   {
     // Parallel lines a whole fraction of a pixel apart can meet the centres of all pixels.
     effort.Spacing = parallelism > 3.0 ? 1.0 / std::ceil(1.0 / row.Spacing - 1e-6) : row.Spacing;
     effort.SubrowReach = row.SubrowReach;
+    if (thin)
+    {
+      effort.Spacing = std::min(effort.Spacing, ThinSpacing);
+      effort.SubrowReach = EverywhereSubrows;
+    }
     if (row.Error * scale <= tolerance)
     {
       return true;
@@ -222,7 +233,6 @@ private:
 
   bool ChoosesSweep(int method)
   {
-    const int size = std::min(this->Plan.Width, this->Plan.Height);
     if (method == TAPS)
     {
       this->Reason = "as asked for";
@@ -233,7 +243,7 @@ private:
       this->Reason = "the longest march is below 8 pixels";
       return false;
     }
-    if (method == AUTOMATIC && size < vtkGodRaysMarch::SmallestSweep)
+    if (method == AUTOMATIC && this->Plan.March.IsSmall())
     {
       this->Reason = "the image is small";
       return false;

@@ -18,9 +18,10 @@
  * vtkGodRaysSectorSweep.h.
  *
  * Where the sweep cannot keep the tolerance, taps are summed instead, as closely as it takes, within
- * the image alone. That is so for marches below 8 pixels, images below 32 pixels, Density above 1,
- * kernels that end within few pixels (k > 30), and most that grow (k < 0) where less than the way to
- * the light is marched. GetPlan() tells. It costs 10 to 100 times as much, but for short marches.
+ * the image alone. That is so for marches below 8 pixels, images below 32 pixels one way (but not for
+ * strips, where marches are longer than 128 pixels in the mean), Density above 1, kernels that end
+ * within few pixels (k > 30), and most that grow (k < 0) where less than the way to the light is
+ * marched. GetPlan() tells. It costs 10 to 100 times as much, but for short marches.
  * Tolerances below some 3e-4 of large pictures would take too many: there the finest sweep is done,
  * which keeps them on pictures of shapes, but not on black and white noise.
  *

@@ -297,13 +297,12 @@ vtkGodRaysBlockMeans::~vtkGodRaysBlockMeans() = default;
 bool vtkGodRaysBlockMeans::Keeps(
   const vtkGodRaysRadialIntegrator::Request& request, const vtkGodRaysMarch& march)
 {
-  const int size = std::min(march.LayerSize[0], march.LayerSize[1]);
   const int largest = vtkTextureObject::GetMaximumTextureSize(request.Window);
   const double tolerance = request.ErrorTolerance;
   bool kept = false;
   const Plan::Effort* effort = Plan::ChooseEffort(march, tolerance, largest, kept);
   if ((!kept && vtkGodRaysClippedTaps::CountTaps(march, tolerance) <= vtkGodRaysMarch::MostTaps) ||
-    size < vtkGodRaysMarch::SmallestSweep || march.GetLongest() < vtkGodRaysMarch::ShortestSweep ||
+    march.IsSmall() || march.GetLongest() < vtkGodRaysMarch::ShortestSweep ||
     march.K > SteepestKernel || march.K < SteepestGrowth)
   {
     return false;

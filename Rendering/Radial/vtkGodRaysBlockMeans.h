@@ -51,10 +51,10 @@ public:
    * Whether Integrate() keeps request.ErrorTolerance, root mean square over the picture as a
    * fraction of the largest possible result, on any picture; otherwise take vtkGodRaysClippedTaps.
    * Of very small tolerances of large pictures, for which taps would be too many, it keeps what it
-   * can, and not on noise. It does not for marches below 8 pixels, layers below 32 pixels, kernels
-   * that end within few pixels (k > 30) or grow steeply (k < -5), marches past a light in the layer, and
-   * where lines would have to be closer together than textures are large. The march is the request's, of a
-   * vtkGodRaysRadialModel; the context is current.
+   * can, and not on noise. It does not for marches below 8 pixels, layers where vtkGodRaysMarch::IsSmall(),
+   * kernels that end within few pixels (k > 30) or grow steeply (k < -5), marches past a light in the layer,
+   * and where lines would have to be closer together than textures are large. The march is the request's,
+   * of a vtkGodRaysRadialModel; the context is current.
    */
   static bool Keeps(
     const vtkGodRaysRadialIntegrator::Request& request, const vtkGodRaysMarch& march);

@@ -93,7 +93,7 @@ bool vtkGodRaysClippedTaps::Integrate(
 //------------------------------------------------------------------------------
 double vtkGodRaysClippedTaps::CountTaps(const vtkGodRaysMarch& march, double tolerance)
 {
-  return ChooseTapsPerPixel(march, tolerance) * GetLength(march) * march.PictureSize[0] *
+  return ChooseTapsPerPixel(march, tolerance) * march.GetLengthWithin() * march.PictureSize[0] *
     march.PictureSize[1];
 }
 

@@ -510,6 +510,89 @@ TEST(GodRaysScatteringFilter, SmallAndOddPictures)
 }
 
 //------------------------------------------------------------------------------
+// Few pixels one way and many the other: swept, and as accurate as others.
+TEST(GodRaysScatteringFilter, Strips)
+{
+  const int sizes[][2] = { { 1024, 16 }, { 16, 700 }, { 900, 4 }, { 1500, 3 }, { 2, 1500 },
+    { 2000, 1 }, { 1, 2000 } };
+  const double lights[][3] = { { 0.3, 0.2, 1.0 }, { 1.3, 0.1, 1.0 }, { 0.2, 3.0, 1.0 },
+    { 1.0, 0.3, 0.0 }, { 0.4, 0.3, -0.5 } };
+  int sweeps = 0;
+  for (const auto& size : sizes)
+  {
+    const Picture picture = MakeTestPicture(size[0], size[1]);
+    for (const auto& light : lights)
+    {
+      Parameters parameters;
+      std::copy_n(light, 3, parameters.Light);
+      std::string plan;
+      const Errors errors =
+        Compare(Evaluate(parameters, picture, vtkGodRaysScatteringFilter::AUTOMATIC, &plan),
+          Expect(parameters, picture));
+      EXPECT_LE(errors.Rms, parameters.Tolerance) << parameters.Describe() << "\n" << plan;
+      sweeps += IsSweep(plan);
+    }
+  }
+  EXPECT_GT(sweeps, 25); // of 35
+}
+
+//------------------------------------------------------------------------------
+// Taps along a strip are as many as the square of its length: for each pixel, as many as its march is long
+// [pixels], over the distance that this tolerance asks for.
+TEST(GodRaysScatteringFilter, LongStripsHaveNoMoreTapsThanPictures)
+{
+  const int sizes[][2] = { { 12000, 16 }, { 16, 12000 }, { 4096, 31 }, { 16384, 3 }, { 16384, 1 } };
+  const double lights[][3] = { { 0.3, 0.2, 1.0 }, { 1.3, 0.1, 1.0 }, { 0.0, 3.0, 1.0 },
+    { 1.0, 0.001, 0.0 }, { 0.0, 1.0, 0.0 } };
+  for (const auto& size : sizes)
+  {
+    const Picture picture = MakePicture(size[0], size[1], [](int, int) { return 1.0; });
+    for (const auto& light : lights)
+    {
+      for (const double tolerance : { 1.0 / 255.0, 1e-3 })
+      {
+        Parameters parameters;
+        parameters.Tolerance = tolerance;
+        std::copy_n(light, 3, parameters.Light);
+        const auto lengthAt = [&](int x, int y) // within the picture
+        {
+          double begin = 0.0;
+          double end = 1.0;
+          double squares = 0.0;
+          const int place[2] = { x, y };
+          for (int i = 0; i < 2; ++i)
+          {
+            const double ndc = 2.0 * (place[i] + 0.5) / size[i] - 1.0;
+            const double way = parameters.Density * 0.5 * size[i] * (light[i] - light[2] * ndc);
+            const double ends[2] = { -0.5 - place[i], size[i] - 0.5 - place[i] };
+            if (way != 0.0)
+            {
+              begin = std::max(begin, std::min(ends[0] / way, ends[1] / way));
+              end = std::min(end, std::max(ends[0] / way, ends[1] / way));
+            }
+            squares += way * way;
+          }
+          return std::max(0.0, end - begin) * std::sqrt(squares);
+        };
+        double taps = 0.0;
+        for (int y = 0; y < size[1]; ++y)
+        {
+          for (int x = 0; x < size[0]; ++x)
+          {
+            taps += lengthAt(x, y) / std::sqrt(tolerance / 0.09);
+          }
+        }
+        std::string plan;
+        Evaluate(parameters, picture, vtkGodRaysScatteringFilter::AUTOMATIC, &plan);
+        EXPECT_TRUE(IsSweep(plan) || taps < 2.2e8)
+          << taps << " taps, " << parameters.Describe() << "\n"
+          << plan;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // One bright line, one bright pixel: where they are missed, shafts are.
 TEST(GodRaysScatteringFilter, ThinFeatures)
 {

@@ -414,6 +414,45 @@ TEST_F(GodRaysBlockMeans, ASteadyFrameMakesNothing)
   EXPECT_LT(this->CountObjects(), count);
 }
 
+TEST_F(GodRaysBlockMeans, KeepTheToleranceInStrips)
+{
+  const int sizes[][2] = { { 512, 16 }, { 16, 512 }, { 700, 4 } };
+  std::mt19937 generator(13);
+  int blocks = 0;
+  for (const auto& size : sizes)
+  {
+    this->MakeNoise(size[0], size[1], 1, generator);
+    for (const Light& light : this->GetLights())
+    {
+      const Method method = this->Keeps(light) ? BLOCKS : CLIPPED;
+      EXPECT_LE(
+        this->GetError(this->Integrate(light, method), this->Evaluate(light)), this->Tolerance)
+        << size[0] << " x " << size[1] << ", light " << light[0] << " " << light[1] << " "
+        << light[2];
+      blocks += method == BLOCKS;
+    }
+  }
+  EXPECT_GT(blocks, 10); // of 57
+}
+
+// Taps along a strip would be as many as the square of its length. Lines across longer ones are more than
+// textures of 16,384 pixels hold.
+TEST_F(GodRaysBlockMeans, AreTakenInLongStrips)
+{
+  const int sizes[][2] = { { 7000, 16 }, { 16, 7000 }, { 4096, 48 } };
+  for (const auto& size : sizes)
+  {
+    this->MakeLayer(size[0], size[1], 1, [](int, int) { return 1.0; });
+    for (const Light& light : this->GetLights())
+    {
+      const bool keeps = this->Keeps(light);
+      EXPECT_TRUE(keeps || this->MakeRequest(light).GetMarch().GetLengthWithin() < 128.0)
+        << size[0] << " x " << size[1] << ", light " << light[0] << " " << light[1] << " "
+        << light[2];
+    }
+  }
+}
+
 TEST_F(GodRaysBlockMeans, LeaveOtherCasesToTaps)
 {
   std::mt19937 generator(9);
