@@ -52,7 +52,7 @@ def save(name, folder):
             continue
         surface = vtk.vtkDataSetSurfaceFilter()
         surface.SetInputData(prop.GetMapper().GetInput())
-        place = vtk.vtkTransformPolyDataFilter()
+        place = vtk.vtkTransformFilter()
         transform = vtk.vtkTransform()
         transform.SetMatrix(prop.GetMatrix())
         place.SetTransform(transform)

@@ -65,21 +65,21 @@ Overlay::Overlay(vtkRenderWindowInteractor* interactor)
   this->PictureMapper->UseCustomExtentsOn();
   this->Picture->SetMapper(this->PictureMapper);
   this->Picture->VisibilityOff();
-  this->Renderer->AddActor2D(this->Picture);
+  this->Renderer->AddViewProp(this->Picture);
 
   vtkNew<vtkPolyDataMapper2D> lines;
   lines->SetInputConnection(this->Line->GetOutputPort());
   this->Divider->SetMapper(lines);
   this->Divider->GetProperty()->SetLineWidth(2.0);
   this->Divider->VisibilityOff();
-  this->Renderer->AddActor2D(this->Divider);
+  this->Renderer->AddViewProp(this->Divider);
 
   this->ScalarBar->SetNumberOfLabels(5);
   this->ScalarBar->SetMaximumWidthInPixels(90);
   this->ScalarBar->SetPosition(0.87, 0.12);
   this->ScalarBar->SetPosition2(0.11, 0.7);
   this->ScalarBar->VisibilityOff();
-  this->Renderer->AddActor2D(this->ScalarBar);
+  this->Renderer->AddViewProp(this->ScalarBar);
 
   SetText(this->Help, "Courier");
   SetText(this->Status, "Arial");
@@ -89,7 +89,7 @@ Overlay::Overlay(vtkRenderWindowInteractor* interactor)
   this->Status->SetDisplayPosition(Margin, Margin);
   for (vtkTextActor* text : { this->Status.Get(), this->Message.Get(), this->Help.Get() })
   {
-    this->Renderer->AddActor2D(text);
+    this->Renderer->AddViewProp(text);
   }
 
   vtkNew<vtkAxesActor> arrows;

@@ -3,6 +3,7 @@
 #include "vtkGodRaysMediumVerification.h"
 
 #include "vtkActor.h"
+#include "vtkAlgorithm.h"
 #include "vtkAppendPolyData.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
@@ -26,7 +27,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkSmartPointer.h"
-#include "vtkTransformPolyDataFilter.h"
+#include "vtkTransformFilter.h"
 #include "vtkVolume.h"
 
 #include <algorithm>
@@ -81,10 +82,10 @@ bool AddActor(vtkActor* actor, vtkMatrix4x4* matrix, vtkAppendPolyData* all)
   toWorld->SetInput(matrix);
   for (vtkPolyData* surface : surfaces)
   {
-    vtkNew<vtkTransformPolyDataFilter> moved;
+    vtkNew<vtkTransformFilter> moved;
     moved->SetTransform(toWorld);
     moved->SetInputData(surface);
-    vtkSmartPointer<vtkPolyDataAlgorithm> last = moved.Get();
+    vtkSmartPointer<vtkAlgorithm> last = moved.Get();
     vtkPlaneCollection* planes = actor->GetMapper()->GetClippingPlanes();
     for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
     {
@@ -94,7 +95,7 @@ bool AddActor(vtkActor* actor, vtkMatrix4x4* matrix, vtkAppendPolyData* all)
       last = clip.Get();
     }
     last->Update();
-    all->AddInputData(last->GetOutput());
+    all->AddInputData(vtkPolyData::SafeDownCast(last->GetOutputDataObject(0)));
   }
   return true;
 }

@@ -8,7 +8,7 @@
 #include "vtkSampleFunction.h"
 #include "vtkSuperquadric.h"
 #include "vtkTransform.h"
-#include "vtkTransformPolyDataFilter.h"
+#include "vtkTransformFilter.h"
 
 #include <cmath>
 #include <random>
@@ -157,7 +157,7 @@ Scene MakeIsosurface(int sphereParts)
   turn->Translate(0.3, 0.2, -6.5);
   turn->RotateX(35.0);
   turn->RotateY(30.0);
-  vtkNew<vtkTransformPolyDataFilter> placed;
+  vtkNew<vtkTransformFilter> placed;
   placed->SetTransform(turn);
   placed->SetInputConnection(surface->GetOutputPort());
   vtkNew<vtkPolyDataNormals> oriented;

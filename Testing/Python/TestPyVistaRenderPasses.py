@@ -123,8 +123,9 @@ class Provider(unittest.TestCase):
                 self.assertEqual(difference(show(self.plotter), bare), (0, 0))
 
     def test_under_depth_of_field(self):
-        for text in list(self.plotter.renderer.GetActors2D()):  # VTK blurs texts as well
-            self.plotter.renderer.RemoveViewProp(text)
+        for prop in list(self.plotter.renderer.GetViewProps()):
+            if prop.IsA("vtkActor2D"):  # VTK blurs texts as well
+                self.plotter.renderer.RemoveViewProp(prop)
         self.component.dof = True
         rays = godrays.enable(self.plotter, **SHAFTS)
         self.component.invalidate()

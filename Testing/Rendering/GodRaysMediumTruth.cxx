@@ -18,7 +18,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkTransform.h"
-#include "vtkTransformPolyDataFilter.h"
+#include "vtkTransformFilter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +40,7 @@ vtkSmartPointer<vtkAppendPolyData> Append(const Actors& actors)
     actor->GetMapper()->Update();
     vtkNew<vtkTransform> toWorld;
     toWorld->SetMatrix(actor->GetMatrix());
-    vtkNew<vtkTransformPolyDataFilter> placed;
+    vtkNew<vtkTransformFilter> placed;
     placed->SetInputData(actor->GetMapper()->GetInput());
     placed->SetTransform(toWorld);
     all->AddInputConnection(placed->GetOutputPort());

@@ -30,7 +30,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkTransform.h"
-#include "vtkTransformPolyDataFilter.h"
+#include "vtkTransformFilter.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -170,14 +170,14 @@ protected:
         actor->GetMapper()->Update();
         vtkNew<vtkTransform> toWorld;
         toWorld->SetMatrix(actor->GetMatrix());
-        vtkNew<vtkTransformPolyDataFilter> placed;
+        vtkNew<vtkTransformFilter> placed;
         placed->SetInputData(actor->GetMapper()->GetInput());
         placed->SetTransform(toWorld);
         placed->Update();
         const double opacity = actor->GetProperty()->GetOpacity();
         if (opacity == 1.0)
         {
-          all->AddInputData(placed->GetOutput());
+          all->AddInputConnection(placed->GetOutputPort());
           continue;
         }
         double through[3];
@@ -185,7 +185,7 @@ protected:
         {
           through[c] = std::pow(1.0 - opacity, 3.0 - 2.0 * actor->GetProperty()->GetColor()[c]);
         }
-        truth.AddVeil(placed->GetOutput(), through);
+        truth.AddVeil(placed->GetPolyDataOutput(), through);
       }
       else if (withData)
       {
