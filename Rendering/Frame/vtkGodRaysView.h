@@ -53,8 +53,9 @@ struct vtkGodRaysView
   };
 
   /**
-   * The camera, for a layer of this size [pixels]. False if pixels are not square, to 2 percent, or
-   * the picture is tilted against the axis of view, as only projection matrices made by hand do.
+   * The camera, for a layer of this size [pixels]. False if pixels are not square, to 2 percent, as in an
+   * oblong window under a vtkDepthOfFieldPass, or the picture is tilted against the axis of view, as only
+   * projection matrices made by hand do.
    */
   bool GetPinhole(const int size[2], Pinhole& pinhole) const;
 

@@ -29,8 +29,8 @@
  * scalar opacity, tint from its colours, and for all such volumes of a pass the Data numbers.
  *
  * Translucent props and volumes take part of the light, see Documentation/Pipeline.md. A picture that is
- * tilted against the axis of view, or has oblong pixels, as only a projection matrix made by hand has, is an
- * error.
+ * tilted against the axis of view, as only a projection matrix made by hand has it, or has pixels that are
+ * oblong by 2 percent, as it and a vtkDepthOfFieldPass in an oblong window have them, is an error.
  *
  * @sa vtkGodRaysHomogeneousModel vtkGodRaysVolumeModel vtkGodRaysAutomaticIntegrator
  */

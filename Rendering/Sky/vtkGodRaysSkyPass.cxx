@@ -534,7 +534,8 @@ const char* vtkGodRaysSkyPass::FindReasonForNoAir(const vtkRenderState* s)
   {
     this->Complain("the air before it",
       "the picture is tilted against the axis of view, or its pixels are oblong. Use a projection "
-      "matrix without that, or switch AerialPerspective off");
+      "matrix without that, a window of another shape under a vtkDepthOfFieldPass, or switch "
+      "AerialPerspective off");
     return "the projection is not one that it takes";
   }
   return nullptr;

@@ -10,7 +10,9 @@
 #include "vtkDepthOfFieldPass.h"
 #include "vtkEDLShading.h"
 #include "vtkGaussianBlurPass.h"
+#include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysSkyPass.h"
+#include "vtkImageData.h"
 #include "vtkLightsPass.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLFXAAPass.h"
@@ -207,6 +209,53 @@ TEST_P(GodRaysAmong, StayWhicheverIsSetFirst)
 }
 
 INSTANTIATE_TEST_SUITE_P(Passes, GodRaysAmong, ::testing::ValuesIn(AllOthers), NameOf);
+
+// VTK draws 16 pixels more on each side with the aspect of the window: pixels are oblong, the more so the
+// more the window is. The pillars and the fog are there; a warning says why the shafts are not.
+TEST(GodRaysAmongPasses, OfAMediumUnderDepthOfFieldNeedSquarePixels)
+{
+  const struct
+  {
+    int Size[2];
+    bool HasRays;
+  } windows[] = { { { 128, 128 }, true }, { { 600, 450 }, true }, { { 150, 110 }, false },
+    { { 600, 200 }, false } };
+  for (const auto& each : windows)
+  {
+    Messages messages;
+    Stage scene(each.Size[0], each.Size[1]);
+    scene.AddPillarsAndSun();
+    scene.Rays->Detach(scene.Renderer);
+    const auto pass = MakeDepthOfField(MakeSteps());
+    scene.Renderer->SetPass(pass);
+    vtkNew<vtkGodRaysHomogeneousModel> fog;
+    fog->ApplyPreset("fog");
+    scene.Rays->SetModel(fog);
+    scene.Rays->Attach(scene.Renderer);
+    for (int frame = 0; frame < 3; ++frame)
+    {
+      scene.Window->Render();
+    }
+    vtkNew<vtkImageData> light;
+    EXPECT_EQ(scene.Rays->GetScatteringImage(light), each.HasRays) << each.Size[0];
+    const auto said = messages.Take();
+    ASSERT_EQ(said.size(), each.HasRays ? 0u : 1u);
+    if (each.HasRays)
+    {
+      EXPECT_GT(GetMean(light), 0.0);
+    }
+    else
+    {
+      EXPECT_TRUE(Says(said[0], "its pixels are oblong")) << said[0];
+      EXPECT_TRUE(Says(said[0], "a window of another shape under a vtkDepthOfFieldPass"))
+        << said[0];
+      const auto picture = GetPixels(scene.Window);
+      scene.Rays->Detach(scene.Renderer);
+      EXPECT_EQ(GetLargestDifference(GetPixels(scene.Window), picture), 0);
+    }
+    pass->ReleaseGraphicsResources(scene.Window);
+  }
+}
 
 TEST(GodRaysAmongPasses, StayWithASkyWhenTheirPassesAreReplaced)
 {
