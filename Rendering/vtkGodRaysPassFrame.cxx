@@ -242,72 +242,6 @@ bool vtkGodRaysPass::DimsScene() const
 }
 
 //------------------------------------------------------------------------------
-// Whether the join depends on what the picture shows.
-bool vtkGodRaysPass::MetersPicture() const
-{
-  return this->Output == COMPOSITE &&
-    (this->AutomaticExposure || this->DarkenLightBackground || this->DataFirst) &&
-    this->Internal->Transfer != vtkGodRaysTransfer::NONE;
-}
-
-//------------------------------------------------------------------------------
-// Choose how strong the rays are, and tell the request. Tiles and the second eye take what the first had.
-bool vtkGodRaysPass::Internals::FindExposure(
-  vtkGodRaysPass& pass, vtkRenderer* renderer, vtkGodRaysBlendPass::Request& request)
-{
-  const vtkGodRaysLightMeter::Exposure former = this->Exposure;
-  const bool wasMetered = this->IsMetered;
-  this->IsMetered = pass.MetersPicture() && request.Rays;
-  if (!this->IsMetered)
-  {
-    return true;
-  }
-  request.AlphaLayers = vtkGodRaysLightMeter::FindAlphaLayers(renderer);
-  // of a picture whose whole was drawn before
-  const bool isPart = GetTiles(this->Window) > 1.0 ||
-    (this->Window->GetStereoRender() && !renderer->GetActiveCamera()->GetLeftEye());
-  if (!isPart || !wasMetered)
-  {
-    if (!this->Meter.Read(this->Blending, request))
-    {
-      return false;
-    }
-    this->Exposure = {};
-    if (pass.AutomaticExposure)
-    {
-      this->Exposure = this->Meter.FindExposure(
-        request.Shoulder && !request.Screen, request.LargestExposure, request.SparesData);
-      if (wasMetered && this->Window->GetDesiredUpdateRate() >= 1.0)
-      {
-        const auto approach = [](double& now, double before)
-        { now = before + 0.25 * (now - before); };
-        approach(this->Exposure.Everywhere, former.Everywhere);
-        approach(this->Exposure.OverData, former.OverData);
-        approach(this->Exposure.OverDark, former.OverDark);
-        approach(this->Exposure.DataGain, former.DataGain);
-      }
-    }
-    this->Surround = {};
-    if (pass.DarkenLightBackground && request.SparesData)
-    {
-      this->Surround = this->Meter.FindSurround(pass.GetExposure());
-    }
-  }
-  request.AlphaShowsData = this->Meter.AlphaShowsData();
-  request.DataExposure = this->Exposure.OverData;
-  request.DarkExposure = this->Exposure.OverDark;
-  request.DataGain = this->Exposure.DataGain;
-  request.SurroundPart = this->Surround.Part;
-  request.SurroundLight = this->Surround.Light;
-  request.SurroundRays = this->Surround.Rays;
-  if (pass.DataFirst)
-  {
-    request.MostLightness = pass.MostDataLightness;
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
 void vtkGodRaysPass::RenderScene(const vtkRenderState* s)
 {
   vtkRenderPass* scene = this->DelegatePass;
@@ -497,7 +431,7 @@ bool vtkGodRaysPass::DrawOutput(
     request.Bytes = bound.Formats.Color == GL_RGBA8;
     request.Shoulder =
       this->HighlightShoulder && request.Bytes && self.Transfer != vtkGodRaysTransfer::NONE;
-    drawn = self.FindExposure(*this, s->GetRenderer(), request);
+    drawn = self.FindExposure(*this, s->GetRenderer(), GetTiles(self.Window) > 1.0, request);
     request.Intensity = this->Output == OCCLUSION ? 1.0 : this->GetExposure();
     drawn = drawn && self.Blending->Draw(request);
   }

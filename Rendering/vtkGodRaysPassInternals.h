@@ -85,8 +85,8 @@ struct vtkGodRaysPass::Internals
   std::vector<std::string> Concerns; // of the last frame
   std::set<std::string> Complaints;  // that have been made already
 
-  bool FindExposure(
-    vtkGodRaysPass& pass, vtkRenderer* renderer, vtkGodRaysBlendPass::Request& request);
+  bool FindExposure(vtkGodRaysPass& pass, vtkRenderer* renderer, bool isTile,
+    vtkGodRaysBlendPass::Request& request);
 
   /// What the last frame left, if that is still there; else an image without points, and false.
   bool Download(vtkGodRaysSum* light, vtkImageData* image)

@@ -38,6 +38,8 @@ uniform float surroundRays;  // part of the rays that is added to it
 uniform float mostLightness; // by which data change, if only their lightness does
 uniform bool alphaShowsData; // it is 0 where nothing is drawn
 uniform float alphaLayers;   // n in PartOfAlpha()
+uniform sampler2D opacity;   // of what leaves no depth, in alpha; may have a margin about the scene
+uniform float opacityLayers; // n for it
 uniform vec2 cells;          // of the pictures that a meter reads
 
 //VTK::GodRays::Terms
@@ -61,6 +63,7 @@ uniform vec2 cells;          // of the pictures that a meter reads
 // sparesData: whether rays are weaker over data
 // gainsData: whether data are brighter than what the medium leaves of them
 // lightnessAlone: whether data keep hue and chroma
+// hasOpacity: whether opacity, rather than the scene's alpha, says what leaves no depth
 // metered: whether a few pixels are drawn for a vtkGodRaysLightMeter, rather than the picture
 
 // What the medium lets through between the eye and what is seen.
@@ -103,15 +106,27 @@ vec3 Encode(vec3 light)
 
 // How much of what leaves no depth counts as something rather than a background: what several such layers
 // hide, so that smoke has no outline. Formula: 1 - (1 - a)^n.
-float PartOfAlpha(float alpha)
+float PartOfAlpha(float alpha, float layers)
 {
-  return 1.0 - pow(clamp(1.0 - alpha, 0.0, 1.0), alphaLayers);
+  return 1.0 - pow(clamp(1.0 - alpha, 0.0, 1.0), layers);
+}
+
+float PartOfOpacity(ivec2 pixel)
+{
+  if (!hasOpacity)
+  {
+    return 0.0;
+  }
+  ivec2 margin = (textureSize(opacity, 0) - textureSize(scene, 0)) / 2;
+  return PartOfAlpha(texelFetch(opacity, pixel + margin, 0).a, opacityLayers);
 }
 
 // How much of a pixel shows something rather than a background.
 float DataPart(ivec2 pixel, float alpha)
 {
-  return texelFetch(depth, pixel, 0).r < 1.0 ? 1.0 : alphaShowsData ? PartOfAlpha(alpha) : 0.0;
+  return texelFetch(depth, pixel, 0).r < 1.0 ? 1.0
+    : alphaShowsData                         ? PartOfAlpha(alpha, alphaLayers)
+                                             : PartOfOpacity(pixel);
 }
 
 vec3 Join(vec3 base, vec3 light)
@@ -171,9 +186,9 @@ void main()
   }
   if (metered)
   {
-    gl_FragData[0] = 3.0 * texCoord.y < 1.0 ? vec4(before, PartOfAlpha(shownOver.a))
+    gl_FragData[0] = 3.0 * texCoord.y < 1.0 ? vec4(before, PartOfAlpha(shownOver.a, alphaLayers))
       : 3.0 * texCoord.y < 2.0              ? vec4(base, texelFetch(depth, pixel, 0).r)
-                                            : vec4(light, 1.0);
+                                            : vec4(light, PartOfOpacity(pixel));
     return;
   }
   if (sparesData)

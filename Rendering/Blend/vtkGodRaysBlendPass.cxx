@@ -87,6 +87,8 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
   const bool gainsData = request.Medium && request.DataGain > 1.0 && !request.ShowRays && !metered;
   const bool surround = request.SurroundPart > 0.0 && !request.ShowRays && !metered;
   const bool lightnessAlone = request.MostLightness >= 0.0 && !request.ShowRays && !metered;
+  const bool hasOpacity =
+    request.Opacity && (metered || surround || sparesData || gainsData || lightnessAlone);
   vtkShaderProgram* program = this->Internal->Quad.Begin(request.Window,
     { { "linearLight", request.Transfer != vtkGodRaysTransfer::NONE }, { "bytes", request.Bytes },
       { "isPower", request.Transfer == vtkGodRaysTransfer::POWER },
@@ -100,7 +102,7 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
       { "grey", request.Medium && request.Medium->IsGrey() },
       { "shoulder", request.Shoulder && !request.Screen }, { "lightnessAlone", lightnessAlone },
       { "surround", surround }, { "sparesData", sparesData }, { "gainsData", gainsData },
-      { "metered", metered } });
+      { "hasOpacity", hasOpacity }, { "metered", metered } });
   if (!program)
   {
     return false;
@@ -163,6 +165,11 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
   if (request.Depth)
   {
     program->SetUniformf("alphaLayers", static_cast<float>(request.AlphaLayers));
+  }
+  if (hasOpacity)
+  {
+    this->Internal->Quad.SetTexture("opacity", request.Opacity);
+    program->SetUniformf("opacityLayers", static_cast<float>(request.OpacityLayers));
   }
   if (metered)
   {

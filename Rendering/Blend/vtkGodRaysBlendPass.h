@@ -62,6 +62,10 @@ public:
     double MostLightness = -1.0; ///< by which data change, in L*, if only that may; else below 0
     bool AlphaShowsData = false; ///< it is 0 where nothing is drawn
     double AlphaLayers = 1.0;    ///< n: an alpha a counts as data by 1 - (1 - a)^n
+    /// Opacity of what leaves no depth, in alpha, where the scene's alpha does not say it; null for none. It
+    /// may be larger than the scene, by as much on either side.
+    vtkTextureObject* Opacity = nullptr;
+    double OpacityLayers = 1.0; ///< n for it
     bool ShowRays = false;
     bool Accumulate = false; ///< add to what the framebuffer holds
 

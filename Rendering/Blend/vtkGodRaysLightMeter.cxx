@@ -25,10 +25,9 @@ constexpr double LeastPartBeside = 0.2;    // and beside them
 constexpr double MostDataGain = 2.0;       // a stop of a camera
 constexpr double LeastPartOverData = 0.5;  // of a medium's light beside them, a stop as well
 
-// The opacity of volumes is in alpha, and that of surfaces whose depth is peeled: two layers spare the
-// colours of what is thin without an outline. Without peeling VTK 9.1 leaves T (1 - T) of surfaces that let
-// T through, 0.13 where they hide 15 % or 85 %, which is to count as nearly all.
-constexpr double TrueAlphaLayers = 2.0;
+// The opacity of volumes is in alpha, and that of surfaces whose depth is peeled. Without peeling VTK 9.1
+// leaves T (1 - T) of surfaces that let T through, 0.13 where they hide 15 % or 85 %, which is to count as
+// nearly all.
 constexpr double BlendedAlphaLayers = 30.0;
 
 constexpr double FewData = 0.005; // fraction of the picture; fewer count as less
@@ -290,7 +289,7 @@ bool vtkGodRaysLightMeter::Read(
     std::copy_n(picture[2] + 4 * i, 3, sample.Rays.begin());
     sample.DataPart = picture[1][4 * i + 3] < 1.0f ? 1.0
       : this->HasAlpha                             ? glm::clamp(picture[0][4 * i + 3], 0.0f, 1.0f)
-                                                   : 0.0;
+                                                   : glm::clamp(picture[2][4 * i + 3], 0.0f, 1.0f);
   }
   return true;
 }
@@ -414,4 +413,5 @@ vtkGodRaysLightMeter::Surround vtkGodRaysLightMeter::FindSurround(double exposur
 void vtkGodRaysLightMeter::Release(vtkWindow* window)
 {
   this->Target.Release(window);
+  this->HasAlpha = true;
 }

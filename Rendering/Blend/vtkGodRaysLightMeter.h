@@ -66,7 +66,11 @@ public:
    */
   static double FindAlphaLayers(vtkRenderer* renderer);
 
-  /// Whether alpha is 0 where nothing is drawn, as far as was read.
+  /// The OpacityLayers of a request: of alpha that is opacity, two layers spare the colours of what is thin
+  /// without an outline.
+  static constexpr double TrueAlphaLayers = 2.0;
+
+  /// Whether alpha is 0 where nothing is drawn, as far as was read; true before.
   bool AlphaShowsData() const { return this->HasAlpha; }
 
   /**
@@ -122,7 +126,7 @@ private:
   std::vector<float> Pixels;      // as read; kept for its memory, as the next two
   std::vector<double> Ranked;     // to find a percentile of
   std::unique_ptr<Fidelity> Data; // of the samples that show data
-  bool HasAlpha = false;
+  bool HasAlpha = true;
 };
 
 #endif

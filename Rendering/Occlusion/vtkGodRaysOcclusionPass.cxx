@@ -12,6 +12,7 @@
 #include "vtkGodRaysProjection.h"
 #include "vtkGodRaysQuad.h"
 #include "vtkGodRaysRole.h"
+#include "vtkGodRaysSortedProps.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysView.h"
 #include "vtkMapper.h"
@@ -21,7 +22,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkProp.h"
-#include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
@@ -41,77 +41,6 @@ vtkStandardNewMacro(vtkGodRaysOcclusionPass);
 
 namespace
 {
-/// The visible three-dimensional props of a renderer, in or out of its frustum, by what they do.
-struct Sorted
-{
-  std::vector<vtkProp*> OccludingProps; // opaque parts; lights block the light of others
-  std::vector<vtkProp*> Dimming;        // translucent parts and volumes
-  int NotOccluding = 0;
-  int Emitters = 0;
-  bool Labels = false; // some have labels, which are in the scene's depth and block no light
-};
-
-/// Into what was sorted before, whose memory serves.
-void Sort(const vtkGodRaysOcclusionPass::Request& request, Sorted& sorted)
-{
-  sorted.OccludingProps.clear();
-  sorted.Dimming.clear();
-  sorted.NotOccluding = 0;
-  sorted.Emitters = 0;
-  sorted.Labels = false;
-  vtkRenderer* renderer = request.Renderer;
-  vtkCollectionSimpleIterator iterator;
-  vtkPropCollection* props = renderer->GetViewProps();
-  props->InitTraversal(iterator);
-  while (vtkProp* prop = props->GetNextProp(iterator))
-  {
-    if (!prop->GetVisibility() || vtkGodRaysIsOverlay(prop) ||
-      vtkGodRaysProjection::IsUndrawnBillboard(prop))
-    {
-      continue;
-    }
-    vtkGodRaysRole role = vtkGodRaysGetRole(prop);
-    if (role == vtkGodRaysRole::MEDIUM)
-    {
-      if (!request.Dims)
-      {
-        continue; // it is not drawn among the props
-      }
-      role = vtkGodRaysRole::AUTOMATIC;
-    }
-    if (role == vtkGodRaysRole::IGNORED ||
-      (role == vtkGodRaysRole::LIGHT && !request.LampsOcclude) ||
-      (role == vtkGodRaysRole::AUTOMATIC && !request.UntaggedPropsOcclude))
-    {
-      ++sorted.NotOccluding;
-      continue;
-    }
-    sorted.OccludingProps.push_back(prop);
-    sorted.Labels = sorted.Labels || prop->IsA("vtkAxesActor"); // of a module that we do not need
-    sorted.Emitters += role == vtkGodRaysRole::LIGHT ? 1 : 0;
-    if (request.Dims && role != vtkGodRaysRole::LIGHT &&
-      (prop->HasTranslucentPolygonalGeometry() || vtkGodRaysHasVolume(prop)))
-    {
-      sorted.Dimming.push_back(prop);
-    }
-  }
-}
-
-/// Whether the scene's own depth is that of its occluders.
-bool SceneDepthServesFor(const vtkGodRaysOcclusionPass::Request& request, const Sorted& sorted)
-{
-  vtkGodRaysCompositor* compositor = request.Compositor;
-  if (compositor && compositor->IsDistributed())
-  {
-    // It does on one process alone; translucent parts and emitters need it on all of them.
-    const bool own =
-      sorted.NotOccluding > 0 || sorted.Emitters > 0 || sorted.Labels || !sorted.Dimming.empty();
-    return !vtkGodRaysCompositor::Any(compositor, own || !compositor->HasDepth()) &&
-      request.Margin == 0.0;
-  }
-  return request.Margin == 0.0 && sorted.NotOccluding == 0 && !sorted.Labels;
-}
-
 /// While it lives, the renderer looks through a camera whose picture includes the margin, if any.
 void IncludeMargin(vtkRenderer* renderer, const vtkGodRaysView& view,
   vtkSmartPointer<vtkCamera>& wide, std::optional<vtkGodRaysProjection>& projection)
@@ -255,6 +184,7 @@ struct vtkGodRaysOcclusionPass::Internals
   vtkGodRaysQuad Quad{ "vtkGodRaysOcclusionFS", vtkGodRaysOcclusionFS };
   vtkGodRaysTarget Occluders; // depth, when the scene's will not do
   vtkGodRaysTarget Dimming;   // opacity, over the depth of the occluders
+  vtkGodRaysTarget Opacity;   // of all that is shown, over the depth of the scene
   vtkGodRaysTarget Emitter;   // opaque parts of a prop tagged LIGHT
   vtkGodRaysTarget Haze;      // its translucent parts and volumes, over the depth of the occluders
   vtkGodRaysTarget Layer;
@@ -262,7 +192,9 @@ struct vtkGodRaysOcclusionPass::Internals
   vtkGodRaysTarget* Composed = nullptr;
   vtkSmartPointer<vtkCamera> WideCamera;
   Request Frame{};
-  Sorted SortedProps;
+  vtkGodRaysSortedProps SortedProps;
+  std::vector<vtkProp*> Shown;       // that leave no depth
+  std::vector<vtkProp*> Volumes;     // of those that are drawn; kept for its memory
   vtkTextureObject* Depth = nullptr; // of the occluders
   bool Dimmed = false;
   int Width = 0; // of the layer [pixels]
@@ -283,8 +215,9 @@ vtkGodRaysOcclusionPass::~vtkGodRaysOcclusionPass() = default;
 //------------------------------------------------------------------------------
 bool vtkGodRaysOcclusionPass::SceneDepthServes(const Request& request)
 {
-  Sort(request, this->Internal->SortedProps);
-  return SceneDepthServesFor(request, this->Internal->SortedProps);
+  vtkGodRaysSortedProps& sorted = this->Internal->SortedProps;
+  sorted.Sort(request);
+  return sorted.SceneDepthServes(request);
 }
 
 //------------------------------------------------------------------------------
@@ -292,8 +225,9 @@ bool vtkGodRaysOcclusionPass::Begin(const Request& request)
 {
   Internals& self = *this->Internal;
   self.Frame = request;
-  const Sorted& sorted = self.SortedProps;
-  Sort(request, self.SortedProps);
+  vtkGodRaysSortedProps& sorted = self.SortedProps;
+  sorted.Sort(request);
+  this->RenderedOpacity = false;
   const auto enlarged = [&request](unsigned int size)
   { return static_cast<int>(std::lround(size * (1.0 + 2.0 * request.Margin))); };
   const int width = self.Width = enlarged(request.SceneDepth->GetWidth());
@@ -313,7 +247,7 @@ bool vtkGodRaysOcclusionPass::Begin(const Request& request)
   vtkGodRaysCompositor* compositor = request.Compositor;
   self.Distributed = compositor && compositor->IsDistributed();
   self.Depth = request.SceneDepth;
-  this->RenderedOccluders = !SceneDepthServesFor(request, sorted);
+  this->RenderedOccluders = !sorted.SceneDepthServes(request);
   if (this->RenderedOccluders)
   {
     self.Occluders.Prepare(request.Window, width, height, { GL_RGBA8, request.DepthFormat });
@@ -348,7 +282,7 @@ bool vtkGodRaysOcclusionPass::Begin(const Request& request)
       return false;
     }
     state->vtkglClear(GL_COLOR_BUFFER_BIT);
-    this->RenderTranslucent(sorted.Dimming);
+    this->RenderTranslucent(sorted.Dimming.data(), sorted.Dimming.size());
     if (self.Distributed)
     {
       JoinOpacity(self.Dimming, compositor);
@@ -364,26 +298,65 @@ void vtkGodRaysOcclusionPass::End()
   this->Internal->Frame = Request();
   this->Internal->SortedProps.OccludingProps.clear();
   this->Internal->SortedProps.Dimming.clear();
+  this->Internal->Shown.clear();
+  this->Internal->Volumes.clear();
   this->Internal->Depth = nullptr;
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysOcclusionPass::RenderTranslucent(std::vector<vtkProp*> props)
+vtkTextureObject* vtkGodRaysOcclusionPass::FindOpacity()
+{
+  Internals& self = *this->Internal;
+  const vtkGodRaysSortedProps& sorted = self.SortedProps;
+  sorted.FindShown(self.Frame, self.Shown);
+  if (self.Dimmed && (self.Distributed || self.Shown == sorted.Dimming))
+  {
+    return self.Dimming.GetColor();
+  }
+  if (self.Distributed || self.Shown.empty())
+  {
+    return nullptr; // on several processes alpha says it
+  }
+  vtkOpenGLState* state = self.Frame.Window->GetState();
+  state->PushFramebufferBindings();
+  self.Opacity.Prepare(self.Frame.Window, GL_RGBA16F, self.Frame.SceneDepth);
+  this->RenderedOpacity = self.Opacity.Bind();
+  if (this->RenderedOpacity)
+  {
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    state->vtkglClear(GL_COLOR_BUFFER_BIT);
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDepthFunc(GL_LEQUAL);
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(
+      GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    this->RenderTranslucent(self.Shown.data(), self.Shown.size());
+  }
+  state->PopFramebufferBindings();
+  return this->RenderedOpacity ? self.Opacity.GetColor() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkGodRaysOcclusionPass::RenderTranslucent(vtkProp* const* props, std::size_t count)
 {
   vtkRenderer* renderer = this->Internal->Frame.Renderer;
-  for (vtkProp* prop : props)
+  std::vector<vtkProp*>& volumes = this->Internal->Volumes;
+  volumes.clear();
+  for (std::size_t i = 0; i < count; ++i)
   {
-    if (prop->HasTranslucentPolygonalGeometry())
+    if (props[i]->HasTranslucentPolygonalGeometry())
     {
-      prop->RenderTranslucentPolygonalGeometry(renderer);
+      props[i]->RenderTranslucentPolygonalGeometry(renderer);
+    }
+    if (vtkGodRaysHasVolume(props[i]))
+    {
+      volumes.push_back(props[i]);
     }
   }
-  props.erase(std::remove_if(props.begin(), props.end(),
-                [](vtkProp* prop) { return !vtkGodRaysHasVolume(prop); }),
-    props.end());
-  vtkRenderState volumes(renderer);
-  volumes.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
-  this->Render(&volumes);
+  vtkRenderState state(renderer);
+  state.SetPropArrayAndCount(volumes.data(), static_cast<int>(volumes.size()));
+  this->Render(&state);
 }
 
 //------------------------------------------------------------------------------
@@ -437,7 +410,7 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysLight& light)
         return false;
       }
       state->vtkglClear(GL_COLOR_BUFFER_BIT);
-      this->RenderTranslucent({ light.Prop });
+      this->RenderTranslucent(&light.Prop, 1);
       if (self.Distributed)
       {
         JoinOpacity(self.Haze, frame.Compositor);
@@ -608,6 +581,10 @@ std::string vtkGodRaysOcclusionPass::Describe() const
   {
     text << "; opacity of " << this->NumberOfTranslucentProps << " translucent props or volumes";
   }
+  if (this->RenderedOpacity)
+  {
+    text << "; opacity of data before the background, rendered a second time";
+  }
   return text.str();
 }
 
@@ -617,6 +594,7 @@ void vtkGodRaysOcclusionPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Superclass::ReleaseGraphicsResources(window);
   this->Internal->Quad.Release();
   this->Internal->Dimming.Release(window); // before the depth that they borrow
+  this->Internal->Opacity.Release(window);
   this->Internal->Haze.Release(window);
   this->Internal->Occluders.Release(window);
   this->Internal->Emitter.Release(window);

@@ -26,9 +26,10 @@
 #include "vtkGodRaysTransfer.h"        // For vtkGodRaysTransfer
 #include "vtkOpenGLRenderPass.h"
 
-#include <memory> // For std::unique_ptr
-#include <string> // For std::string
-#include <vector> // For std::vector
+#include <cstddef> // For std::size_t
+#include <memory>  // For std::unique_ptr
+#include <string>  // For std::string
+#include <vector>  // For std::vector
 
 class vtkGodRaysCompositor;
 class vtkGodRaysTarget;
@@ -91,6 +92,15 @@ public:
   VTK_WRAPEXCLUDE bool Compose(const vtkGodRaysLight& light);
 
   /**
+   * How much of what is behind them translucent props and volumes hide, in alpha, whatever their part in the
+   * rays: where the background has alpha as well, the scene's does not say it. The texture is that of their
+   * opacity for light, of the layer's size, where all of them block light; else they are rendered once more,
+   * and it is of the viewport's size. Null if there are none, or the driver refuses. Call it after Begin() in
+   * each frame that needs it.
+   */
+  VTK_WRAPEXCLUDE vtkTextureObject* FindOpacity();
+
+  /**
    * The layer last composed; null if there is none.
    */
   VTK_WRAPEXCLUDE vtkGodRaysTarget* GetLayer();
@@ -111,7 +121,7 @@ public:
   bool GetRenderedOccluders() const { return this->RenderedOccluders; }
 
   /**
-   * What Begin() did, in one line.
+   * What Begin() and FindOpacity() did, in one line.
    */
   std::string Describe() const;
 
@@ -134,7 +144,7 @@ private:
   void operator=(const vtkGodRaysOcclusionPass&) = delete;
 
   void JoinEmitter();
-  void RenderTranslucent(std::vector<vtkProp*> props);
+  void RenderTranslucent(vtkProp* const* props, std::size_t count);
   enum Part
   {
     GLOW,
@@ -146,6 +156,7 @@ private:
   struct Internals;
   std::unique_ptr<Internals> Internal;
   bool RenderedOccluders = false;
+  bool RenderedOpacity = false;
   int NumberOfTranslucentProps = 0;
 };
 

@@ -11,6 +11,9 @@
 #include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysShadowMapIntegrator.h"
 
+#include "vtkActor.h"
+#include "vtkProperty.h"
+
 #include <array>
 #include <atomic>
 #include <functional>
@@ -154,6 +157,16 @@ Integrator* SetMedium(Stage& scene)
   return integrator;
 }
 
+/// Whose opacity is looked up.
+void AddTranslucentData(Stage& scene)
+{
+  auto glass = MakeBox({ 0.0, 0.0, 2.0 }, { 2.0, 2.0, 0.2 });
+  glass->GetProperty()->SetOpacity(0.5);
+  scene.Renderer->AddActor(glass);
+  scene.Renderer->GradientBackgroundOn();
+  scene.Rays->AutomaticExposureOn();
+}
+
 const Kind Kinds[] = {
   { "Look", [](Stage&) {} },
   { "LookInShaders",
@@ -170,6 +183,13 @@ const Kind Kinds[] = {
       scene.Rays->AutomaticExposureOn();
       scene.Rays->DarkenLightBackgroundOn();
       scene.Renderer->SetBackground(1.0, 1.0, 1.0);
+    } },
+  { "TranslucentDataBeforeAGradient", [](Stage& scene) { AddTranslucentData(scene); } },
+  { "TranslucentDataInAMediumBeforeAGradient",
+    [](Stage& scene)
+    {
+      AddTranslucentData(scene);
+      scene.Rays->SetModel(vtkNew<vtkGodRaysHomogeneousModel>());
     } },
   { "Medium", [](Stage& scene) { scene.Rays->SetModel(vtkNew<vtkGodRaysHomogeneousModel>()); } },
   { "Atmosphere", [](Stage& scene) { scene.Rays->SetModel(vtkNew<vtkGodRaysAtmosphereModel>()); } },

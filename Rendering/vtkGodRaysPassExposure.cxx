@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// How strong the rays of a frame are by the picture that they join, and what of it is data; see
+// Documentation/Pipeline.md.
+#include "vtkGodRaysPassInternals.h"
+
+#include "vtkCamera.h"
+#include "vtkRenderer.h"
+
+//------------------------------------------------------------------------------
+// Whether the join depends on what the picture shows.
+bool vtkGodRaysPass::MetersPicture() const
+{
+  return this->Output == COMPOSITE &&
+    (this->AutomaticExposure || this->DarkenLightBackground || this->DataFirst) &&
+    this->Internal->Transfer != vtkGodRaysTransfer::NONE;
+}
+
+//------------------------------------------------------------------------------
+// Choose how strong the rays are, and tell the request. Tiles and the second eye take what the first had.
+bool vtkGodRaysPass::Internals::FindExposure(
+  vtkGodRaysPass& pass, vtkRenderer* renderer, bool isTile, vtkGodRaysBlendPass::Request& request)
+{
+  const vtkGodRaysLightMeter::Exposure former = this->Exposure;
+  const bool wasMetered = this->IsMetered;
+  this->IsMetered = pass.MetersPicture() && request.Rays;
+  if (!this->IsMetered)
+  {
+    return true;
+  }
+  request.AlphaLayers = vtkGodRaysLightMeter::FindAlphaLayers(renderer);
+  // Before a background that has alpha, as a gradient or a sky box has, opacity is looked up elsewhere.
+  request.OpacityLayers = vtkGodRaysLightMeter::TrueAlphaLayers;
+  request.Opacity = this->Meter.AlphaShowsData() ? nullptr : this->Occlusion->FindOpacity();
+  // of a picture whose whole was drawn before
+  const bool isPart =
+    isTile || (this->Window->GetStereoRender() && !renderer->GetActiveCamera()->GetLeftEye());
+  if (!isPart || !wasMetered)
+  {
+    if (!this->Meter.Read(this->Blending, request))
+    {
+      return false;
+    }
+    if (!request.Opacity && !this->Meter.AlphaShowsData())
+    {
+      request.Opacity = this->Occlusion->FindOpacity();
+      if (request.Opacity && !this->Meter.Read(this->Blending, request))
+      {
+        return false;
+      }
+    }
+    this->Exposure = {};
+    if (pass.AutomaticExposure)
+    {
+      this->Exposure = this->Meter.FindExposure(
+        request.Shoulder && !request.Screen, request.LargestExposure, request.SparesData);
+      if (wasMetered && this->Window->GetDesiredUpdateRate() >= 1.0)
+      {
+        const auto approach = [](double& now, double before)
+        { now = before + 0.25 * (now - before); };
+        approach(this->Exposure.Everywhere, former.Everywhere);
+        approach(this->Exposure.OverData, former.OverData);
+        approach(this->Exposure.OverDark, former.OverDark);
+        approach(this->Exposure.DataGain, former.DataGain);
+      }
+    }
+    this->Surround = {};
+    if (pass.DarkenLightBackground && request.SparesData)
+    {
+      this->Surround = this->Meter.FindSurround(pass.GetExposure());
+    }
+  }
+  request.AlphaShowsData = this->Meter.AlphaShowsData();
+  request.Opacity = request.AlphaShowsData ? nullptr : request.Opacity;
+  request.DataExposure = this->Exposure.OverData;
+  request.DarkExposure = this->Exposure.OverDark;
+  request.DataGain = this->Exposure.DataGain;
+  request.SurroundPart = this->Surround.Part;
+  request.SurroundLight = this->Surround.Light;
+  request.SurroundRays = this->Surround.Rays;
+  if (pass.DataFirst)
+  {
+    request.MostLightness = pass.MostDataLightness;
+  }
+  return true;
+}
