@@ -335,6 +335,8 @@ bool vtkGodRaysPass::FindOccluders(const vtkRenderState* s, const vtkGodRaysView
   {
     return false;
   }
+  self.Coverage =
+    this->MetersPicture() ? self.Scene.FindCoverage(self.Window, bound, viewport) : nullptr;
   occlusion.SceneDepth = self.Scene.GetDepth();
   self.HasBackdrop = false;
   if (self.Compositor && self.Compositor->IsRoot())
@@ -431,6 +433,7 @@ bool vtkGodRaysPass::DrawOutput(
     request.Bytes = bound.Formats.Color == GL_RGBA8;
     request.Shoulder =
       this->HighlightShoulder && request.Bytes && self.Transfer != vtkGodRaysTransfer::NONE;
+    request.Coverage = self.Coverage;
     drawn = self.FindExposure(*this, s->GetRenderer(), GetTiles(self.Window) > 1.0, request);
     request.Intensity = this->Output == OCCLUSION ? 1.0 : this->GetExposure();
     drawn = drawn && self.Blending->Draw(request);

@@ -60,9 +60,10 @@ struct vtkGodRaysPass::Internals
   vtkNew<vtkGodRaysScene> RendererSteps;
   vtkNew<vtkGodRaysOcclusionPass> Occlusion;
   vtkNew<vtkGodRaysBlendPass> Blending;
-  vtkGodRaysSceneCopy Scene; // colour and depth of the viewport
-  vtkGodRaysTarget Backdrop; // background, where the scene is drawn over black
-  vtkGodRaysSum Scattering;  // light of all layers
+  vtkGodRaysSceneCopy Scene;            // colour and depth of the viewport
+  vtkTextureObject* Coverage = nullptr; // of this frame's scene, by what has a depth
+  vtkGodRaysTarget Backdrop;            // background, where the scene is drawn over black
+  vtkGodRaysSum Scattering;             // light of all layers
   vtkGodRaysLightMeter Meter;
   vtkGodRaysLightMeter::Exposure Exposure;
   vtkGodRaysLightMeter::Surround Surround;
@@ -149,6 +150,7 @@ struct vtkGodRaysPass::Internals
     }
     this->Blending->ReleaseGraphicsResources(window);
     this->Scene.Release(window);
+    this->Coverage = nullptr;
     this->Backdrop.Release(window);
     this->Scattering.Release(window);
     this->Meter.Release(window);

@@ -39,7 +39,8 @@ uniform float mostLightness; // by which data change, if only their lightness do
 uniform bool alphaShowsData; // it is 0 where nothing is drawn
 uniform float alphaLayers;   // n in PartOfAlpha()
 uniform sampler2D opacity;   // of what leaves no depth, in alpha; may have a margin about the scene
-uniform float opacityLayers; // n for it
+uniform float opacityLayers; // n for it, and for coverage
+uniform sampler2D coverage;  // by what has a depth, of pixels of several samples
 uniform vec2 cells;          // of the pictures that a meter reads
 
 //VTK::GodRays::Terms
@@ -64,6 +65,7 @@ uniform vec2 cells;          // of the pictures that a meter reads
 // gainsData: whether data are brighter than what the medium leaves of them
 // lightnessAlone: whether data keep hue and chroma
 // hasOpacity: whether opacity, rather than the scene's alpha, says what leaves no depth
+// hasCoverage: whether coverage, rather than one depth, says how much of a pixel has a depth
 // metered: whether a few pixels are drawn for a vtkGodRaysLightMeter, rather than the picture
 
 // What the medium lets through between the eye and what is seen.
@@ -121,12 +123,31 @@ float PartOfOpacity(ivec2 pixel)
   return PartOfAlpha(texelFetch(opacity, pixel + margin, 0).a, opacityLayers);
 }
 
+// How much of a pixel has a depth.
+float CoveredPart(ivec2 pixel)
+{
+  return hasCoverage ? texelFetch(coverage, pixel, 0).r : texelFetch(depth, pixel, 0).r < 1.0 ? 1.0 : 0.0;
+}
+
+// How much of that counts: as of what is thin, see PartOfAlpha().
+float PartOfCoverage(float covered)
+{
+  return hasCoverage ? PartOfAlpha(covered, opacityLayers) : covered;
+}
+
+// How much of what has no depth in a pixel counts by the picture's alpha, which is 1 where it has one.
+float RestOfAlpha(float alpha, float covered)
+{
+  return covered < 1.0 ? PartOfAlpha((alpha - covered) / (1.0 - covered), alphaLayers) : 0.0;
+}
+
 // How much of a pixel shows something rather than a background.
 float DataPart(ivec2 pixel, float alpha)
 {
-  return texelFetch(depth, pixel, 0).r < 1.0 ? 1.0
-    : alphaShowsData                         ? PartOfAlpha(alpha, alphaLayers)
-                                             : PartOfOpacity(pixel);
+  float covered = CoveredPart(pixel);
+  float rest = alphaShowsData ? RestOfAlpha(alpha, covered) : PartOfOpacity(pixel);
+  covered = PartOfCoverage(covered);
+  return covered + (1.0 - covered) * rest;
 }
 
 vec3 Join(vec3 base, vec3 light)
@@ -186,8 +207,9 @@ void main()
   }
   if (metered)
   {
-    gl_FragData[0] = 3.0 * texCoord.y < 1.0 ? vec4(before, PartOfAlpha(shownOver.a, alphaLayers))
-      : 3.0 * texCoord.y < 2.0              ? vec4(base, texelFetch(depth, pixel, 0).r)
+    float covered = CoveredPart(pixel);
+    gl_FragData[0] = 3.0 * texCoord.y < 1.0 ? vec4(before, RestOfAlpha(shownOver.a, covered))
+      : 3.0 * texCoord.y < 2.0              ? vec4(base, PartOfCoverage(covered))
                                             : vec4(light, PartOfOpacity(pixel));
     return;
   }

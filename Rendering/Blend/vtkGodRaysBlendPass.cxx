@@ -87,8 +87,9 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
   const bool gainsData = request.Medium && request.DataGain > 1.0 && !request.ShowRays && !metered;
   const bool surround = request.SurroundPart > 0.0 && !request.ShowRays && !metered;
   const bool lightnessAlone = request.MostLightness >= 0.0 && !request.ShowRays && !metered;
-  const bool hasOpacity =
-    request.Opacity && (metered || surround || sparesData || gainsData || lightnessAlone);
+  const bool showsData = metered || surround || sparesData || gainsData || lightnessAlone;
+  const bool hasOpacity = request.Opacity && showsData;
+  const bool hasCoverage = request.Coverage && showsData;
   vtkShaderProgram* program = this->Internal->Quad.Begin(request.Window,
     { { "linearLight", request.Transfer != vtkGodRaysTransfer::NONE }, { "bytes", request.Bytes },
       { "isPower", request.Transfer == vtkGodRaysTransfer::POWER },
@@ -102,7 +103,7 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
       { "grey", request.Medium && request.Medium->IsGrey() },
       { "shoulder", request.Shoulder && !request.Screen }, { "lightnessAlone", lightnessAlone },
       { "surround", surround }, { "sparesData", sparesData }, { "gainsData", gainsData },
-      { "hasOpacity", hasOpacity }, { "metered", metered } });
+      { "hasOpacity", hasOpacity }, { "hasCoverage", hasCoverage }, { "metered", metered } });
   if (!program)
   {
     return false;
@@ -166,9 +167,16 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
   {
     program->SetUniformf("alphaLayers", static_cast<float>(request.AlphaLayers));
   }
+  if (hasCoverage)
+  {
+    this->Internal->Quad.SetTexture("coverage", request.Coverage);
+  }
   if (hasOpacity)
   {
     this->Internal->Quad.SetTexture("opacity", request.Opacity);
+  }
+  if (hasCoverage || hasOpacity)
+  {
     program->SetUniformf("opacityLayers", static_cast<float>(request.OpacityLayers));
   }
   if (metered)

@@ -65,7 +65,9 @@ public:
     /// Opacity of what leaves no depth, in alpha, where the scene's alpha does not say it; null for none. It
     /// may be larger than the scene, by as much on either side.
     vtkTextureObject* Opacity = nullptr;
-    double OpacityLayers = 1.0; ///< n for it
+    double OpacityLayers = 1.0; ///< n for it, and for Coverage
+    /// Of a scene of several samples a pixel: how much of it has a depth, in red; null for one sample.
+    vtkTextureObject* Coverage = nullptr;
     bool ShowRays = false;
     bool Accumulate = false; ///< add to what the framebuffer holds
 

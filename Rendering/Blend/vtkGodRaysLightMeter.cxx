@@ -278,7 +278,7 @@ bool vtkGodRaysLightMeter::Read(
   for (std::size_t i = 0; i < count; ++i)
   {
     this->HasAlpha =
-      this->HasAlpha || (picture[0][4 * i + 3] == 0.0f && picture[1][4 * i + 3] >= 1.0f);
+      this->HasAlpha || (picture[0][4 * i + 3] == 0.0f && picture[1][4 * i + 3] == 0.0f);
   }
   this->Samples.resize(count);
   for (std::size_t i = 0; i < count; ++i)
@@ -287,9 +287,9 @@ bool vtkGodRaysLightMeter::Read(
     std::copy_n(picture[0] + 4 * i, 3, sample.Scene.begin());
     std::copy_n(picture[1] + 4 * i, 3, sample.Base.begin());
     std::copy_n(picture[2] + 4 * i, 3, sample.Rays.begin());
-    sample.DataPart = picture[1][4 * i + 3] < 1.0f ? 1.0
-      : this->HasAlpha                             ? glm::clamp(picture[0][4 * i + 3], 0.0f, 1.0f)
-                                                   : glm::clamp(picture[2][4 * i + 3], 0.0f, 1.0f);
+    const double covered = picture[1][4 * i + 3]; // by what has a depth
+    const double rest = picture[this->HasAlpha ? 0 : 2][4 * i + 3];
+    sample.DataPart = covered + (1.0 - covered) * glm::clamp(rest, 0.0, 1.0);
   }
   return true;
 }

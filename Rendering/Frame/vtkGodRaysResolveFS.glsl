@@ -1,9 +1,12 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 
-// The samples of a pixel as one colour: see vtkGodRaysSceneCopy.
+// The samples of a pixel as one colour, or how many of them something covers: see vtkGodRaysSceneCopy.
 
 in vec2 texCoord;
+
+//VTK::GodRays::Terms
+// ofDepth: whether the samples are depths; what is written is the part of them below 1
 
 uniform sampler2DMS samples;
 uniform int count;       // of samples of a pixel
@@ -16,8 +19,13 @@ void main()
   for (int i = 0; i < count; ++i)
   {
     vec4 value = texelFetch(samples, pixel, i);
-    sum += vec4(pow(value.rgb, vec3(2.2)), value.a);
+    sum += ofDepth ? vec4(value.r < 1.0 ? 1.0 : 0.0) : vec4(pow(value.rgb, vec3(2.2)), value.a);
   }
   sum /= float(count);
+  if (ofDepth)
+  {
+    gl_FragData[0] = sum;
+    return;
+  }
   gl_FragData[0] = vec4(pow(sum.rgb, vec3(1.0 / 2.2)), sum.a);
 }

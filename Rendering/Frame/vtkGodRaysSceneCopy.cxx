@@ -30,13 +30,14 @@ bool MisreadsSamples(vtkOpenGLState* state)
     (StartsWith(vendor, "Mesa") && StartsWith(renderer, "NV"));
 }
 
-/// The texture whose samples the window resolves by a shader, if that is what is bound; null if not.
-vtkTextureObject* FindSamples(vtkOpenGLRenderWindow* window, const vtkGodRaysFramebuffer& scene)
+/// The framebuffer whose samples the window resolves by a shader, if that is what is bound; null if not.
+vtkOpenGLFramebufferObject* FindSamples(
+  vtkOpenGLRenderWindow* window, const vtkGodRaysFramebuffer& scene)
 {
   vtkOpenGLFramebufferObject* drawn = window->GetRenderFramebuffer();
   return scene.Multisampled && drawn && drawn->GetFBOIndex() == scene.Binding &&
       !MisreadsSamples(window->GetState())
-    ? drawn->GetColorAttachmentAsTextureObject(0)
+    ? drawn
     : nullptr;
 }
 }
@@ -56,7 +57,9 @@ bool vtkGodRaysSceneCopy::Copy(vtkOpenGLRenderWindow* window, const vtkGodRaysFr
   {
     return false;
   }
-  vtkTextureObject* samples = buffers & GL_COLOR_BUFFER_BIT ? FindSamples(window, scene) : nullptr;
+  vtkOpenGLFramebufferObject* drawn =
+    buffers & GL_COLOR_BUFFER_BIT ? FindSamples(window, scene) : nullptr;
+  vtkTextureObject* samples = drawn ? drawn->GetColorAttachmentAsTextureObject(0) : nullptr;
   if (samples)
   {
     buffers &= ~static_cast<unsigned int>(GL_COLOR_BUFFER_BIT);
@@ -65,14 +68,32 @@ bool vtkGodRaysSceneCopy::Copy(vtkOpenGLRenderWindow* window, const vtkGodRaysFr
   {
     scene.CopyTo(window->GetState(), rectangle, buffers);
   }
-  return !samples || this->Resolve(window, samples, window->GetMultiSamples(), rectangle);
+  return !samples || this->Resolve(window, samples, false, rectangle);
+}
+
+//------------------------------------------------------------------------------
+vtkTextureObject* vtkGodRaysSceneCopy::FindCoverage(
+  vtkOpenGLRenderWindow* window, const vtkGodRaysFramebuffer& scene, const int rectangle[4])
+{
+  vtkOpenGLFramebufferObject* drawn = FindSamples(window, scene);
+  vtkTextureObject* samples = drawn ? drawn->GetDepthAttachmentAsTextureObject() : nullptr;
+  if (!samples)
+  {
+    return nullptr;
+  }
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  this->Coverage.Prepare(window, rectangle[2], rectangle[3], { GL_RGBA8, 0 });
+  const bool done = this->Coverage.Bind() && this->Resolve(window, samples, true, rectangle);
+  state->PopFramebufferBindings();
+  return done ? this->Coverage.GetColor() : nullptr;
 }
 
 //------------------------------------------------------------------------------
 bool vtkGodRaysSceneCopy::Resolve(
-  vtkOpenGLRenderWindow* window, vtkTextureObject* samples, int count, const int rectangle[4])
+  vtkOpenGLRenderWindow* window, vtkTextureObject* samples, bool ofDepth, const int rectangle[4])
 {
-  vtkShaderProgram* program = this->Quad.Begin(window);
+  vtkShaderProgram* program = this->Quad.Begin(window, { { "ofDepth", ofDepth } });
   if (!program)
   {
     return false;
@@ -80,7 +101,7 @@ bool vtkGodRaysSceneCopy::Resolve(
   vtkOpenGLState* state = window->GetState();
   state->vtkglDisable(GL_BLEND);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  program->SetUniformi("count", count);
+  program->SetUniformi("count", window->GetMultiSamples());
   const float part[4] = { static_cast<float>(rectangle[0]), static_cast<float>(rectangle[1]),
     static_cast<float>(rectangle[2]), static_cast<float>(rectangle[3]) };
   program->SetUniform4f("rectangle", part);
@@ -93,5 +114,6 @@ bool vtkGodRaysSceneCopy::Resolve(
 void vtkGodRaysSceneCopy::Release(vtkWindow* window)
 {
   this->Target.Release(window);
+  this->Coverage.Release(window);
   this->Quad.Release();
 }

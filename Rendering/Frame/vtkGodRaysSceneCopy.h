@@ -30,6 +30,14 @@ public:
   bool Copy(vtkOpenGLRenderWindow* window, const vtkGodRaysFramebuffer& scene,
     const int rectangle[4], unsigned int buffers);
 
+  /**
+   * How much of each pixel of the rectangle something covers, in red: the part of its samples whose window
+   * depth is below 1. Null if the scene has one sample a pixel, or if its samples cannot be read. The
+   * framebuffer that was bound is bound again.
+   */
+  vtkTextureObject* FindCoverage(
+    vtkOpenGLRenderWindow* window, const vtkGodRaysFramebuffer& scene, const int rectangle[4]);
+
   void Release(vtkWindow* window);
 
   vtkTextureObject* GetColor() const { return this->Target.GetColor(); }
@@ -42,9 +50,10 @@ public:
 
 private:
   bool Resolve(
-    vtkOpenGLRenderWindow* window, vtkTextureObject* samples, int count, const int rectangle[4]);
+    vtkOpenGLRenderWindow* window, vtkTextureObject* samples, bool ofDepth, const int rectangle[4]);
 
   vtkGodRaysTarget Target;
+  vtkGodRaysTarget Coverage;
   vtkGodRaysQuad Quad;
 };
 

@@ -449,3 +449,66 @@ TEST(GodRaysBackground, VolumesAreRenderedAgainOnlyWhereNeeded)
   stage.Renderer->GradientBackgroundOff();
   EXPECT_EQ(getRendered(), Result(1, false));
 }
+
+//------------------------------------------------------------------------------
+// A pixel of several samples shows data in some of them: there rays are between those over data and those
+// beside them.
+TEST(GodRaysBackground, EdgesOfDataAreSmooth)
+{
+  Messages messages;
+  constexpr int scale = 4;
+  for (const bool gradient : { false, true })
+  {
+    SCOPED_TRACE(gradient ? "gradient" : "one colour");
+    std::vector<unsigned char> pictures[2];
+    std::vector<float> depths;
+    for (const bool fine : { false, true })
+    {
+      Stage stage(fine ? scale * Width : Width, fine ? scale * Height : Height);
+      for (int i = -3; i <= 3; ++i)
+      {
+        auto board = MakeBox({ 1.1 * i, 0.0, 0.0 }, { 0.3, 6.0, 0.1 }, { 0.4, 0.1, 0.1 });
+        board->RotateZ(20.0);
+        stage.Renderer->AddActor(board);
+      }
+      stage.Renderer->SetGradientBackground(gradient);
+      stage.Window->SetMultiSamples(fine ? 0 : 8);
+      stage.Rays->AddLight(MakeSun({ 0.05, 0.1, -1.0 }, { 1.0, 0.9, 0.7 }));
+      stage.Rays->SetDataFirst(true);
+      stage.Rays->SetMostDataLightness(0.0); // data are as without rays
+      stage.Rays->Attach(stage.Renderer);
+      pictures[fine ? 1 : 0] = GetPixels(stage.Window);
+      depths = GetDepths(stage.Window, false);
+    }
+    double difference = 0.0;
+    int count = 0;
+    for (int i = 0; i < Width * Height; ++i)
+    {
+      double covered = 0.0;
+      Vec3 light(0.0);
+      for (int k = 0; k < scale * scale; ++k)
+      {
+        const int x = i % Width * scale + k % scale;
+        const int y = i / Width * scale + k / scale;
+        const int pixel = y * Width * scale + x;
+        covered += depths[pixel] < 1.0f ? 1.0 / (scale * scale) : 0.0;
+        for (int c = 0; c < 3; ++c)
+        {
+          light[c] += std::pow(pictures[1][4 * pixel + c] / 255.0, 2.2) / (scale * scale);
+        }
+      }
+      if (covered > 0.2 && covered < 0.8)
+      {
+        ++count;
+        for (int c = 0; c < 3; ++c)
+        {
+          difference +=
+            std::abs(pictures[0][4 * i + c] - 255.0 * std::pow(light[c], 1.0 / 2.2)) / 3.0;
+        }
+      }
+    }
+    EXPECT_GT(count, Width * Height / 40);
+    std::cout << "edges differ by " << difference / count << " levels of 255\n";
+    EXPECT_LT(difference / count, 30.0); // what data half cover counts as three quarters
+  }
+}
