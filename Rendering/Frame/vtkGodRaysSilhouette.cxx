@@ -15,7 +15,9 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkCutter.h"
 #include "vtkDataSetSurfaceFilter.h"
+#include "vtkGlyph3DMapper.h"
 #include "vtkGodRaysCompositor.h"
+#include "vtkGodRaysGlyphs.h"
 #include "vtkGodRaysRole.h"
 #include "vtkGraph.h"
 #include "vtkImageData.h"
@@ -129,10 +131,16 @@ void vtkGodRaysSilhouette::DrawActor(vtkActor* actor, vtkMatrix4x4* toWorld)
     (vtkPolyDataMapper::SafeDownCast(mapper) || mapper->IsA("vtkDataSetMapper") ||
       mapper->IsA("vtkCompositePolyDataMapper"));
   const double radius = splats ? splats->GetScaleFactor() : 0.0;
+  auto glyphs = vtkGlyph3DMapper::SafeDownCast(mapper);
   const auto draw = [&](vtkDataObject* object)
   {
     auto data = vtkDataSet::SafeDownCast(object);
-    if (auto surface = vtkPolyData::SafeDownCast(data))
+    const auto boxes = glyphs && data ? vtkGodRaysMakeGlyphBoxes(glyphs, data) : nullptr;
+    if (boxes)
+    {
+      this->DrawSurface(boxes, toWorld);
+    }
+    else if (auto surface = vtkPolyData::SafeDownCast(data))
     {
       isSurface ? this->DrawSurface(surface, toWorld) : this->DrawPoints(surface, toWorld, radius);
     }
@@ -166,7 +174,7 @@ void vtkGodRaysSilhouette::DrawActor(vtkActor* actor, vtkMatrix4x4* toWorld)
 }
 
 //------------------------------------------------------------------------------
-// Of splats, and of glyphs, whose size is not known.
+// Of splats, and of glyphs that are too many to look at.
 void vtkGodRaysSilhouette::DrawPoints(vtkDataSet* data, vtkMatrix4x4* toWorld, double radius)
 {
   vtkNew<vtkMatrix4x4> matrix;

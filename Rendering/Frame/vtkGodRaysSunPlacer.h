@@ -11,8 +11,9 @@
  * wide, are not taken.
  *
  * Polygons, lines and points count as they are, other data sets by their surface, splats by their scale,
- * glyphs by their points, molecules as balls and sticks, volumes where their opacity is above 0.1. Props
- * tagged LIGHT or IGNORED do not count, nor do invisible ones.
+ * up to 100,000 glyphs of a mapper by their sources' boxes and more by their points, molecules as balls and
+ * sticks, volumes where their opacity is above 0.1. Props tagged LIGHT or IGNORED do not count, nor do
+ * invisible ones.
  *
  * @sa vtkGodRaysPass
  */
