@@ -18,7 +18,9 @@ namespace
 {
 constexpr double ClearlyLonger = 1.2;
 constexpr double ClearlyBroader = 1.5;
-constexpr double Foot = 0.02;     // of the height
+constexpr double Foot = 0.02; // of the height
+constexpr double TipShare =
+  0.05; // of the ground, at most, that something covers which stands on a tip
 constexpr double OpenShare = 0.5; // of the ground, at least, that an open surface covers
 constexpr double OnceShare =
   0.9; // of a ground's polygons, at least, that are seen from above, once
@@ -103,8 +105,11 @@ std::string GetReasonForUp(vtkPolyData* surface, char axis)
   {
     return std::string("it stands along ") + axis;
   }
-  if (lengths[up] < Scene::LowestOfShapes * std::min(lengths[0], lengths[other]) &&
-    GetCoveredArea(surface, up).Open > OpenShare * lengths[0] * lengths[other])
+  const bool isLow = lengths[up] < Scene::LowestOfShapes * std::min(lengths[0], lengths[other]);
+  const double tip = isLow ? GetFootShare(surface, other) : 1.0;
+  if (isLow &&
+    (GetCoveredArea(surface, up).Open > OpenShare * lengths[0] * lengths[other] ||
+      (tip < TipShare && GetFootShare(surface, up) > ClearlyBroader * tip)))
   {
     return std::string("it lies flat over X and ") + (axis == 'Z' ? 'Y' : 'Z');
   }

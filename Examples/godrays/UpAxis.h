@@ -17,8 +17,8 @@ class vtkPolyData;
 /**
  * Why an axis, Y or Z, seems to point up in a surface of a type in which the other one usually does; empty
  * when it does not. It does where the surface stands: clearly longest along the axis, and on a clearly
- * broader foot than if the other one pointed up; and where it lies, open and low, over the plane of the
- * other two, as terrain does.
+ * broader foot than if the other one pointed up; and where it lies low over the plane of the other two: open,
+ * as terrain, or so that it would stand on a tip else, as an aeroplane on its nose.
  */
 std::string GetReasonForUp(vtkPolyData* surface, char axis);
 

@@ -58,11 +58,12 @@ class Files(ProgramTest):
     def write_obj(self, name, data, turn):
         """Write a surface whose points (x, y, z) are turned by a function."""
         points = [turn(*data.GetPoint(i)) for i in range(data.GetNumberOfPoints())]
-        cells = [data.GetCell(i).GetPointIds() for i in range(data.GetNumberOfCells())]
+        faces = []
+        for i in range(data.GetNumberOfCells()):
+            ids = data.GetCell(i).GetPointIds()  # of an object that serves the next cell, too
+            faces.append("f " + " ".join(str(ids.GetId(j) + 1) for j in range(ids.GetNumberOfIds())) + "\n")
         path = self.folder / name
-        path.write_text("".join("v {} {} {}\n".format(*point) for point in points) + "".join(
-            "f " + " ".join(str(ids.GetId(i) + 1) for i in range(ids.GetNumberOfIds())) + "\n"
-            for ids in cells))
+        path.write_text("".join("v {} {} {}\n".format(*point) for point in points) + "".join(faces))
         return path
 
     def write_stl(self, name, data, turn):
@@ -78,6 +79,15 @@ class Files(ProgramTest):
         path = self.folder / name
         path.write_text("\n".join([*lines, "endsolid x", ""]))
         return path
+
+    def append_boxes(self, *bounds):
+        parts = vtkAppendPolyData()
+        for each in bounds:
+            box = vtkCubeSource()
+            box.SetBounds(each)
+            parts.AddInputConnection(box.GetOutputPort())
+        parts.Update()
+        return parts.GetOutput()
 
     def test_the_axis_that_points_up_is_guessed_of_files_that_do_not_say_it(self):
         tower = vtkConeSource()  # along Z, with its foot at -1
@@ -96,6 +106,12 @@ class Files(ProgramTest):
             wheel.SetRadius(0.3)
             parts.AddInputConnection(wheel.GetOutputPort())
         parts.Update()
+        plane = self.append_boxes(
+            (-0.03, 0.03, -2.4, -2.3, -0.03, 0.03), (-0.25, 0.25, -2.3, 2, -0.25, 0.25),  # nose and hull
+            (-2, 2, -0.4, 0.4, -0.25, -0.2), (-0.04, 0.04, 1.4, 2, 0.2, 0.7))  # wings and fin
+        person = self.append_boxes(
+            (-0.3, -0.1, 0, 0.8, -0.1, 0.1), (0.1, 0.3, 0, 0.8, -0.1, 0.1),  # legs, arms, and the rest
+            (-0.9, 0.9, 1.4, 1.5, -0.05, 0.05), (-0.25, 0.25, 0.8, 1.8, -0.12, 0.12))
         hills = vtkPlaneSource()
         hills.SetResolution(12, 12)
         hills.Update()
@@ -116,6 +132,11 @@ class Files(ProgramTest):
             ("tower.obj", tower.GetOutput(), as_it_is, "it stands along Z"),
             ("tower-y.obj", tower.GetOutput(), y_up, ""),
             ("car.obj", parts.GetOutput(), as_it_is, ""),
+            ("plane.obj", plane, as_it_is, "it lies flat over X and Y"),
+            ("plane-y.obj", plane, y_up, ""),
+            ("plane-y.stl", plane, lambda x, y, z: (-x, z, y), "it lies flat over X and Z"),
+            ("person.obj", person, as_it_is, ""),
+            ("person.stl", person, z_up, ""),
             ("hills.obj", hills.GetOutput(), bent, "it lies flat over X and Y"),
             ("hills-y.obj", hills.GetOutput(), lambda *p: y_up(*bent(*p)), ""),
             ("tower.stl", tower.GetOutput(), as_it_is, ""),
