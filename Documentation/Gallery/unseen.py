@@ -189,6 +189,9 @@ Each with `--no-rays`, and as it is. The program's camera is to have data on a q
 as near to that as the data's shape lets them, at most 84 % of its width and 80 % of its height. The two volumes
 had a dE of 23 and 22 before the program's sky, when alpha alone told where volumes are.
 
+These pictures are anti-aliased, and a pixel counts that is half covered by data. Of `ribbon.vtp` and `lorenz.vtp` 22
+and 31 % of them have the background in them as well; pixels that data fill keep 90 and 92 % of their chroma.
+
 | | of the picture | dE | chroma | clipped | contrast |
 |---|---|---|---|---|---|
 """
