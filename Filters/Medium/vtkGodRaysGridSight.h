@@ -3,6 +3,8 @@
 /**
  * @class   vtkGodRaysGridSight
  * @brief   what media of data do to the light of one view ray; private to vtkGodRaysGridPicture
+ *
+ * What of a ray is in data is in vtkGodRaysGridSightInData.cxx, the rest in vtkGodRaysGridSightOutside.cxx.
  */
 
 #ifndef vtkGodRaysGridSight_h
