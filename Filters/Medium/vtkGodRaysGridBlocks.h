@@ -25,6 +25,7 @@ public:
   static constexpr int BlockSize = 8; // cells along each axis
 
   explicit vtkGodRaysGridBlocks(const vtkGodRaysGrid& grid)
+    : Scale(grid.Scale)
   {
     for (int i = 0; i < 3; ++i)
     {
@@ -70,16 +71,26 @@ public:
         exit = face > s ? std::min(exit, face) : exit;
       }
     }
-    return this->Ranges[this->GetBlock(block[0], block[1], block[2])];
+    const Range& range = this->Ranges[this->GetBlock(block[0], block[1], block[2])];
+    return this->Scale * Vec2(range.Low, range.High);
   }
 
+  // How many bytes its numbers take.
+  std::size_t GetSize() const { return this->Ranges.size() * sizeof(Range); }
+
 private:
+  struct Range // of a block's numbers, before Scale
+  {
+    float Low;
+    float High;
+  };
+
   std::size_t GetBlock(int i, int j, int k) const
   {
     return (static_cast<std::size_t>(k) * this->Size[1] + j) * this->Size[0] + i;
   }
 
-  static Vec2 FindRange(const vtkGodRaysGrid& grid, int i, int j, int k)
+  static Range FindRange(const vtkGodRaysGrid& grid, int i, int j, int k)
   {
     const int first[3] = { i * BlockSize, j * BlockSize, k * BlockSize };
     float low = std::numeric_limits<float>::max();
@@ -100,11 +111,12 @@ private:
         }
       }
     }
-    return grid.Scale * Vec2(low, high);
+    return { low, high };
   }
 
   int Size[3];
-  std::vector<Vec2> Ranges;
+  std::vector<Range> Ranges;
+  double Scale;
 };
 
 //------------------------------------------------------------------------------

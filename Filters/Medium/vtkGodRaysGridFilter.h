@@ -6,8 +6,9 @@
  *
  * What vtkGodRaysSingleScatteringReference integrates for media of data, for pictures: the light's optical
  * depths through data are computed once, at an eighth as many places as data have but at least 40 along each
- * axis, and kept until data or light change; empty space is skipped; steps are as long, and pixels evaluated
- * as far apart, as ErrorTolerance lets them be. Numbers without OpenGL.
+ * axis, and kept, in a sixteenth of the data's memory, until data or light change; empty space is skipped;
+ * steps are as long, and pixels evaluated as far apart, as ErrorTolerance lets them be. Numbers without
+ * OpenGL.
  *
  * Input: vtkImageData, media of data, up to 32, in one another if need be; see vtkGodRaysGridMediumFilter.
  * Second input, optional: a picture of Size pixels whose scalars are the view depths at which rays end, as

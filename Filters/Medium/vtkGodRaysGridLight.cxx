@@ -8,6 +8,14 @@ namespace
 {
 // Along an axis: depths bend where the way's end moves from a face of the grid to the next.
 constexpr int LeastNodes = 40;
+
+using Depth = vtkGodRaysGridDepth;
+
+// [scene units] of a way in points
+double GetLength(const vtkGodRaysGrid& grid, const vtkGodRays::Vec3& way)
+{
+  return vtkGodRays::length(way.x * grid.Axes[0] + way.y * grid.Axes[1] + way.z * grid.Axes[2]);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -43,9 +51,25 @@ void vtkGodRaysGridLight::Build(const vtkGodRaysGrid& grid, const Vec3& light, b
         (directional ? 0 : 1);
     }
   }
+  this->Reach = 1.0;
+  for (int corner = 0; corner < 8 && !directional; ++corner)
+  {
+    Vec3 way = -this->Light;
+    for (int i = 0; i < 3; ++i)
+    {
+      way[i] += (corner >> i) % 2 == 0 ? 0.0 : grid.Points[i] - 1.0;
+    }
+    this->Reach = std::max(corner == 0 ? 0.0 : this->Reach, GetLength(grid, way));
+  }
   const std::size_t row = static_cast<std::size_t>(this->Size[1]) * this->Bands;
   const std::size_t slice = row * this->Size[2];
-  this->Depths.assign(slice * this->Size[0], 0.0f);
+  this->Depths.resize(slice * this->Size[0]);
+  // Sums go on from plane to plane unrounded.
+  std::vector<float> sums[2];
+  for (std::vector<float>& plane : sums)
+  {
+    plane.resize(directional ? slice : 0);
+  }
   const bool up = this->Light[first] > 0.0;
   const double length = directional ? this->Distance[0] / size[first] : 1.0;
   const auto fill = [&](int plane, int before, int b)
@@ -63,25 +87,26 @@ void vtkGodRaysGridLight::Build(const vtkGodRaysGrid& grid, const Vec3& light, b
       Vec3 depth(0.0);
       const Vec3 steps = directional ? this->Light : this->Light - place;
       grid.AddDepth(place, steps, 0.0, length, depth);
-      float* result = this->Depths.data() + plane * slice + b * row + a * this->Bands;
+      const std::size_t node = b * row + a * this->Bands;
+      const float* other = nullptr;
+      if (before >= 0 && before < this->Size[0])
+      {
+        const int there[2] = { columns[0] - this->Base[0][before],
+          columns[1] - this->Base[1][before] };
+        if (there[0] >= 0 && there[1] >= 0 && there[0] < this->Size[1] && there[1] < this->Size[2])
+        {
+          other = sums[before % 2].data() + there[1] * row + there[0] * this->Bands;
+        }
+      }
       for (int band = 0; band < this->Bands; ++band)
       {
-        result[band] = static_cast<float>(std::min(depth[band], 1e30)); // differences are finite
-      }
-      if (before < 0 || before >= this->Size[0])
-      {
-        continue;
-      }
-      const int there[2] = { columns[0] - this->Base[0][before],
-        columns[1] - this->Base[1][before] };
-      if (there[0] >= 0 && there[1] >= 0 && there[0] < this->Size[1] && there[1] < this->Size[2])
-      {
-        const float* other =
-          this->Depths.data() + before * slice + there[1] * row + there[0] * this->Bands;
-        for (int band = 0; band < this->Bands; ++band)
+        float sum = static_cast<float>(std::min(this->Reach * depth[band], 1e30));
+        if (directional)
         {
-          result[band] = std::min(result[band] + other[band], 1e30f);
+          sum = std::min(sum + (other ? other[band] : 0.0f), 1e30f);
+          sums[plane % 2][node + band] = sum;
         }
+        this->Depths[plane * slice + node + band] = Depth::Encode(sum);
       }
     }
   };
@@ -132,8 +157,8 @@ void vtkGodRaysGridLight::AddDepth(
   }
   float known[3] = { 0.0f, 0.0f, 0.0f };
   this->Look(inside ? place : place + begin * steps, known);
-  const Vec3 way = steps.x * grid.Axes[0] + steps.y * grid.Axes[1] + steps.z * grid.Axes[2];
-  const double length = this->Directional ? 1.0 : (1.0 - begin) * vtkGodRays::length(way);
+  const double length =
+    this->Directional ? 1.0 : (1.0 - begin) * GetLength(grid, steps) / this->Reach;
   for (int band = 0; band < this->Bands; ++band)
   {
     depth[band] += static_cast<float>(length) * known[band];
@@ -146,7 +171,7 @@ void vtkGodRaysGridLight::Look(const Vec3& place, float* known) const
   const double across = place[this->Order[0]];
   const double w = std::max(across / this->Distance[0], 0.0);
   const int plane = std::min(static_cast<int>(w), this->Size[0] - 2);
-  const float t[2] = { static_cast<float>(1.0 - (w - plane)), static_cast<float>(w - plane) };
+  const float t = static_cast<float>(w - plane);
   double column[2];
   for (int i = 0; i < 2; ++i)
   {
@@ -162,12 +187,16 @@ void vtkGodRaysGridLight::Look(const Vec3& place, float* known) const
     const int low = std::min(static_cast<int>(b), this->Size[2] - 2);
     const float x = std::min(static_cast<float>(a - left), 1.0f);
     const float y = std::min(static_cast<float>(b - low), 1.0f);
-    const float* v = this->Depths.data() + (plane + i) * slice + low * row + left * this->Bands;
+    const std::uint16_t* v =
+      this->Depths.data() + (plane + i) * slice + low * row + left * this->Bands;
     for (int band = 0; band < this->Bands; ++band, ++v)
     {
-      const float front = v[0] + x * (v[this->Bands] - v[0]);
-      const float back = v[row] + x * (v[row + this->Bands] - v[row]);
-      known[band] += t[i] * (front + y * (back - front));
+      const float values[4] = { Depth::Decode(v[0]), Depth::Decode(v[this->Bands]),
+        Depth::Decode(v[row]), Depth::Decode(v[row + this->Bands]) };
+      const float front = values[0] + x * (values[1] - values[0]);
+      const float back = values[2] + x * (values[3] - values[2]);
+      const float here = front + y * (back - front);
+      known[band] = i == 0 ? here : known[band] + t * (here - known[band]) - Depth::Offset;
     }
   }
 }

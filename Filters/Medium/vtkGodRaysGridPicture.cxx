@@ -318,12 +318,16 @@ bool vtkGodRaysGridPicture::KeptLight() const
 }
 
 //------------------------------------------------------------------------------
-std::size_t vtkGodRaysGridPicture::GetLightSize() const
+std::size_t vtkGodRaysGridPicture::GetKeptSize() const
 {
   std::size_t size = 0;
   for (const vtkGodRaysGridLight& light : this->Internals->Lights)
   {
     size += light.GetSize();
+  }
+  for (const vtkGodRaysGridBlocks& blocks : this->Internals->AllBlocks)
+  {
+    size += blocks.GetSize();
   }
   return size;
 }

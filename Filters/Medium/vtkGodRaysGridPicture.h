@@ -70,11 +70,11 @@ public:
 
   ///@{
   /// Of the last picture: how many view rays were evaluated, with how many steps; whether the light's
-  /// depths were kept; how many numbers these are.
+  /// depths were kept; how many bytes are, beside data.
   std::size_t GetNumberOfRays() const;
   std::size_t GetNumberOfSteps() const;
   bool KeptLight() const;
-  std::size_t GetLightSize() const;
+  std::size_t GetKeptSize() const;
   ///@}
 
 private:

@@ -253,7 +253,7 @@ bool vtkGodRaysVolumeMedium::Draw(
     drawer.Version = 0;
     vtkGenericWarningMacro(
       "vtkGodRaysPass: the light's way through the volumes tagged MEDIUM needs more "
-      "memory than there is, an eighth of that of their points for each light. Take "
+      "memory than there is, a sixteenth of that of their points for each light. Take "
       "fewer points, as by vtkImageResample.");
     return false;
   }

@@ -9,7 +9,14 @@
 #include "vtkGodRaysSingleScatteringReference.h"
 
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
 #include <iostream>
+#include <string>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 using namespace GodRaysFiltersTesting;
 using namespace GodRaysGridScenes;
@@ -40,6 +47,21 @@ Truth FindTruth(vtkGodRaysGridFilter* filter, vtkImageData* plume, int columns, 
   reference->Update();
   truth.Whole = FromImage(reference->GetOutput());
   return truth;
+}
+
+// A line of /proc/self/status [bytes]; -1 where there is none.
+double GetMemory(const std::string& name)
+{
+  std::ifstream file("/proc/self/status");
+  for (std::string word; file >> word;)
+  {
+    double kilobytes = 0.0;
+    if (word == name + ":" && file >> kilobytes)
+    {
+      return 1024.0 * kilobytes;
+    }
+  }
+  return -1.0;
 }
 }
 
@@ -151,4 +173,50 @@ TEST(GridFilter, KnowsAllLightsAndMedia)
       EXPECT_GT(scale * std::sqrt(effect), 5.0 / 255.0); // the control
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// Beside an image of floats, a light takes an eighth of its memory at most, also while depths are summed: in
+// pages of the process, with the picture. With GODRAYS_LONG: of 512^3 points.
+TEST(GridFilter, TakesAnEighthOfTheMemoryOfItsData)
+{
+  const int n = std::getenv("GODRAYS_LONG") ? 512 : 256;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(n, n, n);
+  image->SetOrigin(-1.5, -1.5, -7.5);
+  image->SetSpacing(3.0 / (n - 1), 3.0 / (n - 1), 3.0 / (n - 1));
+  image->AllocateScalars(VTK_FLOAT, 1);
+  auto* values = static_cast<float*>(image->GetScalarPointer());
+  const std::size_t count = static_cast<std::size_t>(n) * n * n;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    values[i] = i / n % n < static_cast<std::size_t>(n) / 2 ? 0.5f : 0.0f;
+  }
+  vtkNew<vtkGodRaysGridFilter> filter;
+  filter->SetSize(64, 48);
+  filter->SetCameraFocalPoint(0.0, 0.0, -1.0);
+  filter->SetScatteringCoefficient(0.0, 0.0, 0.0);
+  filter->SetLight(0.3, 1.0, 0.2, 0.0);
+  filter->SetInputData(0, MakePlume(24)); // threads are there from now on
+  filter->Update();
+  filter->SetInputData(0, image);
+#ifdef __GLIBC__
+  malloc_trim(0); // pages that nothing is in
+#endif
+  std::ofstream("/proc/self/clear_refs") << "5"; // the largest size is that from now on
+  const double before = GetMemory("VmRSS");
+  filter->Update();
+  const double after = GetMemory("VmRSS");
+  if (before < 0.0)
+  {
+    GTEST_SKIP() << "there is no /proc/self/status";
+  }
+  EXPECT_GT(FromImage(filter->GetOutput()).GetMaximum(), 0.01);
+  const double data = static_cast<double>(count) * sizeof(float);
+  std::cout << n << " points along an axis, " << data / 1048576.0
+            << " MiB: " << (after - before) / data << " of the data's memory beside them, "
+            << (GetMemory("VmHWM") - before) / data << " at most\n";
+  EXPECT_LE(after - before, data / 8.0);
+  EXPECT_LE(GetMemory("VmHWM") - before, data / 8.0);
+  EXPECT_GE(after - before, data / 64.0); // the control: depths are kept
 }

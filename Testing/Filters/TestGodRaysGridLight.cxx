@@ -38,7 +38,7 @@ TEST(GridLight, IsTheDepthOfTheWay)
       ASSERT_EQ(grid.Read(image), "");
       vtkGodRaysGridLight depths;
       depths.Build(grid, light, directional);
-      EXPECT_LE(depths.GetSize(), static_cast<std::size_t>(n * n * n / 8));
+      EXPECT_LE(depths.GetSize(), n * n * n * sizeof(float) / 16);
       std::mt19937 generator = MakeGenerator(41);
       const auto uniform = [&](double low, double high)
       { return low + (high - low) * (generator() / 4294967296.0); };
@@ -65,5 +65,27 @@ TEST(GridLight, IsTheDepthOfTheWay)
       EXPECT_LE(n == 80 ? 0.0 : error, (i == 2 ? 0.5 : 0.3) * before);
       before = error;
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Numbers of 16 bits: right to 2^-12 of themselves and 2^-16, in their order; 0 is 0, and nothing overflows.
+TEST(GridLight, DepthsOf16BitsAreRightToAPartOf4096)
+{
+  using Depth = vtkGodRaysGridDepth;
+  const auto keep = [](float depth)
+  { return static_cast<double>(Depth::Decode(Depth::Encode(depth))) - Depth::Offset; };
+  EXPECT_EQ(keep(0.0f), 0.0);
+  double before = 0.0;
+  for (float depth = 1e-9f; depth < Depth::Largest; depth *= 1.0001f)
+  {
+    const double kept = keep(depth);
+    ASSERT_NEAR(kept, depth, (depth + 1.0 / 65536.0) * 1.001 / 4096.0);
+    ASSERT_GE(kept, before);
+    before = kept;
+  }
+  for (const float depth : { 1e5f, 1e30f })
+  {
+    EXPECT_NEAR(keep(depth), Depth::Largest, 0.001 * Depth::Largest);
   }
 }

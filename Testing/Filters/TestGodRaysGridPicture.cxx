@@ -269,15 +269,21 @@ TEST(GridPicture, IsTheSameInAnyUnit)
 {
   std::vector<float> usual;
   double truth = 0.0;
-  for (const double unit : { 1.0, 1e-12, 1e-9, 1e9 })
+  const std::pair<double, bool> cases[] = { { 1.0, false }, { 1e-12, false }, { 1e-9, false },
+    { 1e9, false }, { 1.0, true }, { 1e-12, true }, { 1e9, true } };
+  for (const auto& [length, lamp] : cases)
   {
+    const double unit = length;
     const double bounds[6] = { -1.5 * unit, 1.5 * unit, -1.5 * unit, 1.5 * unit, -7.5 * unit,
       -4.5 * unit };
     const int points[3] = { 24, 24, 24 };
     const auto image = MakeImage(bounds, points,
       [unit](double x, double y, double z) { return Plume(x / unit, y / unit, z / unit) / unit; });
     const auto grids = ReadGrids({ image });
-    Parameters parameters = MakeParameters(Vec3(0.8, 0.6, 0.3), 0.0);
+    Parameters parameters = lamp ? MakeParameters(unit * Vec3(2.0, 1.5, -5.0), 1.0)
+                                 : MakeParameters(Vec3(0.8, 0.6, 0.3), 0.0);
+    std::fill_n(
+      parameters.LightColor, 3, lamp ? 10.0 * unit * unit : 1.0); // which falls with its square
     parameters.Medium.FarLimit = 20.0 * unit;
     vtkGodRaysGridPicture drawer;
     drawer.SetGrids(grids);
@@ -290,7 +296,7 @@ TEST(GridPicture, IsTheSameInAnyUnit)
     reference.SetGrids(grids);
     vtkGodRaysSingleScattering::Result result;
     reference.Evaluate(0.01, -0.02, result);
-    if (usual.empty())
+    if (unit == 1.0)
     {
       usual = drawing.Radiance;
       truth = result.Radiance[0];
@@ -303,7 +309,7 @@ TEST(GridPicture, IsTheSameInAnyUnit)
       largest = std::max<double>(largest, std::abs(drawing.Radiance[i] - usual[i]));
       peak = std::max<double>(peak, usual[i]);
     }
-    EXPECT_LE(largest, parameters.Tolerance * peak) << unit;
+    EXPECT_LE(largest, parameters.Tolerance * peak) << unit << (lamp ? ", lamp" : ", sun");
     EXPECT_NEAR(result.Radiance[0], truth, 1e-4 * truth) << unit;
   }
 }
