@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysGridLight.h"
 
+#include "vtkGodRaysGridBlocks.h"
 #include "vtkSMPTools.h"
 
 namespace
 {
 // Along an axis: depths bend where the way's end moves from a face of the grid to the next.
 constexpr int LeastNodes = 40;
+constexpr int GroupSize = 16; // columns
 
 using Depth = vtkGodRaysGridDepth;
 
@@ -16,10 +18,38 @@ double GetLength(const vtkGodRaysGrid& grid, const vtkGodRays::Vec3& way)
 {
   return vtkGodRays::length(way.x * grid.Axes[0] + way.y * grid.Axes[1] + way.z * grid.Axes[2]);
 }
+
+// What a line adds to an optical depth from its begin to an end, past blocks that are empty.
+void AddWay(const vtkGodRaysGrid& grid, const vtkGodRaysGridBlocks& blocks,
+  const vtkGodRays::Vec3& place, const vtkGodRays::Vec3& steps, double end, vtkGodRays::Vec3& depth)
+{
+  double s = 0.0;
+  if (!grid.Clip(place, steps, s, end))
+  {
+    return;
+  }
+  double first = s; // of what is not yet added
+  while (s < end)
+  {
+    double exit;
+    const bool isEmpty = blocks.Get(place + s * steps, place, steps, s, exit).y == 0.0;
+    if (isEmpty && first < s)
+    {
+      grid.AddDepth(place, steps, first, s, depth);
+    }
+    s = std::min(exit, end);
+    first = isEmpty ? s : first;
+  }
+  if (first < s)
+  {
+    grid.AddDepth(place, steps, first, s, depth);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysGridLight::Build(const vtkGodRaysGrid& grid, const Vec3& light, bool directional)
+void vtkGodRaysGridLight::Build(const vtkGodRaysGrid& grid, const vtkGodRaysGridBlocks& blocks,
+  const Vec3& light, bool directional)
 {
   this->Directional = directional;
   this->Bands = grid.Bands;
@@ -64,79 +94,92 @@ void vtkGodRaysGridLight::Build(const vtkGodRaysGrid& grid, const Vec3& light, b
   const std::size_t row = static_cast<std::size_t>(this->Size[1]) * this->Bands;
   const std::size_t slice = row * this->Size[2];
   this->Depths.resize(slice * this->Size[0]);
-  // Sums go on from plane to plane unrounded.
-  std::vector<float> sums[2];
-  for (std::vector<float>& plane : sums)
-  {
-    plane.resize(directional ? slice : 0);
-  }
-  const bool up = this->Light[first] > 0.0;
+  // The way from the node of two columns in a plane, as far as the next plane or a point light.
   const double length = directional ? this->Distance[0] / size[first] : 1.0;
-  const auto fill = [&](int plane, int before, int b)
+  const auto sum = [&](int plane, int a, int b)
   {
-    for (int a = 0; a < this->Size[1]; ++a)
+    const int columns[2] = { a, b };
+    Vec3 place;
+    place[first] = plane * this->Distance[0];
+    for (int i = 0; i < 2; ++i)
     {
-      const int columns[2] = { this->Base[0][plane] + a, this->Base[1][plane] + b };
-      Vec3 place;
-      place[first] = plane * this->Distance[0];
-      for (int i = 0; i < 2; ++i)
-      {
-        place[this->Order[i + 1]] =
-          columns[i] * this->Distance[i + 1] + this->Slope[i] * place[first];
-      }
-      Vec3 depth(0.0);
-      const Vec3 steps = directional ? this->Light : this->Light - place;
-      grid.AddDepth(place, steps, 0.0, length, depth);
-      const std::size_t node = b * row + a * this->Bands;
-      const float* other = nullptr;
-      if (before >= 0 && before < this->Size[0])
-      {
-        const int there[2] = { columns[0] - this->Base[0][before],
-          columns[1] - this->Base[1][before] };
-        if (there[0] >= 0 && there[1] >= 0 && there[0] < this->Size[1] && there[1] < this->Size[2])
-        {
-          other = sums[before % 2].data() + there[1] * row + there[0] * this->Bands;
-        }
-      }
-      for (int band = 0; band < this->Bands; ++band)
-      {
-        float sum = static_cast<float>(std::min(this->Reach * depth[band], 1e30));
-        if (directional)
-        {
-          sum = std::min(sum + (other ? other[band] : 0.0f), 1e30f);
-          sums[plane % 2][node + band] = sum;
-        }
-        this->Depths[plane * slice + node + band] = Depth::Encode(sum);
-      }
+      place[this->Order[i + 1]] =
+        columns[i] * this->Distance[i + 1] + this->Slope[i] * place[first];
     }
+    Vec3 depth(0.0);
+    AddWay(grid, blocks, place, directional ? this->Light : this->Light - place, length, depth);
+    return this->Reach * depth;
   };
-  // Light flows from plane to plane, or comes to each node by itself.
-  if (directional)
+  const auto keep = [&](float depth, int plane, int a, int b, int band)
   {
-    for (int i = 0; i < this->Size[0]; ++i)
-    {
-      const int plane = up ? this->Size[0] - 1 - i : i;
-      vtkSMPTools::For(0, this->Size[2], 4,
-        [&](vtkIdType begin, vtkIdType end)
-        {
-          for (vtkIdType b = begin; b < end; ++b)
-          {
-            fill(plane, up ? plane + 1 : plane - 1, static_cast<int>(b));
-          }
-        });
-    }
-  }
-  else
+    this->Depths[plane * slice + (b - this->Base[1][plane]) * row +
+      (a - this->Base[0][plane]) * this->Bands + band] = Depth::Encode(depth);
+  };
+  if (!directional)
   {
     vtkSMPTools::For(0, static_cast<vtkIdType>(this->Size[0]) * this->Size[2], 4,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType i = begin; i < end; ++i)
         {
-          fill(static_cast<int>(i / this->Size[2]), -1, static_cast<int>(i % this->Size[2]));
+          const int plane = static_cast<int>(i / this->Size[2]);
+          const int b = this->Base[1][plane] + static_cast<int>(i % this->Size[2]);
+          for (int a = this->Base[0][plane]; a < this->Base[0][plane] + this->Size[1]; ++a)
+          {
+            const Vec3 depth = sum(plane, a, b);
+            for (int band = 0; band < this->Bands; ++band)
+            {
+              keep(static_cast<float>(std::min(depth[band], 1e30)), plane, a, b, band);
+            }
+          }
         }
       });
+    return;
   }
+  // Some columns side by side, from plane to plane as light goes.
+  const bool up = this->Light[first] > 0.0;
+  int low[2];
+  int count[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    const auto range = std::minmax(this->Base[i].front(), this->Base[i].back());
+    low[i] = range.first;
+    count[i] = range.second - range.first + this->Size[i + 1];
+  }
+  const int groups = (count[0] - 1) / GroupSize + 1;
+  vtkSMPTools::For(0, static_cast<vtkIdType>(groups) * count[1], 4,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        float sums[3 * GroupSize] = {};
+        const int b = low[1] + static_cast<int>(k / groups);
+        const int left = low[0] + static_cast<int>(k % groups) * GroupSize;
+        for (int i = 0; i < this->Size[0]; ++i)
+        {
+          const int plane = up ? this->Size[0] - 1 - i : i;
+          const int there = b - this->Base[1][plane];
+          for (int a = left; a < left + GroupSize; ++a)
+          {
+            float* own = sums + 3 * (a - left);
+            const int here = a - this->Base[0][plane];
+            if (there < 0 || there >= this->Size[2] || here < 0 || here >= this->Size[1])
+            {
+              std::fill_n(own, 3, 0.0f); // the column does not go through the grid there
+              continue;
+            }
+            const Vec3 depth = sum(plane, a, b);
+            for (int band = 0; band < this->Bands; ++band)
+            {
+              // Differences are finite.
+              own[band] =
+                std::min(own[band] + static_cast<float>(std::min(depth[band], 1e30)), 1e30f);
+              keep(own[band], plane, a, b, band);
+            }
+          }
+        }
+      }
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -54,15 +54,18 @@ private:
   static constexpr std::uint32_t First = (127u - 16) << 23; // bits of Offset
 };
 
+class vtkGodRaysGridBlocks;
+
 class vtkGodRaysGridLight
 {
 public:
   using Vec3 = vtkGodRays::Vec3;
 
   /**
-   * Sum the depths. The light is a position, or a direction of length 1. The grid is not kept.
+   * Sum the depths. The light is a position, or a direction of length 1. Grid and blocks are not kept.
    */
-  void Build(const vtkGodRaysGrid& grid, const Vec3& light, bool directional);
+  void Build(const vtkGodRaysGrid& grid, const vtkGodRaysGridBlocks& blocks, const Vec3& light,
+    bool directional);
 
   /**
    * Add the optical depths of the light's way to a place in points of the grid, in it or not, for as many

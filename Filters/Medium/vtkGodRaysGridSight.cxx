@@ -78,7 +78,7 @@ void vtkGodRaysGridSight::SetUp(const vtkGodRaysSingleScattering::Parameters& pa
     this->Lights.resize(this->Grids.size());
     for (std::size_t i = 0; i < this->Grids.size(); ++i)
     {
-      this->Lights[i].Build(this->Grids[i], this->Light, this->Directional);
+      this->Lights[i].Build(this->Grids[i], this->AllBlocks[i], this->Light, this->Directional);
     }
     std::copy_n(light, 5, this->LastLight);
   }

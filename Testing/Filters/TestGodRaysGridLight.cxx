@@ -5,6 +5,7 @@
 
 #include "GodRaysFiltersTesting.h"
 #include "GodRaysGridScenes.h"
+#include "vtkGodRaysGridBlocks.h"
 #include "vtkGodRaysGridLight.h"
 #include "vtkGodRaysMath.h"
 
@@ -37,7 +38,7 @@ TEST(GridLight, IsTheDepthOfTheWay)
       vtkGodRaysGrid grid;
       ASSERT_EQ(grid.Read(image), "");
       vtkGodRaysGridLight depths;
-      depths.Build(grid, light, directional);
+      depths.Build(grid, vtkGodRaysGridBlocks(grid), light, directional);
       EXPECT_LE(depths.GetSize(), n * n * n * sizeof(float) / 16);
       std::mt19937 generator = MakeGenerator(41);
       const auto uniform = [&](double low, double high)
