@@ -4,10 +4,7 @@
  * @class   vtkGodRaysShadowMap
  * @brief   depths of the occluders, as a light sees them; private to this module
  *
- * One face, fitted to the occluders, for a light that is infinitely far or sees all of it within 60
- * degrees of one direction; else the six faces of a cube about the light, side by side in one texture. A
- * light that is infinitely far may have up to four nested faces instead, each half as wide as the one
- * before. What was drawn for the last light serves again while light, faces and occluders are the same in
+ * What was drawn for the last light serves again while light, faces and occluders are the same in
  * the world; one face about all occluders, or about a fixed lamp, so serves while the camera moves. Of
  * plain actors VTK tells that; with any other prop, and on several processes, it is drawn anew. Where only
  * some occluders change, and faces stay as they are, the depths of the others are kept in a map of their own
@@ -21,12 +18,11 @@
 #define vtkGodRaysShadowMap_h
 
 #include "vtkGodRaysMediumIntegrator.h" // For Request
-#include "vtkGodRaysShadowGrids.h"
+#include "vtkGodRaysShadowFaces.h"
 #include "vtkGodRaysShadowLayers.h"
+#include "vtkGodRaysShadowState.h"
 #include "vtkGodRaysTarget.h"
 
-#include <array>      // For std::array
-#include <cstddef>    // For std::size_t
 #include <functional> // For std::function
 #include <string>     // For std::string
 #include <vector>     // For std::vector
@@ -42,9 +38,7 @@ public:
   ~vtkGodRaysShadowMap();
 
   /**
-   * Render the props that block into faces of so many pixels on each side, or as many as the driver
-   * takes. For a light that is infinitely far, seen in perspective, there are up to so many levels; more
-   * than one are faces of half as many pixels, nested about the axis through the eye. All processes of a
+   * Render the props that block into the faces that vtkGodRaysShadowFaces::Fit() places. All processes of a
    * compositor call it. What is translucent is drawn if so asked. Returns false when the driver refuses.
    */
   bool Draw(
@@ -58,8 +52,8 @@ public:
   /**
    * How many faces there are; 0 if nothing blocks.
    */
-  int GetNumberOfFaces() const { return this->NumberOfFaces; }
-  int GetSize() const { return this->Size; }
+  int GetNumberOfFaces() const { return this->Faces.Count; }
+  int GetSize() const { return this->Faces.Size; }
 
   /**
    * Whether the last Draw() took what was there.
@@ -78,33 +72,16 @@ public:
    */
   std::string DescribeLayers() const;
 
-  vtkTextureObject* GetDepth() const { return this->Maps[this->NumberOfFaces / 6].GetDepth(); }
+  vtkTextureObject* GetDepth() const { return this->Maps[this->Faces.Count / 6].GetDepth(); }
 
   /**
    * Give a shader its numbers.
    */
-  void Set(vtkShaderProgram* program) const;
+  void Set(vtkShaderProgram* program) const { this->Faces.Set(program); }
 
   void Release(vtkWindow* window);
 
 private:
-  /// What the picture in the map depends on; empty if that cannot be told.
-  struct State
-  {
-    std::vector<const void*> Objects;
-    std::vector<double> Numbers;
-    std::vector<double> Places; // of the occluders' bounds in the faces, the same but for rounding
-    // Where objects and numbers end: those before the first occluder, and those of each.
-    std::vector<std::array<std::size_t, 2>> Ends;
-
-    bool IsSame(const State& other) const;
-    bool HasSameFaces(const State& other) const;
-    bool HasSameProp(const State& other, std::size_t prop) const;
-    void End() { this->Ends.push_back({ this->Objects.size(), this->Numbers.size() }); }
-    void Clear();
-  };
-  void FindState(const vtkGodRaysMediumIntegrator::Request& request, State& state) const;
-
   bool Render(
     const vtkGodRaysMediumIntegrator::Request& request, vtkGodRaysTarget& map, bool hasRest);
   bool FindRest();
@@ -112,24 +89,14 @@ private:
   void ForFaces(
     const vtkGodRaysMediumIntegrator::Request& request, const std::function<void()>& draw);
   bool RenderTranslucent(const vtkGodRaysMediumIntegrator::Request& request, vtkGodRaysTarget& map);
-  void Fit(const vtkGodRaysMediumIntegrator::Request& request);
-  void FitDirectional(const vtkGodRaysMediumIntegrator::Request& request);
-  void FitPoint(const vtkGodRaysMediumIntegrator::Request& request);
-  void Nest(const double axes[3][3], const double low[2], const double high[2]);
-  void SetFace(int face, const double axes[3][3], const double origin[3], const double low[2],
-    const double high[2]);
-
-  int GetColumns() const { return this->NumberOfFaces == 1 ? 1 : this->NumberOfFaces == 6 ? 3 : 2; }
-  int GetRows() const { return this->NumberOfFaces == 1 ? 1 : 2; }
 
   vtkGodRaysTarget Maps[2]; // of one face or nested ones, and of six
-  int Levels = 1;           // at most, of a light that is infinitely far
-  vtkGodRaysShadowGrids Grids;
-  std::vector<float> Depths;  // that the grids have; empty: not read yet
-  State Drawn;                // what is in the map
-  State Asked;                // what is wanted; here to keep its memory
-  State Rest;                 // what is in the map of props that have not changed
-  std::vector<bool> IsAtRest; // whether a prop is in it
+  vtkGodRaysShadowFaces Faces;
+  std::vector<float> Depths;   // that the grids have; empty: not read yet
+  vtkGodRaysShadowState Drawn; // what is in the map
+  vtkGodRaysShadowState Asked; // what is wanted; here to keep its memory
+  vtkGodRaysShadowState Rest;  // what is in the map of props that have not changed
+  std::vector<bool> IsAtRest;  // whether a prop is in it
   vtkGodRaysTarget RestMap;
   bool RestIsDrawn = false;
   int NumberOfChanged = 0;
@@ -139,11 +106,6 @@ private:
   vtkSmartPointer<vtkGodRaysLightLayers> Peeler;
   vtkGodRaysShadowLayers Layers;
   vtkSmartPointer<vtkCamera> Camera;
-  int Size = 0; // of a face [pixels]
-  int NumberOfFaces = 0;
-  double Corners[8][3];    // of the occluders' bounds, in view coordinates
-  double ViewToMap[6][16]; // view coordinates to clip coordinates of a face
-  double Texel = 0.0;      // width of a pixel, at distance 1 from a point light [scene units]
 };
 
 #endif
