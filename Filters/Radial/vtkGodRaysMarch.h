@@ -32,11 +32,9 @@ struct vtkGodRaysMarchParameters
 struct VTKGODRAYSFILTERS_EXPORT vtkGodRaysMarch
 {
   ///@{
-  /// Below these, sums along lines are not faster, or not as accurate, as taps; and how many taps of a
-  /// picture are affordable: 100 a pixel of 1920 x 1080.
+  /// Below these, sums along lines are not faster, or not as accurate, as taps.
   static constexpr double ShortestSweep = 8.0; // [pixels]
   static constexpr int SmallestSweep = 32;     // [pixels], one way
-  static constexpr double MostTaps = 2e8;
   /// Of a small layer, but not of a long strip: there taps are as many as the square of its length.
   static constexpr double LongestOfSmall = 128.0; // [pixels], in the mean
   ///@}

@@ -50,6 +50,8 @@ const EffortRow Efforts[] = {
   { 0.0038, 1.0 / 6.0, EverywhereSubrows },
 };
 
+constexpr double MostTaps = 4e8; // of a picture are affordable: 200 a pixel of 1920 x 1080
+
 // Across layers of fewer pixels than that, what falls to 0 beyond the edges is all that there is: lines
 // are so close together.
 constexpr int ThinLayer = 4;
@@ -249,7 +251,7 @@ private:
       return false;
     }
     if (method == AUTOMATIC && !this->IsKept &&
-      EstimateTaps(this->Plan.March, this->Plan.Effort.TapTolerance) <= vtkGodRaysMarch::MostTaps)
+      EstimateTaps(this->Plan.March, this->Plan.Effort.TapTolerance) <= MostTaps)
     {
       this->Reason = "the march is short for the tolerance";
       return false;

@@ -31,6 +31,8 @@ namespace
 constexpr double SteepestKernel = 30.0;
 constexpr double SteepestGrowth = -5.0;
 
+constexpr double MostTaps = 2e8; // of a picture are affordable: 100 a pixel of 1920 x 1080
+
 constexpr std::size_t LeastPlans = 8; // that are kept, or one for each light of a frame
 
 using Plan = vtkGodRaysBlockPlan;
@@ -301,7 +303,7 @@ bool vtkGodRaysBlockMeans::Keeps(
   const double tolerance = request.ErrorTolerance;
   bool kept = false;
   const Plan::Effort* effort = Plan::ChooseEffort(march, tolerance, largest, kept);
-  if ((!kept && vtkGodRaysClippedTaps::CountTaps(march, tolerance) <= vtkGodRaysMarch::MostTaps) ||
+  if ((!kept && vtkGodRaysClippedTaps::CountTaps(march, tolerance) <= MostTaps) ||
     march.IsSmall() || march.GetLongest() < vtkGodRaysMarch::ShortestSweep ||
     march.K > SteepestKernel || march.K < SteepestGrowth)
   {
