@@ -107,31 +107,40 @@ void operator delete(void* memory, std::size_t) noexcept
 
 namespace
 {
+std::string Demangle(const char* symbol)
+{
+  int status = 1;
+  char* readable = symbol ? abi::__cxa_demangle(symbol, nullptr, nullptr, &status) : nullptr;
+  const std::string name = status == 0 ? readable : "a local function";
+  std::free(readable);
+  return name;
+}
+
 /// The function of vtkGodRays that asked for this memory itself; empty if it is none. Words are asked for by
-/// the C++ library.
+/// the C++ library. What of that is a template may be in any library, for all others: its caller counts.
 std::string FindAllocator(void* const* stack)
 {
   Dl_info program = {};
   dladdr(reinterpret_cast<void*>(&CountAllocation), &program);
-  Dl_info info = {};
   for (int i = 0; i < Depth && stack[i]; ++i)
   {
+    Dl_info info = {};
     // After functions of this file, which come before the C library's.
-    if (dladdr(stack[i], &info) && info.dli_fname && info.dli_fbase != program.dli_fbase)
+    if (!dladdr(stack[i], &info) || !info.dli_fname || info.dli_fbase == program.dli_fbase)
     {
-      break;
+      continue;
+    }
+    if (std::string(info.dli_fname).find("libvtkGodRays") == std::string::npos)
+    {
+      return "";
+    }
+    const std::string name = Demangle(info.dli_sname);
+    if (name.find("std::") != 0 && name.find("void std::") != 0)
+    {
+      return name;
     }
   }
-  if (!info.dli_fname || std::string(info.dli_fname).find("libvtkGodRays") == std::string::npos)
-  {
-    return "";
-  }
-  int status = 1;
-  char* readable =
-    info.dli_sname ? abi::__cxa_demangle(info.dli_sname, nullptr, nullptr, &status) : nullptr;
-  const std::string name = status == 0 ? readable : "a local function";
-  std::free(readable);
-  return name;
+  return "";
 }
 
 using Arrange = std::function<void(Stage&)>;
