@@ -184,8 +184,10 @@ class Uses(unittest.TestCase):
         self.fails("find_package(GodRays REQUIRED)\n", vtk=other, says=["was built for VTK", "9.99.0"])
 
     def test_each_header_alone(self):
-        """Each compiles by itself and twice, with all warnings, not as a header of the system."""
-        headers = sorted(path.name for path in (PREFIX / "include" / "godrays").glob("*.h"))
+        """Each compiles by itself and twice, with all warnings, not as a header of the system. Those of the
+        plugin, if it was built, need ParaView."""
+        plugin = {path.name for path in (pathlib.Path(__file__).parents[2] / "Plugin").rglob("*.h")}
+        headers = sorted({path.name for path in (PREFIX / "include" / "godrays").glob("*.h")} - plugin)
         self.assertGreater(len(headers), 30)
         for header in headers:
             (self.folder / f"{header}.cxx").write_text(f"#include <{header}>\n#include <{header}>\n")
