@@ -57,9 +57,8 @@ std::string vtkGodRaysMediumEffect::FindObstacle(vtkRenderer* renderer,
   return view.GetPinhole(size, pinhole)
     ? vtkGodRaysGate::FindFault(this->GetMedium(renderer, view, bounds), view)
     : "the picture is tilted against the axis of view, or its pixels are oblong, in which light in "
-      "a medium cannot be evaluated. Use a projection matrix without that, a window of another "
-      "shape "
-      "under a vtkDepthOfFieldPass, or a vtkGodRaysRadialModel";
+      "a medium cannot be evaluated. Use a projection matrix without that, a window of "
+      "another shape under a vtkDepthOfFieldPass, or a vtkGodRaysRadialModel";
 }
 
 //------------------------------------------------------------------------------
