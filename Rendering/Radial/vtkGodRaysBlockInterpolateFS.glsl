@@ -56,6 +56,10 @@ vec3 Bump(vec3 bump, vec2 point, vec2 step, float line)
     mean = vec3(channel < 1.5 ? (channel < 0.5 ? texel.x : texel.y)
                               : (channel < 2.5 ? texel.z : texel.w));
   }
+  if (OneChannel ? mean.r <= 0.0 : texel.a < 0.5) // even
+  {
+    return vec3(0.0);
+  }
   int taps = int(clamp(ceil(abs(bump.x) / bumpTapLength), 1.0, 64.0));
   vec2 stride = -bump.x / float(taps) / layerSize * step;
   vec2 first = (point + 0.5) / layerSize + 0.5 * stride;

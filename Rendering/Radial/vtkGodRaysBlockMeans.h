@@ -15,9 +15,9 @@
  * 3. vtkGodRaysBlockInterpolateFS: the integral at each pixel. Between nodes, and lines, the product
  *    of integral and length of the march is interpolated; from the nearer node to the pixel, and
  *    where the march ends within a block, a few taps say how the layer differs from the mean of the
- *    block. Near the light, and where marches are short, taps are summed. That and the ends of marches
- *    within a block are drawn in a box about the light alone: some drivers run through a branch that
- *    no pixel takes.
+ *    block, unless it is even there. Near the light, and where marches are short, taps are summed.
+ *    That and the ends of marches within a block are drawn in a box about the light alone: some
+ *    drivers run through a branch that no pixel takes.
  *
  * Shaders see no large numbers: lines are known by where they cross the nearest and the farthest
  * row of the picture, pixels by their row. So a light at infinity, or behind the camera, is like any

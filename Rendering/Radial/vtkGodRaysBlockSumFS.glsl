@@ -49,7 +49,7 @@ void main()
     vec4 weights = texelFetch(kernel, ivec2(i, row), 0);
     if (OneChannel)
     {
-      sum.x += dot(weights, Fetch(offset + i, cell.y));
+      sum.x += dot(weights, abs(Fetch(offset + i, cell.y)));
     }
     else
     {
