@@ -186,15 +186,7 @@ bool Figure::IsMeasured() const
 //------------------------------------------------------------------------------
 bool Figure::IsMet() const
 {
-  switch (this->Relates)
-  {
-    case AT_MOST:
-      return this->Measured <= this->Bound;
-    case AT_LEAST:
-      return this->Measured >= this->Bound;
-    default:
-      return std::abs(this->Measured - this->Target) <= this->Bound;
-  }
+  return this->Relates == AT_MOST ? this->Measured <= this->Bound : this->Measured >= this->Bound;
 }
 
 //------------------------------------------------------------------------------
@@ -358,18 +350,7 @@ std::string Report::MakeTables() const
   for (const Figure& figure : this->Figures)
   {
     text << "| " << figure.Text << (figure.Note.empty() ? "" : " (" + figure.Note + ")") << " | ";
-    switch (figure.Relates)
-    {
-      case Figure::AT_MOST:
-        text << "at most " << Format(figure.Bound);
-        break;
-      case Figure::AT_LEAST:
-        text << "at least " << Format(figure.Bound);
-        break;
-      default:
-        text << Format(figure.Target) << " within " << Format(figure.Bound);
-        break;
-    }
+    text << (figure.Relates == Figure::AT_MOST ? "at most " : "at least ") << Format(figure.Bound);
     text << " | " << Format(figure.Measured) << " | "
          << (!figure.IsMeasured() ? "not measured"
                 : figure.IsMet()  ? "met"
@@ -420,7 +401,7 @@ void Report::WritePage(const std::string& file, const std::string& command) cons
   stream
     << "# Performance\n\n"
     << "Written by `" << command << "`; what it measures stands in\n"
-    << "`Testing/Benchmark/GodRaysBenchmark.cxx`. Times differ from machine to machine and "
+    << "`Testing/Benchmark/Benchmark.h`. Times differ from machine to machine and "
        "from hour to hour, so costs\nare ratios of times taken in the same round: to a *copy*, "
        "a full-screen quad of 8-bit RGBA that is interpolated\nonce, and to a *march*, the "
        "bare loop of 60 taps of such a picture at full size, which is the steadier of the\n"

@@ -40,14 +40,12 @@ struct Figure
   enum Relation
   {
     AT_MOST,
-    AT_LEAST,
-    ABOUT // within Bound of Target
+    AT_LEAST
   };
   std::string Text;
   Relation Relates = AT_MOST;
   double Bound = 0.0;
   double Measured = Statistics::None; // None: not measured
-  double Target = 0.0;
   std::string Note;
 
   bool IsMeasured() const;
