@@ -5,12 +5,14 @@
  * @brief   a medium that a grid of numbers tells of
  *
  * Private. Extinction and scattering coefficients at the points of a grid, trilinear between them and 0
- * outside of it. Lengths are in scene units. A place is in points: (i, j, k) is the place of a point.
+ * outside of it: arrays of them, or numbers and a table of what they mean. Lengths are in scene units. A
+ * place is in points: (i, j, k) is the place of a point.
  */
 
 #ifndef vtkGodRaysGrid_h
 #define vtkGodRaysGrid_h
 
+#include "vtkGodRaysGridTable.h"
 #include "vtkGodRaysMath.h"
 
 #include <algorithm>
@@ -36,10 +38,12 @@ struct vtkGodRaysGrid
   const float* Extinction = nullptr; // point-major [1/scene unit, times Scale], at least 0
   const float* Scattering = nullptr;
   std::shared_ptr<const void> Owners[2]; // of these
-  double Scale = 1.0;                    // of both
-  double Albedo[3] = { 1.0, 1.0, 1.0 };  // what part of extinction is scattering, [0, 1]
-  int PhaseFunction = 0;                 // see vtkGodRaysPhaseFunction.h
-  double Asymmetry = 0.0;                // [-0.99, 0.99]
+  std::shared_ptr<const vtkGodRaysGridTable>
+    Table;                              // in their place, if any; extinction has one band
+  double Scale = 1.0;                   // of both
+  double Albedo[3] = { 1.0, 1.0, 1.0 }; // what part of extinction is scattering, [0, 1]
+  int PhaseFunction = 0;                // see vtkGodRaysPhaseFunction.h
+  double Asymmetry = 0.0;               // [-0.99, 0.99]
 
   /// Set Inverse to suit Axes. False if these span no volume.
   bool Invert()
@@ -70,10 +74,22 @@ struct vtkGodRaysGrid
     return (static_cast<std::size_t>(k) * this->Points[1] + j) * this->Points[0] + i;
   }
 
-  /// The values of a band at the corners of a cell whose first point is at i.
-  void GetCorners(const float* values, int bands, std::size_t i, int band, vtkGodRays::Vec4& low,
-    vtkGodRays::Vec4& high) const
+  /// Extinction or scattering of a band at the corners of a cell whose first point is at i.
+  void GetCorners(
+    bool ofScattering, std::size_t i, int band, vtkGodRays::Vec4& low, vtkGodRays::Vec4& high) const
   {
+    if (this->Table)
+    {
+      float c[8];
+      this->Table->GetCorners(i, this->Points[0],
+        static_cast<std::ptrdiff_t>(this->Points[0]) * this->Points[1], ofScattering ? 1 + band : 0,
+        c);
+      low = vtkGodRays::Vec4(c[0], c[1], c[2], c[3]);
+      high = vtkGodRays::Vec4(c[4], c[5], c[6], c[7]);
+      return;
+    }
+    const float* values = ofScattering ? this->Scattering : this->Extinction;
+    const int bands = ofScattering ? this->ScatteringBands : this->Bands;
     const std::size_t row = static_cast<std::size_t>(bands) * this->Points[0];
     const std::size_t slice = row * this->Points[1];
     const float* v = values + i * bands + band;
@@ -162,7 +178,7 @@ struct vtkGodRaysGrid
     vtkGodRays::Vec4 high;
     for (int band = 0; band < this->Bands; ++band)
     {
-      this->GetCorners(this->Extinction, this->Bands, point, band, low, high);
+      this->GetCorners(false, point, band, low, high);
       depth[band] += this->Scale * length * vtkGodRays::CellMean(low, high, from, to);
     }
     if (this->Bands == 1)
@@ -181,7 +197,7 @@ struct vtkGodRaysGrid
     Vec3 result(0.0);
     for (int band = 0; band < bands; ++band)
     {
-      this->GetCorners(own ? this->Scattering : this->Extinction, bands, point, band, low, high);
+      this->GetCorners(own, point, band, low, high);
       result[band] = this->Scale * vtkGodRays::CellValue(low, high, place);
     }
     if (bands == 1)

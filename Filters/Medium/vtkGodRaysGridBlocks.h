@@ -102,6 +102,11 @@ private:
     {
       for (int b = first[1]; b <= last[1]; ++b)
       {
+        if (grid.Table)
+        {
+          grid.Table->AddRange(grid.GetPoint(first[0], b, c), last[0] - first[0] + 1, low, high);
+          continue;
+        }
         const float* values = grid.Extinction + grid.Bands * grid.GetPoint(first[0], b, c);
         const int count = grid.Bands * (last[0] - first[0] + 1);
         for (int a = 0; a < count; ++a)
@@ -139,6 +144,25 @@ public:
     this->First = cell[2] * this->Slice + cell[1] * this->Row + cell[0];
   }
 
+  /// Extinction of each band and scattering of each that it has itself, before Scale: at most 6 numbers.
+  void Read(const vtkGodRaysGrid& grid, float* coefficients) const
+  {
+    if (grid.Table)
+    {
+      grid.Table->Look(this->First, this->Row, this->Slice, this->T, coefficients);
+      return;
+    }
+    for (int band = 0; band < grid.Bands; ++band)
+    {
+      coefficients[band] = this->Read(grid.Extinction, grid.Bands, band);
+    }
+    for (int band = 0; band < grid.ScatteringBands; ++band)
+    {
+      coefficients[grid.Bands + band] = this->Read(grid.Scattering, grid.ScatteringBands, band);
+    }
+  }
+
+private:
   float Read(const float* values, int bands, int band) const
   {
     const float* v = values + this->First * bands + band;
@@ -154,7 +178,6 @@ public:
     return front + t[2] * (back - front);
   }
 
-private:
   std::ptrdiff_t First;
   std::ptrdiff_t Row;
   std::ptrdiff_t Slice;

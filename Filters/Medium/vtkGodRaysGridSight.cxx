@@ -204,13 +204,18 @@ vtkGodRaysGridSight::Result vtkGodRaysGridSight::Evaluate(double x, double y, do
   {
     const vtkGodRaysGrid& grid = this->Grids[i];
     Passage& passage = ray.Passages[i];
-    passage = { grid.GetPlace(ray.Origin), grid.GetSteps(ray.Along), 0.0, end, 0.0 };
+    passage = { grid.GetPlace(ray.Origin), grid.GetSteps(ray.Along), 0.0, end, 0.0, 0.0 };
     const Vec3 size = vtkGodRays::abs(passage.Steps);
     passage.Speed = std::max({ size.x, size.y, size.z, 1e-30 });
     if (!grid.Clip(passage.Place, passage.Steps, passage.Begin, passage.End))
     {
       passage.Begin = passage.End = 0.0;
       continue;
+    }
+    if (this->Directional)
+    {
+      passage.Phase =
+        grid.Scale * vtkGodRays::Phase({ grid.PhaseFunction, grid.Asymmetry }, ray.Foot);
     }
     first = std::min(first, passage.Begin);
     last = std::max(last, passage.End);

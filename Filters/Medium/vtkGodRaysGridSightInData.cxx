@@ -197,16 +197,19 @@ void vtkGodRaysGridSight::MarchBlock(const Ray& ray, double begin, double end, d
       }
       const vtkGodRaysGrid& grid = this->Grids[i];
       const Place place(grid, passage.Place + middle * passage.Steps);
-      const double phase =
-        grid.Scale * vtkGodRays::Phase({ grid.PhaseFunction, grid.Asymmetry }, air.Cosine);
+      const double phase = this->Directional
+        ? passage.Phase
+        : grid.Scale * vtkGodRays::Phase({ grid.PhaseFunction, grid.Asymmetry }, air.Cosine);
+      float coefficients[6];
+      place.Read(grid, coefficients);
+      const float* own = coefficients + grid.Bands; // scattering
       for (int c = 0; c < colours; ++c)
       {
-        const double value = place.Read(grid.Extinction, grid.Bands, grid.Bands == 1 ? 0 : c);
+        const double value = coefficients[grid.Bands == 1 ? 0 : c];
         extinction[c] += grid.Scale * value;
         scattered[c] += phase *
           (grid.ScatteringBands == 0 ? grid.Albedo[c] * value
-                                     : place.Read(grid.Scattering, grid.ScatteringBands,
-                                         grid.ScatteringBands == 1 ? 0 : c));
+                                     : own[grid.ScatteringBands == 1 ? 0 : c]);
       }
     }
     float way[3] = { 0.0f, 0.0f, 0.0f };

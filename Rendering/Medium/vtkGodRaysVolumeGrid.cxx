@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -31,92 +30,62 @@ namespace
 {
 using vtkGodRays::Vec3;
 
-constexpr int TableSize = 4096;
-
-/// What transfer functions make of values from Range[0] to Range[1], evenly.
-struct Table
+/// What transfer functions make of a table's numbers, evenly.
+struct Functions
 {
-  double Range[2] = { 0.0, 1.0 };
-  std::vector<float> Extinction; // [1/scene unit]
-  std::vector<float> Tint;       // red, green and blue of linear light
-  bool Even = true;              // all tints are alike
-  bool Grey = true;              // each has equal channels
+  std::vector<double> Opacities;
+  std::vector<float> Tint; // red, green and blue of linear light
+  bool Even = true;        // all tints are alike
+  bool Grey = true;        // each has equal channels
 
-  Table(vtkVolumeProperty* property, vtkDataArray* scalars, const char* mask)
-    : Extinction(TableSize)
-    , Tint(3 * static_cast<std::size_t>(TableSize))
+  Functions(vtkVolumeProperty* property, double first, double last, int count)
+    : Opacities(count)
+    , Tint(3 * static_cast<std::size_t>(count))
   {
-    if (mask)
-    {
-      this->FindRange(scalars, mask);
-    }
-    else
-    {
-      scalars->GetFiniteRange(this->Range, 0);
-    }
-    if (!(this->Range[1] > this->Range[0]))
-    {
-      this->Range[1] = this->Range[0] + 1.0;
-    }
-    std::vector<double> opacities(TableSize);
-    property->GetScalarOpacity(0)->GetTable(
-      this->Range[0], this->Range[1], TableSize, opacities.data());
+    property->GetScalarOpacity(0)->GetTable(first, last, count, this->Opacities.data());
     std::vector<double> colors(this->Tint.size());
     if (property->GetColorChannels(0) == 3)
     {
-      property->GetRGBTransferFunction(0)->GetTable(
-        this->Range[0], this->Range[1], TableSize, colors.data());
+      property->GetRGBTransferFunction(0)->GetTable(first, last, count, colors.data());
     }
     else
     {
-      std::vector<double> greys(TableSize);
-      property->GetGrayTransferFunction(0)->GetTable(
-        this->Range[0], this->Range[1], TableSize, greys.data());
+      std::vector<double> greys(count);
+      property->GetGrayTransferFunction(0)->GetTable(first, last, count, greys.data());
       for (std::size_t i = 0; i < colors.size(); ++i)
       {
         colors[i] = greys[i / 3];
       }
     }
-    const double unit = property->GetScalarOpacityUnitDistance(0);
-    for (int i = 0; i < TableSize; ++i)
+    for (std::size_t i = 0; i < colors.size(); i += 3)
     {
-      this->Extinction[i] = static_cast<float>(
-        vtkGodRays::OpacityExtinction(vtkMath::ClampValue(opacities[i], 0.0, 1.0), unit));
-      float* tint = this->Tint.data() + 3 * i;
+      float* tint = this->Tint.data() + i;
       for (int c = 0; c < 3; ++c)
       {
         tint[c] = static_cast<float>(
-          vtkGodRays::DecodeDisplay(vtkMath::ClampValue(colors[3 * i + c], 0.0, 1.0)));
+          vtkGodRays::DecodeDisplay(vtkMath::ClampValue(colors[i + c], 0.0, 1.0)));
         this->Even = this->Even && tint[c] == this->Tint[c];
       }
       this->Grey = this->Grey && tint[0] == tint[1] && tint[1] == tint[2];
     }
   }
 
-  /// The range of values that are in the data: outside of a grid they are 0.
-  void FindRange(vtkDataArray* scalars, const char* mask)
+  /// With scattering of so many bands.
+  void Fill(vtkGodRaysGridTable& table, double unit, const Vec3& albedo, int bands) const
   {
-    bool known = false;
-    for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
+    table.Bands = bands;
+    table.Extinctions.resize(this->Opacities.size());
+    table.Scatterings.resize(bands * this->Opacities.size());
+    for (std::size_t i = 0; i < this->Opacities.size(); ++i)
     {
-      const double value = mask[i] ? scalars->GetComponent(i, 0) : vtkMath::Nan();
-      if (std::isfinite(value))
+      table.Extinctions[i] = static_cast<float>(
+        vtkGodRays::OpacityExtinction(vtkMath::ClampValue(this->Opacities[i], 0.0, 1.0), unit));
+      for (int c = 0; c < bands; ++c)
       {
-        this->Range[0] = known ? std::min(this->Range[0], value) : value;
-        this->Range[1] = known ? std::max(this->Range[1], value) : value;
-        known = true;
+        table.Scatterings[bands * i + c] =
+          static_cast<float>(albedo[c]) * table.Extinctions[i] * this->Tint[3 * i + c];
       }
     }
-  }
-
-  /// Between which entries a finite value is, and how far beyond the first.
-  void Find(double value, int& low, float& part) const
-  {
-    const double at =
-      (value - this->Range[0]) / (this->Range[1] - this->Range[0]) * (TableSize - 1);
-    const double inside = at > 0.0 ? std::min(at, TableSize - 1.0) : 0.0; // also of NaN
-    low = std::min(static_cast<int>(inside), TableSize - 2);
-    part = static_cast<float>(inside - low);
   }
 };
 
@@ -176,66 +145,37 @@ struct Cut
   }
 };
 
-/// Fill extinction, and scattering of so many bands, if any. False if a value is not finite.
-template <typename T>
-bool Fill(const T* values, const char* mask, vtkImageData* image, const Table& table,
-  const Cut& cut, const Vec3& albedo, int bands, std::vector<float>& extinction,
-  std::vector<float>& scattering)
+/// Show no points that are cut off.
+void Apply(const Cut& cut, vtkImageData* image, vtkGodRaysGridBits& shown)
 {
+  if (cut.IsNone())
+  {
+    return;
+  }
   const int* extent = image->GetExtent();
   const int* size = image->GetDimensions();
   const vtkIdType slice = static_cast<vtkIdType>(size[0]) * size[1];
-  const bool isCut = !cut.IsNone();
-  std::atomic<bool> finite(true);
-  vtkSMPTools::For(0, size[2],
+  const vtkIdType count = image->GetNumberOfPoints();
+  if (shown.IsEmpty())
+  {
+    shown.Resize(static_cast<std::size_t>(count), true);
+  }
+  vtkSMPTools::For(0, static_cast<vtkIdType>(shown.GetNumberOfWords()),
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType i = begin * slice; i < end * slice; ++i)
+      for (vtkIdType i = 64 * begin; i < std::min(64 * end, count); ++i)
       {
-        if (mask && !mask[i])
+        const int at[3] = { extent[0] + static_cast<int>(i % size[0]),
+          extent[2] + static_cast<int>(i / size[0] % size[1]),
+          extent[4] + static_cast<int>(i / slice) };
+        double place[3];
+        image->TransformIndexToPhysicalPoint(at, place);
+        if (cut.Takes(place))
         {
-          continue; // outside of the grid
-        }
-        const auto value = static_cast<double>(values[i]);
-        if (!std::isfinite(value))
-        {
-          finite = false;
-          return;
-        }
-        if (isCut)
-        {
-          const int at[3] = { extent[0] + static_cast<int>(i % size[0]),
-            extent[2] + static_cast<int>(i / size[0] % size[1]),
-            extent[4] + static_cast<int>(i / slice) };
-          double place[3];
-          image->TransformIndexToPhysicalPoint(at, place);
-          if (cut.Takes(place))
-          {
-            continue;
-          }
-        }
-        int low;
-        float part;
-        table.Find(value, low, part);
-        const float* known = table.Extinction.data() + low;
-        extinction[i] = known[0] + part * (known[1] - known[0]);
-        for (int c = 0; c < bands; ++c)
-        {
-          const float* tint = table.Tint.data() + 3 * static_cast<std::size_t>(low) + c;
-          scattering[bands * i + c] =
-            static_cast<float>(albedo[c]) * extinction[i] * (tint[0] + part * (tint[3] - tint[0]));
+          shown.Set(i, false);
         }
       }
     });
-  return finite;
-}
-
-/// The pointer to what a shared vector holds.
-const float* Own(std::vector<float>&& values, std::shared_ptr<const void>& owner)
-{
-  auto kept = std::make_shared<std::vector<float>>(std::move(values));
-  owner = kept;
-  return kept->data();
 }
 
 bool IsComposite(vtkAbstractVolumeMapper* mapper)
@@ -289,8 +229,9 @@ vtkGodRaysVolumeGrid::Error FindError(const std::vector<vtkGodRaysVolumeImage::S
     }
     const double opacity = vtkMath::ClampValue(opacities->GetValue(sample.Value), 0.0, 1.0);
     const double known = vtkGodRays::OpacityExtinction(opacity, unit);
-    const double told =
-      vtkGodRaysGridPlace(grid, Vec3(place[0], place[1], place[2])).Read(grid.Extinction, 1, 0);
+    float coefficients[4];
+    vtkGodRaysGridPlace(grid, Vec3(place[0], place[1], place[2])).Read(grid, coefficients);
+    const double told = coefficients[0];
     peak = std::max(peak, known);
     squares += (told - known) * (told - known);
     error.Largest = std::max(error.Largest, std::abs(told - known));
@@ -348,31 +289,28 @@ std::string vtkGodRaysVolumeGrid::Read(vtkProp* prop, const Numbers& numbers,
            "that span one";
   }
 
-  const Table table(property, scalars, data.GetMask());
-  const Cut cut(mapper, volume->GetMatrix());
-  const Vec3 albedo(numbers.Albedo[0], numbers.Albedo[1], numbers.Albedo[2]);
-  const bool alike = albedo.x == albedo.y && albedo.y == albedo.z;
-  const int bands = table.Even ? 0 : table.Grey && alike ? 1 : 3;
-  const auto count = static_cast<std::size_t>(image->GetNumberOfPoints());
-  std::vector<float> extinction(count, 0.0f);
-  std::vector<float> scattering(bands * count, 0.0f);
-  bool finite = true;
-  switch (scalars->GetDataType())
-  {
-    vtkTemplateMacro(finite = Fill(static_cast<const VTK_TT*>(scalars->GetVoidPointer(0)),
-                       data.GetMask(), image, table, cut, albedo, bands, extinction, scattering));
-  }
-  if (!finite)
+  auto table = std::make_shared<vtkGodRaysGridTable>();
+  table->Shown = data.GetMask();
+  if (!table->SetValues(scalars))
   {
     return "has values that are not finite. Replace them with numbers";
   }
-  grid.Extinction = Own(std::move(extinction), grid.Owners[0]);
-  grid.ScatteringBands = bands;
-  grid.Scattering = bands > 0 ? Own(std::move(scattering), grid.Owners[1]) : nullptr;
+  const Functions functions(property, table->First, table->Last, table->Entries);
+  const Vec3 albedo(numbers.Albedo[0], numbers.Albedo[1], numbers.Albedo[2]);
+  const bool alike = albedo.x == albedo.y && albedo.y == albedo.z;
+  functions.Fill(*table, property->GetScalarOpacityUnitDistance(0), albedo,
+    functions.Even              ? 0
+      : functions.Grey && alike ? 1
+                                : 3);
+  const Cut cut(mapper, volume->GetMatrix());
+  Apply(cut, image, table->Shown);
+  table->Finish();
+  grid.ScatteringBands = table->Bands;
+  grid.Table = table;
   grid.Scale = numbers.Scale;
   for (int c = 0; c < 3; ++c)
   {
-    grid.Albedo[c] = albedo[c] * table.Tint[c];
+    grid.Albedo[c] = albedo[c] * functions.Tint[c];
   }
   grid.PhaseFunction = numbers.PhaseFunction;
   grid.Asymmetry = numbers.Asymmetry;

@@ -197,7 +197,7 @@ void AddSamples(vtkDataSet* part, vtkDataArray* array, bool ofCells, vtkIdType s
 }
 
 /// Whether each point of an image is shown, and in a cell that is; empty if all are.
-std::vector<char> FindShown(vtkImageData* image)
+vtkGodRaysGridBits FindShown(vtkImageData* image)
 {
   vtkUnsignedCharArray* cells = image->GetCellGhostArray();
   vtkUnsignedCharArray* points = image->GetPointGhostArray();
@@ -208,7 +208,8 @@ std::vector<char> FindShown(vtkImageData* image)
   const int* size = image->GetDimensions();
   const vtkIdType row = size[0];
   const vtkIdType slice = row * size[1];
-  std::vector<char> shown(static_cast<std::size_t>(slice) * size[2], cells ? 0 : 1);
+  vtkGodRaysGridBits shown;
+  shown.Resize(static_cast<std::size_t>(slice) * size[2], !cells);
   vtkIdType cell = 0;
   for (int k = 0; cells && k + 1 < size[2]; ++k)
   {
@@ -218,18 +219,20 @@ std::vector<char> FindShown(vtkImageData* image)
       {
         constexpr unsigned char absent =
           vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
-        char* first = shown.data() + k * slice + j * row + i;
+        const vtkIdType first = k * slice + j * row + i;
         for (int corner = 0; corner < 8 && (cells->GetValue(cell) & absent) == 0; ++corner)
         {
-          first[(corner & 1) + (corner >> 1 & 1) * row + (corner >> 2) * slice] = 1;
+          shown.Set(first + (corner & 1) + (corner >> 1 & 1) * row + (corner >> 2) * slice, true);
         }
       }
     }
   }
-  for (std::size_t i = 0; points && i < shown.size(); ++i)
+  for (vtkIdType i = 0; points && i < slice * size[2]; ++i)
   {
-    const bool hides = (points->GetValue(i) & vtkDataSetAttributes::HIDDENPOINT) != 0;
-    shown[i] = hides ? 0 : shown[i];
+    if ((points->GetValue(i) & vtkDataSetAttributes::HIDDENPOINT) != 0)
+    {
+      shown.Set(i, false);
+    }
   }
   return shown;
 }
@@ -355,7 +358,7 @@ std::string vtkGodRaysVolumeImage::Update(vtkAbstractVolumeMapper* mapper, int r
     this->Samples.clear();
     this->Image = image;
     this->Scalars = scalars;
-    this->SetMask(FindShown(image));
+    this->Shown = FindShown(image);
     return "";
   }
   const vtkMTimeType time = GetTime(input);
@@ -378,10 +381,18 @@ std::string vtkGodRaysVolumeImage::Update(vtkAbstractVolumeMapper* mapper, int r
   this->Scalars = this->Resampled->GetPointData()->GetArray(Name);
   auto mask =
     vtkCharArray::SafeDownCast(this->Resampled->GetPointData()->GetArray("vtkValidPointMask"));
-  this->Mask = mask ? mask->GetPointer(0) : nullptr;
+  if (mask)
+  {
+    const vtkIdType count = mask->GetNumberOfValues();
+    this->Shown.Resize(static_cast<std::size_t>(count), true);
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      this->Shown.Set(i, mask->GetValue(i) != 0);
+    }
+  }
   if (auto whole = parts.size() == 1 ? vtkImageData::SafeDownCast(parts[0]) : nullptr)
   {
-    this->SetMask(FindShown(whole)); // also the only part of a composite
+    this->Shown = FindShown(whole); // also the only part of a composite
   }
   return this->Scalars ? "" : "could not be resampled. Resample it with vtkResampleToImage";
 }
@@ -441,17 +452,9 @@ void vtkGodRaysVolumeImage::Resample(
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysVolumeImage::SetMask(std::vector<char>&& shown)
-{
-  this->Shown = std::move(shown);
-  this->Mask = this->Shown.empty() ? nullptr : this->Shown.data();
-}
-
-//------------------------------------------------------------------------------
 void vtkGodRaysVolumeImage::Forget()
 {
   this->Image = nullptr;
   this->Scalars = nullptr;
-  this->Mask = nullptr;
-  this->Shown = std::vector<char>();
+  this->Shown = vtkGodRaysGridBits();
 }

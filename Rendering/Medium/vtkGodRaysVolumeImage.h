@@ -12,6 +12,7 @@
 #ifndef vtkGodRaysVolumeImage_h
 #define vtkGodRaysVolumeImage_h
 
+#include "vtkGodRaysGridTable.h" // For vtkGodRaysGridBits
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -44,11 +45,11 @@ public:
   std::string Update(vtkAbstractVolumeMapper* mapper, int resolution);
 
   ///@{
-  /// The image, its numbers, and whether each point is in the data and not hidden; null: all are. Until
+  /// The image, its numbers, and whether each point is in the data and not hidden; empty: all are. Until
   /// Forget().
   vtkImageData* GetImage() const { return this->Image; }
   vtkDataArray* GetScalars() const { return this->Scalars; }
-  const char* GetMask() const { return this->Mask; }
+  const vtkGodRaysGridBits& GetMask() const { return this->Shown; }
   ///@}
 
   /**
@@ -65,13 +66,11 @@ public:
   static vtkMTimeType GetTime(vtkDataObject* data);
 
 private:
-  void SetMask(std::vector<char>&& shown);
   void Resample(vtkDataObject* data, const char* name, bool ofCells, int resolution);
 
   vtkImageData* Image = nullptr;
   vtkDataArray* Scalars = nullptr;
-  const char* Mask = nullptr;
-  std::vector<char> Shown; // of an image that has hidden points or cells
+  vtkGodRaysGridBits Shown;
   vtkSmartPointer<vtkImageData> Resampled;
   std::vector<Sample> Samples;
   const void* Data = nullptr; // that it is of

@@ -123,7 +123,9 @@ std::string vtkGodRaysVolumeMedium::Read(const vtkGodRaysVolumeGrid::Numbers& nu
   this->Fault.clear();
   std::vector<double> others = { numbers.Albedo[0], numbers.Albedo[1], numbers.Albedo[2],
     static_cast<double>(numbers.PhaseFunction), numbers.Asymmetry };
-  const bool same = objects == this->Objects && times == this->Numbers;
+  const bool same = objects == this->Objects && times == this->Numbers &&
+    std::all_of(this->Grids.begin(), this->Grids.end(),
+      [](const vtkGodRaysGrid& grid) { return grid.Table->IsInPlace(); });
   if (same && others == this->Others && this->Grids.size() == this->Props.size())
   {
     return "";
@@ -141,9 +143,7 @@ std::string vtkGodRaysVolumeMedium::Read(const vtkGodRaysVolumeGrid::Numbers& nu
     }
     catch (const std::bad_alloc&)
     {
-      fault =
-        "needs more memory than there is, 4 bytes a point and, where its colours differ, 12 more. "
-        "Take fewer points, as by vtkImageResample";
+      fault = "needs more memory than there is. Take fewer points, as by vtkImageResample";
     }
     this->Images[i].Forget();
     if (!fault.empty())

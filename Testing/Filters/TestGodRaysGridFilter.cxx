@@ -5,18 +5,13 @@
 
 #include "GodRaysFiltersTesting.h"
 #include "GodRaysGridScenes.h"
+#include "GodRaysMemory.h"
 #include "vtkGodRaysGridFilter.h"
 #include "vtkGodRaysSingleScatteringReference.h"
 
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
-#include <string>
-
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 using namespace GodRaysFiltersTesting;
 using namespace GodRaysGridScenes;
@@ -47,21 +42,6 @@ Truth FindTruth(vtkGodRaysGridFilter* filter, vtkImageData* plume, int columns, 
   reference->Update();
   truth.Whole = FromImage(reference->GetOutput());
   return truth;
-}
-
-// A line of /proc/self/status [bytes]; -1 where there is none.
-double GetMemory(const std::string& name)
-{
-  std::ifstream file("/proc/self/status");
-  for (std::string word; file >> word;)
-  {
-    double kilobytes = 0.0;
-    if (word == name + ":" && file >> kilobytes)
-    {
-      return 1024.0 * kilobytes;
-    }
-  }
-  return -1.0;
 }
 }
 
@@ -200,13 +180,9 @@ TEST(GridFilter, TakesAnEighthOfTheMemoryOfItsData)
   filter->SetInputData(0, MakePlume(24)); // threads are there from now on
   filter->Update();
   filter->SetInputData(0, image);
-#ifdef __GLIBC__
-  malloc_trim(0); // pages that nothing is in
-#endif
-  std::ofstream("/proc/self/clear_refs") << "5"; // the largest size is that from now on
-  const double before = GetMemory("VmRSS");
+  const double before = GodRaysMemory::Start();
   filter->Update();
-  const double after = GetMemory("VmRSS");
+  const double after = GodRaysMemory::Get("VmRSS");
   if (before < 0.0)
   {
     GTEST_SKIP() << "there is no /proc/self/status";
@@ -215,8 +191,8 @@ TEST(GridFilter, TakesAnEighthOfTheMemoryOfItsData)
   const double data = static_cast<double>(count) * sizeof(float);
   std::cout << n << " points along an axis, " << data / 1048576.0
             << " MiB: " << (after - before) / data << " of the data's memory beside them, "
-            << (GetMemory("VmHWM") - before) / data << " at most\n";
+            << (GodRaysMemory::Get("VmHWM") - before) / data << " at most\n";
   EXPECT_LE(after - before, data / 8.0);
-  EXPECT_LE(GetMemory("VmHWM") - before, data / 8.0);
+  EXPECT_LE(GodRaysMemory::Get("VmHWM") - before, data / 8.0);
   EXPECT_GE(after - before, data / 64.0); // the control: depths are kept
 }
