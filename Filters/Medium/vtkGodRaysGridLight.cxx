@@ -10,6 +10,8 @@ namespace
 // Along an axis: depths bend where the way's end moves from a face of the grid to the next.
 constexpr int LeastNodes = 40;
 constexpr int GroupSize = 16; // columns
+constexpr double ExactPlanes =
+  32.0; // on longer ways of a lamp what changes between planes is averaged out
 
 using Depth = vtkGodRaysGridDepth;
 
@@ -19,9 +21,70 @@ double GetLength(const vtkGodRaysGrid& grid, const vtkGodRays::Vec3& way)
   return vtkGodRays::length(way.x * grid.Axes[0] + way.y * grid.Axes[1] + way.z * grid.Axes[2]);
 }
 
+// How many planes of points a way to a point light goes through.
+double CountPlanes(
+  const vtkGodRaysGrid& grid, const vtkGodRays::Vec3& place, const vtkGodRays::Vec3& steps)
+{
+  double begin = 0.0;
+  double end = 1.0;
+  const vtkGodRays::Vec3 size = vtkGodRays::abs(steps);
+  return grid.Clip(place, steps, begin, end) ? (end - begin) * std::max({ size.x, size.y, size.z })
+                                             : 0.0;
+}
+
+// What a line adds to an optical depth between two places: exactly but for what changes across it between
+// planes of points.
+void AddPlanes(const vtkGodRaysGrid& grid, const vtkGodRays::Vec3& place,
+  const vtkGodRays::Vec3& steps, double begin, double end, vtkGodRays::Vec3& depth)
+{
+  const vtkGodRays::Vec3 size = vtkGodRays::abs(steps);
+  const int along = size.z >= size.x && size.z >= size.y ? 2 : size.y >= size.x ? 1 : 0;
+  const int across[2] = { along == 0 ? 1 : 0, along == 2 ? 1 : 2 };
+  const int up = steps[along] > 0.0 ? 1 : -1;
+  const double from = up * (place[along] + begin * steps[along]);
+  const double to = up * (place[along] + end * steps[along]);
+  const int first = static_cast<int>(std::floor(from)) + 1; // plane between the two, times up
+  const int last = static_cast<int>(std::ceil(to)) - 1;
+  if (last - first < 2)
+  {
+    grid.AddDepth(place, steps, begin, end, depth);
+    return;
+  }
+  const double one = 1.0 / size[along]; // step
+  const double bend = begin + (first - from) * one;
+  const std::ptrdiff_t strides[3] = { 1, grid.Points[0],
+    static_cast<std::ptrdiff_t>(grid.Points[0]) * grid.Points[1] };
+  vtkGodRaysGridPlanes planes;
+  planes.Count = last - first + 1;
+  planes.First = up * first * strides[along];
+  planes.Next = up * strides[along];
+  for (int k = 0; k < 2; ++k)
+  {
+    planes.Strides[k] = strides[across[k]];
+    planes.Last[k] = grid.Points[across[k]] - 2;
+    planes.Begin[k] = place[across[k]] + bend * steps[across[k]];
+    planes.Step[k] = one * steps[across[k]];
+  }
+  grid.AddDepth(place, steps, begin, bend, depth);
+  for (int band = 0; band < 3; ++band)
+  {
+    if (band >= grid.Bands)
+    {
+      depth[band] = depth.x;
+      continue;
+    }
+    const float sum = grid.Table ? grid.Table->Integrate(planes)
+                                 : planes.Integrate([&](std::ptrdiff_t point)
+                                     { return grid.Extinction[point * grid.Bands + band]; });
+    depth[band] += grid.Scale * one * sum;
+  }
+  grid.AddDepth(place, steps, bend + (last - first) * one, end, depth);
+}
+
 // What a line adds to an optical depth from its begin to an end, past blocks that are empty.
+template <typename Add>
 void AddWay(const vtkGodRaysGrid& grid, const vtkGodRaysGridBlocks& blocks,
-  const vtkGodRays::Vec3& place, const vtkGodRays::Vec3& steps, double end, vtkGodRays::Vec3& depth)
+  const vtkGodRays::Vec3& place, const vtkGodRays::Vec3& steps, double end, const Add& add)
 {
   double s = 0.0;
   if (!grid.Clip(place, steps, s, end))
@@ -35,14 +98,14 @@ void AddWay(const vtkGodRaysGrid& grid, const vtkGodRaysGridBlocks& blocks,
     const bool isEmpty = blocks.Get(place + s * steps, place, steps, s, exit).y == 0.0;
     if (isEmpty && first < s)
     {
-      grid.AddDepth(place, steps, first, s, depth);
+      add(first, s);
     }
     s = std::min(exit, end);
     first = isEmpty ? s : first;
   }
   if (first < s)
   {
-    grid.AddDepth(place, steps, first, s, depth);
+    add(first, s);
   }
 }
 }
@@ -107,7 +170,14 @@ void vtkGodRaysGridLight::Build(const vtkGodRaysGrid& grid, const vtkGodRaysGrid
         columns[i] * this->Distance[i + 1] + this->Slope[i] * place[first];
     }
     Vec3 depth(0.0);
-    AddWay(grid, blocks, place, directional ? this->Light : this->Light - place, length, depth);
+    const Vec3 way = directional ? this->Light : this->Light - place;
+    const bool isLong = !directional && CountPlanes(grid, place, way) > ExactPlanes;
+    const auto add = [&](double begin, double end)
+    {
+      isLong ? AddPlanes(grid, place, way, begin, end, depth)
+             : grid.AddDepth(place, way, begin, end, depth);
+    };
+    AddWay(grid, blocks, place, way, length, add);
     return this->Reach * depth;
   };
   const auto keep = [&](float depth, int plane, int a, int b, int band)

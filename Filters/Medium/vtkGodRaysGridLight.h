@@ -10,7 +10,8 @@
  * in columns along its direction, so that sums along a column are exact and nothing is smeared from plane to
  * plane; each plane across the axis that light goes along most keeps the columns that go through the grid
  * there. Of a point light, they stand along the grid's axes, and have means along the light's ways: depths
- * rise from the light as a cone does, which no straight lines between nodes tell.
+ * rise from the light as a cone does, which no straight lines between nodes tell. Its long ways are sums over
+ * the planes of points that they go through.
  */
 
 #ifndef vtkGodRaysGridLight_h

@@ -122,6 +122,14 @@ struct vtkGodRaysGridTable::Reader
     }
   }
 
+  static float Integrate(const vtkGodRaysGridTable& table, const vtkGodRaysGridPlanes& planes)
+  {
+    const Reader reader(table);
+    const float* values = table.Extinctions.data();
+    return planes.Integrate(
+      [&](std::ptrdiff_t point) { return reader.Get(reader.Find(point), values, 1); });
+  }
+
   static void AddRange(
     const vtkGodRaysGridTable& table, std::ptrdiff_t first, int count, float& low, float& high)
   {
@@ -222,6 +230,7 @@ void vtkGodRaysGridTable::SetFunctions()
     using Chosen = decltype(reader);
     this->Functions.GetCorners = Chosen::GetCorners;
     this->Functions.Look = Chosen::Look;
+    this->Functions.Integrate = Chosen::Integrate;
     this->Functions.AddRange = Chosen::AddRange;
   };
   if (this->Shown.IsEmpty())

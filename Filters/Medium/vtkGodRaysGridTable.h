@@ -14,6 +14,7 @@
 
 #include "vtkGodRaysFiltersModule.h" // For export macro
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -42,6 +43,46 @@ public:
 
 private:
   std::vector<std::uint64_t> Words;
+};
+
+/// A line's ways through planes of points that lie side by side, across the axis that it goes along most.
+struct vtkGodRaysGridPlanes
+{
+  int Count;                 // of planes
+  std::ptrdiff_t First;      // the first point of the first one
+  std::ptrdiff_t Next;       // from there to that of the next
+  std::ptrdiff_t Strides[2]; // of points in a plane
+  int Last[2];               // cell there
+  double Begin[2];           // the place in the first plane [points]
+  double Step[2];            // from plane to plane
+
+  /// The integral, from the first plane to the last, of get(point), which counts as linear from plane to
+  /// plane. [points]
+  template <typename Get>
+  float Integrate(const Get& get) const
+  {
+    float sum = 0.0f;
+    float value = 0.0f;
+    for (int i = 0; i < this->Count; ++i)
+    {
+      std::ptrdiff_t point = this->First + i * this->Next;
+      float t[2];
+      for (int k = 0; k < 2; ++k)
+      {
+        const double at = std::max(this->Begin[k] + i * this->Step[k], 0.0);
+        const int cell = std::min(static_cast<int>(at), this->Last[k]);
+        t[k] = static_cast<float>(at - cell);
+        point += cell * this->Strides[k];
+      }
+      const float a = get(point);
+      const float b = get(point + this->Strides[1]);
+      const float front = a + t[0] * (get(point + this->Strides[0]) - a);
+      const float back = b + t[0] * (get(point + this->Strides[0] + this->Strides[1]) - b);
+      value = front + t[1] * (back - front);
+      sum += i == 0 ? 0.5f * value : value;
+    }
+    return this->Count > 1 ? sum - 0.5f * value : 0.0f;
+  }
 };
 
 class VTKGODRAYSFILTERS_EXPORT vtkGodRaysGridTable
@@ -91,6 +132,11 @@ public:
   {
     this->Functions.Look(*this, first, row, slice, place, coefficients);
   }
+  /// The integral of extinction from plane to plane.
+  float Integrate(const vtkGodRaysGridPlanes& planes) const
+  {
+    return this->Functions.Integrate(*this, planes);
+  }
   /// Extend the range of extinction to that of a few points side by side.
   void AddRange(std::ptrdiff_t first, int count, float& low, float& high) const
   {
@@ -108,6 +154,7 @@ private:
       int, float*) = nullptr;
     void (*Look)(const vtkGodRaysGridTable&, std::ptrdiff_t, std::ptrdiff_t, std::ptrdiff_t,
       const float*, float*) = nullptr;
+    float (*Integrate)(const vtkGodRaysGridTable&, const vtkGodRaysGridPlanes&) = nullptr;
     void (*AddRange)(const vtkGodRaysGridTable&, std::ptrdiff_t, int, float&, float&) = nullptr;
   } Functions;
 
