@@ -58,11 +58,21 @@ void vtkGodRaysGridSight::SetUp(const vtkGodRaysSingleScattering::Parameters& pa
     }
   }
   this->Grey = this->Medium.IsGrey() && !this->Shadows.AreColored();
+  double asymmetry = 0.0; // the largest: a peak is about 1 less it wide
+  for (int k = 0; k < this->Medium.NumberOfComponents; ++k)
+  {
+    const vtkGodRaysMedium::Component& component = this->Medium.Components[k];
+    asymmetry = std::max({ asymmetry, std::abs(component.Asymmetry),
+      component.SecondWeight > 0.0 ? std::abs(component.SecondAsymmetry) : 0.0 });
+  }
   for (const vtkGodRaysGrid& grid : this->Grids)
   {
+    asymmetry = std::max(asymmetry, std::abs(grid.Asymmetry));
     this->Grey = this->Grey && grid.Bands == 1 && grid.ScatteringBands <= 1 &&
       grid.Albedo[0] == grid.Albedo[1] && grid.Albedo[1] == grid.Albedo[2];
   }
+
+  this->WidestPiece = std::clamp(0.3 * (1.0 - asymmetry), 0.01, 0.15);
 
   const double light[5] = { this->Light.x, this->Light.y, this->Light.z,
     this->Directional ? 0.0 : 1.0, 1.0 };

@@ -51,6 +51,7 @@ public:
   vtkGodRaysMedium Medium;
   vtkGodRaysSpot Spot;
   double Tolerance = 1.0 / 255.0;
+  double WidestPiece = 0.15; // of a step, as a lamp sees it [radians]
   double Brightest = 0.0; // of the picture's radiance without the light's colour; 0: not known yet
   vtkGodRays::MediumComponent Components[3][2];
 

@@ -14,7 +14,6 @@ using vtkGodRays::Vec2;
 using vtkGodRays::Vec3;
 
 constexpr double FourPi = 12.566370614359172;
-constexpr double WidestPiece = 0.15; // of a step, as a lamp sees it [radians]
 
 using Blocks = vtkGodRaysGridBlocks;
 using Place = vtkGodRaysGridPlace;
@@ -27,7 +26,8 @@ int vtkGodRaysGridSight::CountPieces(const vtkGodRays::LitRay& lit, double begin
   return this->Directional || !(begin < end)
     ? 1
     : static_cast<int>(1.0 +
-        lit.Distance * vtkGodRays::PointAirlight(lit.Foot, lit.Distance, begin, end) / WidestPiece);
+        lit.Distance * vtkGodRays::PointAirlight(lit.Foot, lit.Distance, begin, end) /
+          this->WidestPiece);
 }
 
 //------------------------------------------------------------------------------

@@ -263,6 +263,34 @@ TEST(GridPicture, IsTheTruthWhereDataAreEven)
 }
 
 //------------------------------------------------------------------------------
+// A lamp beside the eye, both in data that scatter nearly all light forwards or back: near the lamp, the
+// angle of scattering changes fast along a ray.
+TEST(GridPicture, IsTheTruthOfNarrowPhaseFunctions)
+{
+  const double bounds[6] = { -4.0, 4.0, -4.0, 4.0, -7.0, 1.0 };
+  const int points[3] = { 7, 7, 7 };
+  const auto image = MakeImage(bounds, points,
+    [](double x, double y, double z) { return 0.2 + 0.05 * std::sin(x + 2.0 * y + z); });
+  for (const double asymmetry : { -0.95, -0.9, 0.9, 0.95 })
+  {
+    auto grids = ReadGrids({ image });
+    grids[0].Asymmetry = asymmetry;
+    const Parameters parameters =
+      MakeParameters(Vec3(0.3, 0.2, asymmetry < 0.0 ? -0.6 : -3.0), 1.0);
+    vtkGodRaysGridPicture drawer;
+    drawer.SetGrids(grids);
+    Drawing drawing;
+    drawing.Size[0] = 96;
+    drawing.Size[1] = 72;
+    drawing.Draw(drawer, parameters);
+    const Error error = Compare(drawing, parameters, grids, nullptr, 3);
+    Print(std::to_string(asymmetry).c_str(), error, drawer, drawing);
+    EXPECT_LE(error.Rms, 1.0 / 255.0) << asymmetry;
+    EXPECT_GT(error.Effect, 5.0 / 255.0) << asymmetry; // the control
+  }
+}
+
+//------------------------------------------------------------------------------
 // In another unit of length the picture is the same to its tolerance, and the ground truth to 1e-4: also
 // where a cell is shorter than any length that is short in the usual one.
 TEST(GridPicture, IsTheSameInAnyUnit)
