@@ -307,8 +307,8 @@ def pick(picture):
 
 
 def get_error(found, expected):
-    """Root mean square, and largest, as a fraction of the peak."""
-    difference = abs(found - expected) / expected.max()
+    """Root mean square, and largest, as a fraction of the peak; where a spotlight lights nothing, that is 1."""
+    difference = abs(found - expected) / (expected.max() or 1.0)
     return math.sqrt((difference**2).mean()), difference.max()
 
 
@@ -433,7 +433,7 @@ class HeldOut(unittest.TestCase):
             of_exact, largest = get_error(light, radiance)
             of_sight = abs(sight - left).max()
             fast, _ = scene.execute(godrays.vtkGodRaysGridFilter(), 0, SIZE)
-            of_fast = math.sqrt(((pick(fast) - own)**2).mean()) / radiance.max()
+            of_fast = math.sqrt(((pick(fast) - own)**2).mean()) / (radiance.max() or 1.0)
             errors.append((of_exact, of_sight, of_fast))
             print(f"reference {of_exact:.1e}, at most {largest:.1e}; transmittance {of_sight:.1e}; "
                   f"fast {of_fast:.5f}; scene {scene}")
