@@ -25,6 +25,9 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import exr_reader
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "Documentation" / "Gallery"))
+import smoke_test
+
 WIDTH, HEIGHT = 64, 48
 SIGMA = numpy.array([0.03, 0.05, 0.08])  # extinction [1/m]
 ARRAYS = {
@@ -308,6 +311,14 @@ class Numbers(unittest.TestCase):
         godrays.disable(renderer)
         with self.assertRaisesRegex(ValueError, "enable"):
             godrays.measure(renderer)
+
+    def test_smoke_test(self):
+        """Of Accuracy.md: 1 m of soot as a volume leaves 111 of 255 of white, shown as 176."""
+        through, beside = smoke_test.draw((96, 64))[2]
+        self.assertLess(abs(through[0] - 0.43668), 2.2e-5)
+        self.assertEqual(round(255 * through[0]), 111)
+        self.assertIn(through[1], (176, 177))
+        self.assertEqual(beside, (1.0, 255))  # the control
 
 
 if __name__ == "__main__":
