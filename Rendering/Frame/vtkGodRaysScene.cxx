@@ -6,6 +6,7 @@
 #include "vtkCameraPass.h"
 #include "vtkDefaultPass.h"
 #include "vtkFrameBufferObjectBase.h"
+#include "vtkGodRaysFramebuffer.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysRole.h"
 #include "vtkInformation.h"
@@ -33,15 +34,6 @@ public:
 };
 vtkStandardNewMacro(NoProp);
 
-/// Whether mappers write several textures at once, for an outer pass such as vtkSSAOPass. The renderer's
-/// passes for translucent geometry have several textures of their own, and VTK does not set them then.
-bool HasSeveralBuffers()
-{
-  GLint second = GL_NONE;
-  glGetIntegerv(GL_DRAW_BUFFER1, &second);
-  return second != GL_NONE;
-}
-
 /// All that follows the camera, once that has set the viewport.
 class Steps : public vtkRenderPass
 {
@@ -58,7 +50,9 @@ public:
     vtkRenderer* renderer = s->GetRenderer();
     this->UpdateLightGeometry(renderer);
     this->UpdateLights(renderer);
-    if (HasSeveralBuffers())
+    // The renderer's passes for translucent geometry have several textures of their own, which VTK does not
+    // set where mappers write several at once already.
+    if (vtkGodRaysFramebuffer::HasSeveralBuffers())
     {
       this->OneByOne->Render(s);
       this->NumberOfRenderedProps = this->OneByOne->GetNumberOfRenderedProps();

@@ -37,6 +37,17 @@ vtkGodRaysStateKeeper::vtkGodRaysStateKeeper(vtkOpenGLState* state)
   , StencilTest(state, GL_STENCIL_TEST)
 {
   state->PushFramebufferBindings();
+  if (vtkGodRaysFramebuffer::HasSeveralBuffers())
+  {
+    int most = 0;
+    glGetIntegerv(GL_MAX_DRAW_BUFFERS, &most);
+    this->DrawBuffers.resize(static_cast<std::size_t>(most));
+    for (int i = 0; i < most; ++i)
+    {
+      glGetIntegerv(GL_DRAW_BUFFER0 + i, reinterpret_cast<int*>(&this->DrawBuffers[i]));
+    }
+    glDrawBuffers(1, this->DrawBuffers.data());
+  }
   glGetFloatv(GL_DEPTH_CLEAR_VALUE, &this->ClearDepth);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglDisable(GL_STENCIL_TEST);
@@ -49,6 +60,18 @@ vtkGodRaysStateKeeper::~vtkGodRaysStateKeeper()
 {
   this->State->vtkglClearDepth(this->ClearDepth);
   this->State->PopFramebufferBindings();
+  if (!this->DrawBuffers.empty())
+  {
+    glDrawBuffers(static_cast<int>(this->DrawBuffers.size()), this->DrawBuffers.data());
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysFramebuffer::HasSeveralBuffers()
+{
+  int second = GL_NONE;
+  glGetIntegerv(GL_DRAW_BUFFER1, &second);
+  return second != GL_NONE;
 }
 
 //------------------------------------------------------------------------------

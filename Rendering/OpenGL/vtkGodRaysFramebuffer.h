@@ -11,7 +11,13 @@
 #include "vtkGodRaysTarget.h"
 #include "vtkOpenGLState.h"
 
-/// Keeps the OpenGL state that the stages change, and sets what all of them need.
+#include <vector>
+
+/**
+ * Keeps the OpenGL state that the stages change, and sets what all of them need. What is drawn meanwhile goes
+ * into the first colour buffer alone: the stages' shaders give one colour, and where an outer pass such as
+ * vtkSSAOPass has bound more, for positions and normals, what others get is not defined.
+ */
 class vtkGodRaysStateKeeper
 {
 public:
@@ -22,6 +28,7 @@ public:
 
 private:
   vtkOpenGLState* State;
+  std::vector<unsigned int> DrawBuffers; ///< empty if there is one
   float ClearDepth = 1.0f;
   vtkOpenGLState::ScopedglViewport Viewport;
   vtkOpenGLState::ScopedglScissor Scissor;
@@ -48,6 +55,9 @@ struct vtkGodRaysFramebuffer
 
   /// The one that is bound for drawing.
   vtkGodRaysFramebuffer();
+
+  /// Whether what is drawn goes into several colour buffers, as vtkSSAOPass has it.
+  static bool HasSeveralBuffers();
 
   /// Copy a rectangle of colour, depth or both into the framebuffer that is bound for drawing.
   void CopyTo(vtkOpenGLState* state, const int rectangle[4], unsigned int buffers) const;

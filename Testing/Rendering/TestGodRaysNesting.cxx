@@ -5,10 +5,12 @@
 
 #include "GodRaysTesting.h"
 
+#include "vtkActorCollection.h"
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkFramebufferPass.h"
 #include "vtkGaussianBlurPass.h"
 #include "vtkGodRaysOpenGL.h"
+#include "vtkGodRaysSkyPass.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFXAAPass.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -188,6 +190,63 @@ TEST(GodRaysWithin, AnSSAOPassOfANewWindowHasTranslucentPropsAsRenderStepsDrawTh
     EXPECT_EQ(draw(true, peeling, 0.0), expected) << peeling;
     EXPECT_GT(GetMeanDifference(draw(true, peeling, 1.0), expected), 5.0) << peeling;
   }
+}
+
+namespace
+{
+/// A scene that is lit everywhere, shaded by a vtkSSAOPass over another pass.
+std::vector<unsigned char> GetShaded(Stage& scene, vtkRenderPass* inner)
+{
+  Arrange(scene);
+  scene.Rays->Detach(scene.Renderer);
+  vtkActorCollection* actors = scene.Renderer->GetActors();
+  vtkCollectionSimpleIterator at;
+  actors->InitTraversal(at);
+  while (vtkActor* actor = actors->GetNextActor(at))
+  {
+    actor->GetProperty()->SetAmbient(1.0);
+  }
+  vtkNew<vtkSSAOPass> outer;
+  outer->SetRadius(0.5);
+  outer->SetDelegatePass(inner);
+  scene.Renderer->SetPass(outer);
+  auto picture = GetPixels(scene.Window);
+  scene.Renderer->SetPass(nullptr);
+  outer->ReleaseGraphicsResources(scene.Window);
+  return picture;
+}
+}
+
+// It shades by positions and normals, for which the framebuffer has colour buffers of their own.
+TEST(GodRaysWithin, AnSSAOPassShadesTheSceneAsWithout)
+{
+  Messages messages;
+  Stage plain(Width, Height);
+  vtkNew<vtkRenderStepsPass> steps;
+  const auto expected = GetShaded(plain, steps);
+  const auto depths = GetDepths(plain.Window);
+  const auto count = [&expected, &depths](const std::vector<unsigned char>& picture)
+  {
+    int different = 0;
+    for (std::size_t i = 0; i < depths.size(); ++i)
+    {
+      for (std::size_t c = 4 * i; depths[i] < 1.0f && c < 4 * i + 3; ++c)
+      {
+        different += std::abs(picture[c] - expected[c]) > 3;
+      }
+    }
+    return different;
+  };
+  Stage rays(Width, Height);
+  rays.Rays->AutomaticExposureOff();
+  rays.Rays->SetIntensity(1e-6);
+  EXPECT_EQ(count(GetShaded(rays, rays.Rays)), 0);
+  EXPECT_TRUE(Says(rays.Rays->GetPlan(), "scattering: epipolar")) << rays.Rays->GetPlan();
+  Stage under(Width, Height);
+  vtkNew<vtkGodRaysSkyPass> sky;
+  sky->SetWorldUnitInMeters(10.0);
+  EXPECT_EQ(count(GetShaded(under, sky)), 0);
+  EXPECT_TRUE(Says(sky->GetPlan(), "air: a new table")) << sky->GetPlan();
 }
 
 TEST(GodRaysWithin, PassesInAViewportAreAsInAWindow)
