@@ -65,6 +65,16 @@ void CheckStl(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
+void Check3ds(const std::string& path)
+{
+  // VTK goes through all of the length that a file says, byte by byte past its end.
+  if (ReadLittleEndian(path, 2) > fs::file_size(path))
+  {
+    throw Failure(path + ": is shorter than it says; copy it again");
+  }
+}
+
+//------------------------------------------------------------------------------
 void CheckNrrd(const std::string& path)
 {
   // VTK reads for ever in a header whose last line has no end, that does not say how many sizes it has,

@@ -19,6 +19,9 @@ void CheckXml(const std::string& path);
 /// Of .stl, VTK reads what there is of a binary file that was cut off.
 void CheckStl(const std::string& path);
 
+/// Of .3ds, VTK reads as far as the file says, past its end: for hours, if that is damaged.
+void Check3ds(const std::string& path);
+
 /// Of .nrrd, VTK reads for ever in a header without an end, without the number of its sizes, or with files
 /// counted in steps of 0.
 void CheckNrrd(const std::string& path);

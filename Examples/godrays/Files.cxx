@@ -318,6 +318,13 @@ void ReadNrrd(const std::string& path, FileContents& contents)
 }
 
 //------------------------------------------------------------------------------
+void Read3ds(const std::string& path, FileContents& contents)
+{
+  Check3ds(path);
+  Import<vtk3DSImporter>(path, contents);
+}
+
+//------------------------------------------------------------------------------
 void ReadByu(const std::string& path, FileContents& contents)
 {
   CheckByu(path);
@@ -391,7 +398,7 @@ using ReadFunction = std::function<void(const std::string&, FileContents&)>;
 const std::map<std::string, ReadFunction>& Types()
 {
   static const std::map<std::string, ReadFunction> types = {
-    { ".3ds", Import<vtk3DSImporter> },
+    { ".3ds", Read3ds },
     { ".bmp", ReadData<vtkBMPReader> },
     { ".byu", ReadByu },
     { ".dem", ReadDem },

@@ -94,6 +94,13 @@ class DamagedFiles(ProgramTest):
                 path.write_text(text)
                 self.fails(path, "--output", self.folder / "p.png", says=[path.name, words])
 
+    def test_lengths_beyond_the_end(self):
+        whole = (self.folder / "a.3ds").read_bytes()
+        path = self.folder / "long.3ds"
+        for contents in (whole[:-1], whole[:2] + bytes((0, 0, 0, 64)) + whole[6:]):
+            path.write_bytes(contents)
+            self.fails(path, "--output", self.folder / "p.png", says=[path.name, "is shorter than it says"])
+
     def test_sizes_that_cannot_be(self):
         image = (self.folder / "a.vti").read_bytes()
         many = (self.folder / "a.pvtu").read_text()

@@ -15,11 +15,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   using Check = void (*)(const std::string&);
-  const Check checks[] = { CheckXml, CheckStl, CheckNrrd, CheckByu, CheckPnm, CheckHdr };
+  const Check checks[] = { CheckXml, CheckStl, CheckNrrd, CheckByu, CheckPnm, CheckHdr, Check3ds };
   const std::string& path = WriteBytes(data + 1, size - 1);
   try
   {
-    checks[data[0] % 6](path);
+    checks[data[0] % 7](path);
   }
   catch (const Failure& failure)
   {
