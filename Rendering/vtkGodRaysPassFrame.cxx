@@ -203,7 +203,7 @@ std::string vtkGodRaysPass::FindFault(vtkRenderer* renderer, const vtkGodRaysVie
   const int size[2], std::vector<vtkGodRaysLight>& lights)
 {
   Internals& self = *this->Internal;
-  const std::string fault = vtkGodRaysGate::FindFault(renderer, view);
+  const std::string fault = vtkGodRaysGate::FindFault(renderer, view, size);
   if (!fault.empty())
   {
     return fault;

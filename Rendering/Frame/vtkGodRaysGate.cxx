@@ -10,8 +10,10 @@
 #include "vtkLight.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
+#include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,14 +87,33 @@ bool IsUsable(const vtkGodRaysView& view)
   view.GetRay(0.0, 0.0, ray);
   return vtkMath::Norm(across) > Thinnest * most && vtkMath::Norm(ray) > 0.5;
 }
+
+//------------------------------------------------------------------------------
+/// Of a picture in pixels, so much enlarged by a margin, where textures have so many pixels at most.
+std::string FindFaultOfSize(const int size[2], double enlarged, int largest)
+{
+  if (std::max(size[0], size[1]) * enlarged < largest + 0.5)
+  {
+    return "";
+  }
+  // Without its size, so that it is told once of a window that is resized.
+  std::ostringstream text;
+  text << "the picture" << (enlarged > 1.0 ? ", with its LayerMargin," : "") << " is beyond the "
+       << largest << " pixels of a texture here. Set a smaller "
+       << (enlarged > 1.0 ? "LayerMargin or window" : "window");
+  return text.str();
+}
 }
 
 //------------------------------------------------------------------------------
-std::string vtkGodRaysGate::FindFault(vtkRenderer* renderer, const vtkGodRaysView& view)
+std::string vtkGodRaysGate::FindFault(
+  vtkRenderer* renderer, const vtkGodRaysView& view, const int size[2])
 {
   if (::IsUsable(view))
   {
-    return "";
+    auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+    return FindFaultOfSize(
+      size, 1.0 / view.ViewScale, vtkTextureObject::GetMaximumTextureSize(window));
   }
   vtkCamera* camera = renderer->GetActiveCamera();
   const double* range = camera->GetClippingRange();

@@ -31,9 +31,11 @@ public:
   static constexpr double Largest = 1e15;
 
   /**
-   * Of the renderer's camera, of which this is the view.
+   * Of the renderer's camera, of which this is the view, and of a picture of this size in pixels, which
+   * has to be in textures with the view's margin.
    */
-  static std::string FindFault(vtkRenderer* renderer, const vtkGodRaysView& view);
+  static std::string FindFault(
+    vtkRenderer* renderer, const vtkGodRaysView& view, const int size[2]);
 
   /**
    * Of a light, with its place and its focal point in the world.

@@ -438,7 +438,9 @@ void vtkGodRaysSkyPass::Render(const vtkRenderState* s)
     self.ContextTime = window->GetContextCreationTime();
   }
   this->SetObserver(s);
-  const std::string fault = vtkGodRaysGate::FindFault(s->GetRenderer(), self.View);
+  int viewport[4];
+  vtkGodRaysScene::GetViewport(s, viewport);
+  const std::string fault = vtkGodRaysGate::FindFault(s->GetRenderer(), self.View, viewport + 2);
   if (!fault.empty())
   {
     this->Complain("sky", fault);

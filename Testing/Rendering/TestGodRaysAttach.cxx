@@ -557,3 +557,30 @@ TEST(GodRaysErrors, AFramebufferWithoutDepthIsToldOnceAndHasTheScene)
   scene.Rays->Attach(scene.Renderer);
   EXPECT_EQ(lit, GetPixels(scene.Window));
 }
+
+TEST(GodRaysErrors, PicturesBeyondATextureAreToldOnceWithTheRemedy)
+{
+  Messages messages;
+  Stage scene(64, 16);
+  scene.AddPillarsAndSun();
+  scene.Window->Render();
+  const int largest =
+    vtkTextureObject::GetMaximumTextureSize(vtkOpenGLRenderWindow::SafeDownCast(scene.Window));
+  scene.Window->SetSize(largest / 2, 16);
+  scene.Rays->SetIntensity(0.0);
+  const auto expected = GetPixels(scene.Window);
+  scene.Rays->SetIntensity(1.0);
+  scene.Rays->SetLayerMargin(0.5); // as large as a texture
+  EXPECT_NE(GetPixels(scene.Window), expected);
+  EXPECT_TRUE(messages.Take().empty());
+  scene.Rays->SetLayerMargin(0.501);
+  EXPECT_EQ(GetPixels(scene.Window), expected);
+  EXPECT_EQ(GetPixels(scene.Window), expected);
+  scene.Window->SetSize(largest / 2 + 7, 16); // another size, the same cause
+  scene.Window->Render();
+  const std::string remedy = "Set a smaller LayerMargin";
+  EXPECT_TRUE(Says(scene.Rays->GetPlan(), remedy)) << scene.Rays->GetPlan();
+  const auto said = messages.Take();
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_TRUE(Says(said[0], remedy)) << said[0];
+}
