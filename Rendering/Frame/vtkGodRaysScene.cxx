@@ -59,6 +59,11 @@ public:
     }
     else
     {
+      // Passes around this one, such as vtkEDLShading, write depths with the state that vtkRenderStepsPass
+      // leaves; the renderer's pass for translucent geometry leaves another.
+      auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+      const vtkOpenGLState::ScopedglEnableDisable depthTest(window->GetState(), GL_DEPTH_TEST);
+      const vtkOpenGLState::ScopedglDepthMask depthMask(window->GetState());
       this->UpdateGeometry(renderer, s->GetFrameBuffer());
       this->NumberOfRenderedProps = renderer->GetNumberOfPropsRendered();
     }

@@ -7,6 +7,7 @@
 
 #include "vtkActorCollection.h"
 #include "vtkDualDepthPeelingPass.h"
+#include "vtkEDLShading.h"
 #include "vtkFramebufferPass.h"
 #include "vtkGaussianBlurPass.h"
 #include "vtkGodRaysOpenGL.h"
@@ -25,6 +26,7 @@
 #include "vtkToneMappingPass.h"
 #include "vtkTranslucentPass.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -247,6 +249,28 @@ TEST(GodRaysWithin, AnSSAOPassShadesTheSceneAsWithout)
   sky->SetWorldUnitInMeters(10.0);
   EXPECT_EQ(count(GetShaded(under, sky)), 0);
   EXPECT_TRUE(Says(sky->GetPlan(), "air: a new table")) << sky->GetPlan();
+}
+
+TEST(GodRaysWithin, AnEDLPassLeavesTheDepthsAsWithout)
+{
+  Messages messages;
+  const auto getDepths = [](bool withRays, double intensity)
+  {
+    Stage scene(Width, Height);
+    Arrange(scene);
+    scene.Renderer->AddActor(MakeGlass());
+    scene.Rays->SetIntensity(intensity);
+    scene.Rays->Detach(scene.Renderer);
+    vtkNew<vtkRenderStepsPass> steps;
+    vtkNew<vtkEDLShading> outer;
+    outer->SetDelegatePass(withRays ? static_cast<vtkRenderPass*>(scene.Rays) : steps);
+    scene.Renderer->SetPass(outer);
+    return GetDepths(scene.Window);
+  };
+  const auto expected = getDepths(false, 1.0);
+  EXPECT_LT(*std::min_element(expected.begin(), expected.end()), 0.95f);
+  EXPECT_EQ(getDepths(true, 0.0), expected);
+  EXPECT_EQ(getDepths(true, 1.0), expected);
 }
 
 TEST(GodRaysWithin, PassesInAViewportAreAsInAWindow)
