@@ -183,6 +183,13 @@ const char* vtkGodRaysPass::FindReasonForNoRays(
   {
     return "Intensity is 0";
   }
+  if (vtkRenderPass* hiding = vtkGodRaysAttachment::FindWithoutDepth(this->DelegatePass))
+  {
+    this->Complain(std::string(": under it there is a ") + hiding->GetClassName() +
+      ", which leaves no depth of the scene. Make this pass the delegate of that one, as Attach() "
+      "does");
+    return "what is under it leaves no depth";
+  }
   if (!self.Model->CanScatter() &&
     !vtkGodRaysCompositor::Any(self.Compositor, self.Effect->HasOwnProps(s->GetRenderer())))
   {

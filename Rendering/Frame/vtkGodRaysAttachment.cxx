@@ -4,16 +4,23 @@
 
 #include "vtkCameraPass.h"
 #include "vtkCommand.h"
+#include "vtkDepthOfFieldPass.h"
 #include "vtkEDLShading.h"
+#include "vtkFramebufferPass.h"
+#include "vtkGaussianBlurPass.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLFXAAPass.h"
 #include "vtkPanoramicProjectionPass.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkSSAAPass.h"
 #include "vtkSSAOPass.h"
 #include "vtkSequencePass.h"
+#include "vtkSimpleMotionBlurPass.h"
+#include "vtkSobelGradientMagnitudePass.h"
+#include "vtkToneMappingPass.h"
 
 #include <map>
 
@@ -254,6 +261,29 @@ vtkRenderPass* vtkGodRaysAttachment::FindFirst(
   vtkRenderer* renderer, const std::function<bool(vtkRenderPass*)>& is)
 {
   return FindFirstOf(renderer->GetPass(), is);
+}
+
+//------------------------------------------------------------------------------
+vtkRenderPass* vtkGodRaysAttachment::FindWithoutDepth(vtkRenderPass* delegate)
+{
+  for (int depth = 0; delegate && depth < DeepestNesting; ++depth)
+  {
+    if (vtkSSAAPass::SafeDownCast(delegate) || vtkDepthOfFieldPass::SafeDownCast(delegate) ||
+      vtkFramebufferPass::SafeDownCast(delegate) || vtkGaussianBlurPass::SafeDownCast(delegate) ||
+      vtkSobelGradientMagnitudePass::SafeDownCast(delegate) ||
+      vtkSimpleMotionBlurPass::SafeDownCast(delegate) || vtkToneMappingPass::SafeDownCast(delegate))
+    {
+      return delegate;
+    }
+    vtkRenderPass* next = nullptr;
+    if (IsRays(delegate) || IsSky(delegate) || vtkOpenGLFXAAPass::SafeDownCast(delegate) ||
+      vtkCameraPass::SafeDownCast(delegate)) // which draw in place
+    {
+      WithDelegate(delegate, [&next](auto* each) { next = each->GetDelegatePass(); });
+    }
+    delegate = next;
+  }
+  return nullptr;
 }
 
 //------------------------------------------------------------------------------

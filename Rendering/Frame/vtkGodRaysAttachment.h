@@ -67,6 +67,12 @@ public:
     vtkRenderer* renderer, const std::function<bool(vtkRenderPass*)>& is);
 
   /**
+   * Of what a delegate draws, the pass that works on a finished picture and leaves no depth of the scene
+   * behind, so that it belongs around rays and sky, not under them; null if there is none.
+   */
+  static vtkRenderPass* FindWithoutDepth(vtkRenderPass* delegate);
+
+  /**
    * The outermost pass of a type, or one that is attached and will be put among the renderer's passes again.
    */
   template <typename Pass>

@@ -370,6 +370,14 @@ const char* vtkGodRaysSkyPass::FindReasonForNoSky(
   {
     return "the viewport is empty";
   }
+  if (vtkRenderPass* hiding = vtkGodRaysAttachment::FindWithoutDepth(this->DelegatePass))
+  {
+    this->Complain("sky",
+      std::string("under it there is a ") + hiding->GetClassName() +
+        ", which leaves no depth of the scene. Make this pass the delegate of that one, as "
+        "Attach() does");
+    return "what is under it leaves no depth";
+  }
   const std::string fault = this->GetAtmosphere()->FindFault();
   if (!fault.empty())
   {

@@ -6,10 +6,12 @@
 #include "GodRaysTesting.h"
 
 #include "vtkActorCollection.h"
+#include "vtkDepthOfFieldPass.h"
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkEDLShading.h"
 #include "vtkFramebufferPass.h"
 #include "vtkGaussianBlurPass.h"
+#include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysSkyPass.h"
 #include "vtkObjectFactory.h"
@@ -22,11 +24,14 @@
 #include "vtkRenderStepsPass.h"
 #include "vtkSSAAPass.h"
 #include "vtkSSAOPass.h"
+#include "vtkSimpleMotionBlurPass.h"
+#include "vtkSobelGradientMagnitudePass.h"
 #include "vtkTextureObject.h"
 #include "vtkToneMappingPass.h"
 #include "vtkTranslucentPass.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -354,6 +359,79 @@ TEST(GodRaysDelegate, ThatIsAFramebufferPassOrFXAAGivesRays)
   scene.Rays->SetDelegatePass(smoothing);
   scene.Rays->Attach(scene.Renderer);
   EXPECT_LT(GetMeanDifference(GetPixels(scene.Window), expected), 2.0);
+}
+
+// By hand: Attach() puts rays under them.
+TEST(GodRaysDelegate, ThatLeavesNoDepthIsToldOfOnce)
+{
+  const std::array<vtkSmartPointer<vtkImageProcessingPass>, 6> passes = {
+    vtkSmartPointer<vtkDepthOfFieldPass>::New(), vtkSmartPointer<vtkFramebufferPass>::New(),
+    vtkSmartPointer<vtkGaussianBlurPass>::New(), vtkSmartPointer<vtkToneMappingPass>::New(),
+    vtkSmartPointer<vtkSobelGradientMagnitudePass>::New(),
+    vtkSmartPointer<vtkSimpleMotionBlurPass>::New()
+  };
+  for (vtkImageProcessingPass* hiding : passes)
+  {
+    SCOPED_TRACE(hiding->GetClassName());
+    for (const bool isMedium : { false, true })
+    {
+      Messages messages;
+      Stage scene(Width, Height);
+      Arrange(scene);
+      scene.Rays->Detach(scene.Renderer);
+      vtkNew<vtkRenderStepsPass> steps;
+      vtkNew<vtkOpenGLFXAAPass> smoothing; // which draws in place
+      hiding->SetDelegatePass(steps);
+      smoothing->SetDelegatePass(hiding);
+      scene.Renderer->SetPass(smoothing);
+      GetPixels(scene.Window); // some are another picture at first
+      const auto expected = GetPixels(scene.Window);
+      if (isMedium)
+      {
+        scene.Rays->SetModel(vtkNew<vtkGodRaysHomogeneousModel>());
+      }
+      scene.Rays->SetDelegatePass(smoothing);
+      scene.Renderer->SetPass(scene.Rays);
+      for (int i = 0; i < 2; ++i)
+      {
+        const auto picture = GetPixels(scene.Window);
+        // by chance depth of field has one of two pictures, without rays, too
+        EXPECT_TRUE(vtkDepthOfFieldPass::SafeDownCast(hiding) ||
+          GetLargestDifference(picture, expected) <= 1);
+      }
+      EXPECT_TRUE(Says(scene.Rays->GetPlan(), "rays: none")) << scene.Rays->GetPlan();
+      const auto said = messages.Take();
+      ASSERT_EQ(said.size(), 1u);
+      EXPECT_TRUE(Says(said[0], hiding->GetClassName())) << said[0];
+      scene.Renderer->SetPass(nullptr);
+      smoothing->ReleaseGraphicsResources(scene.Window);
+      // the other way round there are rays
+      hiding->SetDelegatePass(scene.Rays);
+      scene.Rays->SetDelegatePass(nullptr);
+      scene.Renderer->SetPass(hiding);
+      scene.Window->Render();
+      EXPECT_FALSE(Says(scene.Rays->GetPlan(), "no depth")) << scene.Rays->GetPlan();
+      scene.Renderer->SetPass(nullptr);
+      hiding->ReleaseGraphicsResources(scene.Window);
+      messages.Take(); // a medium in oblong pixels
+    }
+    vtkNew<vtkGodRaysSkyPass> sky;
+    Messages messages;
+    Stage scene(Width, Height);
+    Arrange(scene);
+    scene.Rays->Detach(scene.Renderer);
+    vtkNew<vtkRenderStepsPass> steps;
+    hiding->SetDelegatePass(steps);
+    sky->SetDelegatePass(hiding);
+    scene.Renderer->SetPass(sky);
+    scene.Window->Render();
+    scene.Window->Render();
+    const auto said = messages.Take();
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_TRUE(Says(said[0], hiding->GetClassName())) << said[0];
+    scene.Renderer->SetPass(nullptr);
+    hiding->ReleaseGraphicsResources(scene.Window);
+  }
 }
 
 namespace
