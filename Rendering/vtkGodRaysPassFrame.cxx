@@ -261,6 +261,7 @@ void vtkGodRaysPass::RenderScene(const vtkRenderState* s)
   self.DrawsScene = true;
   scene->Render(s);
   self.DrawsScene = false;
+  vtkOpenGLClearErrorMacro(); // of VTK's passes, which a VTK without debugging does not tell of
   if (self.IsOwnDelegate)
   {
     this->Complain(": the delegate of this pass leads back to it. Set another delegate, or none; a "

@@ -468,7 +468,12 @@ void vtkGodRaysSkyPass::Render(const vtkRenderState* s)
   }
   else
   {
-    self.RendererSteps->SetBackdrop([&] { drawn = this->DrawSky(s); });
+    self.RendererSteps->SetBackdrop(
+      [&]
+      {
+        drawn = this->DrawSky(s);
+        vtkOpenGLCheckErrorMacro("failed after DrawSky");
+      });
     this->RenderScene(s);
     self.RendererSteps->SetBackdrop(nullptr);
   }
@@ -510,6 +515,7 @@ void vtkGodRaysSkyPass::RenderScene(const vtkRenderState* s)
   self.DrawsScene = true;
   scene->Render(s);
   self.DrawsScene = false;
+  vtkOpenGLClearErrorMacro(); // of VTK's passes, which a VTK without debugging does not tell of
   this->NumberOfRenderedProps = scene->GetNumberOfRenderedProps();
 }
 
