@@ -210,13 +210,6 @@ int vtkGodRaysCoverageFilter::RequestData(
   parameters.Spot = this->GetSpot(view);
   parameters.Layers = components / 2;
   parameters.Thickness = this->Thickness;
-  if (!Sweep::Supports(parameters))
-  {
-    return fail(
-      "in a medium of exponential density, a spotlight that fades from an axis that is not "
-      "vertical is not supported. Set SpotExponent to 0, or take "
-      "vtkGodRaysSingleScatteringReference.");
-  }
 
   const vtkIdType pixels = image->GetNumberOfPoints();
   const Sweep::Planes planes =

@@ -28,10 +28,9 @@
  *
  * Supported: directional and point lights anywhere (in the picture, beside it, behind the eye, across
  * the view), perspective and parallel projection, one or two components, homogeneous or of a density that
- * falls exponentially with height, over a plane or a planet. In the latter an error is a spotlight that
- * fades from an axis that is not vertical. A planet's ground ends view rays, of point lights where the depths
- * show it. A view ray nearer to a point light than 0.28 pixels is taken to be so far from it, since that is
- * the mean over its pixel.
+ * falls exponentially with height, over a plane or a planet. A planet's ground ends view rays, of point
+ * lights where the depths show it. A view ray nearer to a point light than 0.28 pixels is taken to be so far
+ * from it, since that is the mean over its pixel.
  *
  * Point lights and media of exponential density use a table of airlight, made anew when the camera, the
  * light or the medium change; what is read from it differs by less than 0.002 of the picture's peak, by less

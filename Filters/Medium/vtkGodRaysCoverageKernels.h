@@ -53,8 +53,10 @@ constexpr int CoverageMaximumPlanes = 6; // colours and components of the medium
 ///  - a planet and parallel rays: asinh(least height of the view ray's line/RowUnit);
 /// a slice, cubic between slices, to where a ray lies about a point light in layers: the cosine of the
 /// angle between the slices' axis and the ray's nearest way to the light's axis from the eye, seen along
-/// that axis, or, of parallel rays, seen along the rays; over a planet, the cosine of the angle between
-/// view ray and light, or how much nearer to the light a parallel ray begins than the eye;
+/// that axis, or, of parallel rays, seen along the rays; where a spotlight fades from another axis than Up,
+/// the tangent of a quarter of that angle itself, as what is left and right of Up is not alike; over a
+/// planet, the cosine of the angle between view ray and light, or how much nearer to the light a parallel ray
+/// begins than the eye;
 /// a column to ln((1 + d) (1 + Change s)) for point lights, where s is the distance from the eye and
 /// ln(1 + d) = asinh((s - foot)/height) - asinh(-foot/height), and to ln(1 + s/width) for layers; over a
 /// planet as for point lights, the foot being where the view ray meets the densest of the air, and height
@@ -119,8 +121,10 @@ struct CoverageSettings
   int Planes;           // of what is hidden: Channels times components, if these differ
   double Up[3];         // of layers
   double
-    SliceAxis[3];   // in planes with it and a point light's, rays are alike: Up, or a spotlight's
-  double EyeHeight; // in layers
+    SliceAxis[3]; // in planes with it and a point light's, rays are alike: Up, or a spotlight's
+  bool Around;    // slices are all about the light's axis, at right angles to which are SliceAxis
+  double SliceSide[3]; // and this one
+  double EyeHeight;    // in layers
   double PlanetRadius; // 0: layers are plane
   vtkGodRaysSpot Spot;
   int Layers;              // 0: depths of the first surfaces; else fronts and backs, up to 2 times

@@ -153,6 +153,22 @@ HWY_INLINE hn::Vec<Tag> WayFromFoot(Tag d, hn::Vec<Tag> beyond, hn::Vec<Tag> squ
 }
 
 //------------------------------------------------------------------------------
+// tan(a/4), a being the angle about the origin from the x axis, [-180 degrees, 180 degrees].
+HWY_INLINE Float TangentOfQuarter(Float x, Float y)
+{
+  const FloatTag d;
+  const Float half = hn::Set(d, 0.5f);
+  const Float r = hn::Max(hn::Sqrt(hn::MulAdd(x, x, y * y)), hn::Set(d, 1e-30f));
+  // sine and cosine of a/2, times the root of r
+  const Float more = hn::Sqrt(half * (r + hn::Abs(x)));
+  const Float less = half * hn::Abs(y) / more;
+  const auto isBefore = hn::Ge(x, hn::Zero(d));
+  const Float sine = hn::IfThenElse(isBefore, less, more);
+  const Float cosine = hn::IfThenElse(isBefore, more, less);
+  return hn::CopySign(sine / (hn::Sqrt(r) + cosine), y);
+}
+
+//------------------------------------------------------------------------------
 // Over a planet, of the rays of pixels. Lengths are in distances of the eye from its centre: at the way t
 // along a ray, (distance from the centre)^2 = Ground^2 + room + 2 rise t + t^2, and what is nearer to the
 // light than the centre is nearer by light + cosine t. Returns the place in rows.
@@ -283,7 +299,10 @@ HWY_INLINE Rays<FloatTag> FindRays(const CoverageSettings& settings, Float colum
       height = hn::Max(hn::Sqrt(x * x + y * y), hn::Set(d, table.Nearest));
       rays.Foot = lightZ;
       place = LogOfOnePlus(d, height / hn::Set(d, table.RowUnit));
-      about = (x * set(-settings.SliceAxis[0]) + y * set(-settings.SliceAxis[1])) / height;
+      about = x * set(-settings.SliceAxis[0]) + y * set(-settings.SliceAxis[1]);
+      about = settings.Around
+        ? TangentOfQuarter(about, x * set(-settings.SliceSide[0]) + y * set(-settings.SliceSide[1]))
+        : about / height;
     }
     else
     {
@@ -307,7 +326,10 @@ HWY_INLINE Rays<FloatTag> FindRays(const CoverageSettings& settings, Float colum
       place = LogOfOnePlus(d, tangent / hn::Set(d, table.RowUnit));
       const Float rise = x * set(settings.SliceAxis[0]) + y * set(settings.SliceAxis[1]) +
         z * set(settings.SliceAxis[2]);
-      about = (rise - cosine * hn::Set(d, table.LightRise)) / sine;
+      about = settings.Around ? TangentOfQuarter(rise,
+                                  x * set(settings.SliceSide[0]) + y * set(settings.SliceSide[1]) +
+                                    z * set(settings.SliceSide[2]))
+                              : (rise - cosine * hn::Set(d, table.LightRise)) / sine;
     }
     rays.Slice = (about * hn::Set(d, table.InverseSide) - hn::Set(d, table.FirstSlice)) *
       hn::Set(d, table.SlicesPerUnit);

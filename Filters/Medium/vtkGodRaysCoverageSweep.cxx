@@ -194,7 +194,6 @@ private:
       settings.Up[i] = medium.Up[i];
     }
     settings.Spot = settings.Point ? parameters.Spot : vtkGodRaysSpot();
-    std::copy_n(this->Layered ? settings.Up : settings.Spot.Axis, 3, settings.SliceAxis);
     settings.EyeHeight = medium.EyeHeight;
     settings.PlanetRadius = medium.PlanetRadius;
     settings.FarLimit = medium.FarLimit;
@@ -234,6 +233,7 @@ private:
       }
     }
     this->PrepareImages(parameters);
+    this->PrepareSliceAxes();
     this->PrepareCone();
     this->PrepareTable(parameters);
     this->PrepareShade(parameters);
@@ -241,7 +241,42 @@ private:
     std::swap(this->TurnedSettings.Light[0], this->TurnedSettings.Light[1]);
     std::swap(this->TurnedSettings.Up[0], this->TurnedSettings.Up[1]);
     std::swap(this->TurnedSettings.SliceAxis[0], this->TurnedSettings.SliceAxis[1]);
+    std::swap(this->TurnedSettings.SliceSide[0], this->TurnedSettings.SliceSide[1]);
     this->PrepareWedges();
+  }
+
+  // Rays are alike in planes with the vertical, or a spotlight's axis. If they fade from an axis that is not
+  // vertical, none are: slices are about the light, from the picture's middle on.
+  void PrepareSliceAxes()
+  {
+    CoverageSettings& settings = this->Settings;
+    const Vec3 up(settings.Up[0], settings.Up[1], settings.Up[2]);
+    const Vec3 axis(settings.Spot.Axis[0], settings.Spot.Axis[1], settings.Spot.Axis[2]);
+    std::copy_n(this->Layered ? settings.Up : settings.Spot.Axis, 3, settings.SliceAxis);
+    std::fill_n(settings.SliceSide, 3, 0.0);
+    settings.Around = this->Layered && settings.Spot.Fades() && length(cross(up, axis)) > 1e-3;
+    if (!settings.Around)
+    {
+      return;
+    }
+    const Vec3 light(settings.Light[0], settings.Light[1], settings.Light[2]);
+    const double distance = length(light);
+    const Vec3 forward(0.0, 0.0, 1.0);
+    const Vec3 way = settings.Parallel || distance <= 0.0 ? forward : light / distance;
+    const Vec3 middle((0.5 * (this->Image.Width - 1) - this->Image.Center[0]) * settings.PixelSize,
+      (0.5 * (this->Image.Height - 1) - this->Image.Center[1]) * settings.PixelSize, 1.0);
+    const Vec3 towards = settings.Parallel ? middle - light : middle;
+    Vec3 away = towards - dot(towards, way) * way;
+    if (length(away) <= 1e-6 * length(towards))
+    {
+      const Vec3 any = std::abs(way.x) < 0.7 ? Vec3(1.0, 0.0, 0.0) : Vec3(0.0, 1.0, 0.0);
+      away = any - dot(any, way) * way;
+    }
+    const Vec3 one = away / length(away);
+    const Vec3 other = cross(way, one);
+    const double axes[2][3] = { { one.x, one.y, one.z }, { other.x, other.y, other.z } };
+    std::copy_n(axes[0], 3, settings.SliceAxis);
+    std::copy_n(axes[1], 3, settings.SliceSide);
   }
 
   void PrepareTable(const Parameters& parameters)
@@ -664,22 +699,7 @@ bool vtkGodRaysCoverageSweep::Execute(const Parameters& parameters, const Monito
   const int depths = parameters.Shadows ? 1 : std::max(1, 2 * parameters.Layers);
   const int planes = this->Internals->NumberOfPlanes;
   const bool matches = planes == depths || (planes == depths + 1 && !parameters.Shadows);
-  return matches && Supports(parameters) && this->Internals->Execute(parameters, monitor);
-}
-
-//------------------------------------------------------------------------------
-bool vtkGodRaysCoverageSweep::Supports(const Parameters& parameters)
-{
-  const vtkGodRaysMedium& medium = parameters.Medium;
-  if (!medium.HasExponentialDensity() || parameters.Light[3] == 0.0)
-  {
-    return true;
-  }
-  const vtkGodRaysSpot& spot = parameters.Spot;
-  const double level = std::hypot(spot.Axis[1] * medium.Up[2] - spot.Axis[2] * medium.Up[1],
-    spot.Axis[2] * medium.Up[0] - spot.Axis[0] * medium.Up[2],
-    spot.Axis[0] * medium.Up[1] - spot.Axis[1] * medium.Up[0]);
-  return !spot.Fades() || level < 1e-3;
+  return matches && this->Internals->Execute(parameters, monitor);
 }
 
 //------------------------------------------------------------------------------

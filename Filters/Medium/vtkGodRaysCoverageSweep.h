@@ -101,16 +101,10 @@ public:
   void SetResult(float* values);
 
   /**
-   * Compute the result of the input; false if there is none or not what Layers takes, if the
-   * parameters are not what it Supports(), or if the monitor stopped it: then the result is of no use.
+   * Compute the result of the input; false if there is none or not what Layers takes, or if
+   * the monitor stopped it: then the result is of no use.
    */
   bool Execute(const Parameters& parameters, const Monitor& monitor = nullptr);
-
-  /**
-   * Whether it can be computed: all but a spotlight that fades from its axis, which is not vertical, in a
-   * medium of exponential density.
-   */
-  static bool Supports(const Parameters& parameters);
 
   /**
    * Of the result: 1 if red, green and blue are the same, else 3. The second is of the last execution.

@@ -32,9 +32,13 @@ constexpr double ReachOfSlices =
 constexpr double SlicesOfSpot = 16.0; // that fades, times its fineness
 constexpr int FewestSlices = 6;
 constexpr int MostSlices = 48;
+constexpr int MostSlicesAround = 96;
+constexpr double AroundPerCosine =
+  3.5; // how fast cosines change with the tangent of a quarter, at most
 constexpr int MostRowsOfSlices = 512;
 constexpr int MostColumnsOfSlices = 256;
-constexpr double MostPlaces = 500e3; // of all slices, unless there are few
+constexpr double MostPlaces = 500e3;        // of all slices, unless there are few
+constexpr double MostPlacesAround = 1600e3; // of as many as fading takes
 
 // The mean of 1/distance over a pixel is that at this distance from its centre [pixels].
 constexpr double NearestOfPixel = 0.28;
@@ -108,6 +112,16 @@ void SetPointRows(
 }
 
 //------------------------------------------------------------------------------
+// Where a place about the light's axis is, for each unit of distance from it.
+Vec3 GetPlaceAround(const CoverageSettings& settings, double about)
+{
+  const double angle = 4.0 * std::atan(about);
+  const Vec3 axis(settings.SliceAxis[0], settings.SliceAxis[1], settings.SliceAxis[2]);
+  const Vec3 side(settings.SliceSide[0], settings.SliceSide[1], settings.SliceSide[2]);
+  return std::cos(angle) * axis + std::sin(angle) * side;
+}
+
+//------------------------------------------------------------------------------
 // What the rays of a row share, but for where they lie about the light.
 LitRay GetLitRay(
   const CoverageSettings& settings, const CoverageTable& table, const PointRay& ray, double about)
@@ -133,12 +147,22 @@ LitRay GetLitRay(
       side > 1e-6 ? Vec3(sliceAxis.x / side, sliceAxis.y / side, 0.0) : Vec3(1.0, 0.0, 0.0);
     const double share = side > 1e-6 ? std::min(std::max(about / side, -1.0), 1.0) : 0.0;
     const Vec3 level = std::sqrt(1.0 - share * share) * Vec3(-rising.y, rising.x, 0.0);
-    const Vec3 origin = Vec3(light.x, light.y, 0.0) + ray.Height * (share * rising + level);
+    const Vec3 aside = settings.Around ? GetPlaceAround(settings, about) : share * rising + level;
+    const Vec3 origin = Vec3(light.x, light.y, 0.0) + ray.Height * aside;
     const Vec2 start = MediumStart(radius, settings.EyeHeight, up, origin, Vec3(0.0, 0.0, 1.0));
     lit.Height = start.x;
     lit.Slope = start.y;
     lit.AxisStart = dot(axis, origin - light);
     lit.AxisSlope = axis.z;
+  }
+  else if (settings.Around)
+  {
+    const Vec3 along =
+      (ray.Foot / table.Distance * light + ray.Height * GetPlaceAround(settings, about)) /
+      double(table.Distance);
+    lit.Slope = std::min(std::max(dot(up, along), -1.0), 1.0);
+    lit.AxisStart = -dot(axis, light);
+    lit.AxisSlope = dot(axis, along);
   }
   else
   {
@@ -165,6 +189,7 @@ void SetSlices(const CoverageSettings& settings, const CoverageImage& image, dou
   }
   const Vec3 light(settings.Light[0], settings.Light[1], settings.Light[2]);
   const Vec3 up(settings.SliceAxis[0], settings.SliceAxis[1], settings.SliceAxis[2]);
+  const Vec3 across(settings.SliceSide[0], settings.SliceSide[1], settings.SliceSide[2]);
   table.LightRise = static_cast<float>(dot(up, light) / table.Distance);
   const Vec3 axis = settings.Parallel ? Vec3(0.0, 0.0, 1.0) : light / double(table.Distance);
   const double side = length(cross(axis, up));
@@ -178,7 +203,9 @@ void SetSlices(const CoverageSettings& settings, const CoverageImage& image, dou
       const Vec3 ray = settings.Parallel ? place - light : place / length(place);
       const Vec3 away = ray - dot(ray, axis) * axis;
       const double size = length(away);
-      range.Add(std::min(std::max(dot(away, up) / std::max(size * side, 1e-9), -1.0), 1.0));
+      range.Add(settings.Around
+          ? std::tan(0.25 * std::atan2(dot(away, across), dot(away, up)))
+          : std::min(std::max(dot(away, up) / std::max(size * side, 1e-9), -1.0), 1.0));
       widest = std::max(widest, size * (settings.Parallel ? 1.0 : reach));
     });
   if (Shows(settings, image, light) || Shows(settings, image, axis))
@@ -186,11 +213,15 @@ void SetSlices(const CoverageSettings& settings, const CoverageImage& image, dou
     range = { -1.0, 1.0 };
   }
   const double size = range.High - range.Low;
-  const double steps =
-    std::max(scale > 0.0 ? size * side * widest / scale / SliceStepOfHeight : 0.0,
-      SlicesOfSpot * settings.Spot.GetFineness());
-  const double room = MostPlaces / (static_cast<double>(table.Rows) * table.Columns);
-  table.Slices = CountSteps(std::min(steps, room), FewestSlices, MostSlices);
+  const double places = static_cast<double>(table.Rows) * table.Columns;
+  const double ofHeight = scale > 0.0 ? size * side * widest / scale / SliceStepOfHeight : 0.0;
+  const double ofSpot = SlicesOfSpot * settings.Spot.GetFineness();
+  table.Slices = settings.Around
+    ? CountSteps(std::max(std::min(AroundPerCosine * ofHeight, MostPlaces / places),
+                   std::min(size * ofSpot, MostPlacesAround / places)),
+        FewestSlices, MostSlicesAround)
+    : CountSteps(
+        std::min(std::max(ofHeight, ofSpot), MostPlaces / places), FewestSlices, MostSlices);
   table.FirstSlice = static_cast<float>(range.Low);
   table.SlicesPerUnit = static_cast<float>((table.Slices - 1.0) / std::max(size, 1e-6));
 }

@@ -38,7 +38,6 @@ double GetLineSpacing(double tolerance)
 vtkGodRaysAutomaticIntegrator::vtkGodRaysAutomaticIntegrator()
 {
   this->Shadows->SweepMapOn();
-  this->Shadows->SetNumberOfSteps(32);
 }
 
 //------------------------------------------------------------------------------

@@ -31,7 +31,6 @@ struct vtkGodRaysEpipolarCoverageIntegrator::Internals
   unsigned int Frame = 0;    // whose depths the sweep has
   int Layers = 0;            // as well as so many
   std::string Plan = "nothing yet";
-  std::string Told; // of which light it was told that it cannot be evaluated
 
   bool LoadDepths(const Request& request, int layers);
 };
@@ -108,11 +107,6 @@ bool vtkGodRaysEpipolarCoverageIntegrator::Integrate(const Request& request)
   auto parameters = vtkGodRaysSweptLight::GetParameters(request, size);
   parameters.Thickness = this->Thickness;
   parameters.Layers = layers;
-  if (!vtkGodRaysCoverageSweep::Supports(parameters))
-  {
-    this->TellThatNot(request.Light->GetName());
-    return true;
-  }
   const bool done = self.Swept.Add(request, parameters, size);
   self.Plan = self.Swept.Sweep.Describe();
   const auto translucent = std::count_if(request.Occluders->begin(), request.Occluders->end(),
@@ -124,22 +118,6 @@ bool vtkGodRaysEpipolarCoverageIntegrator::Integrate(const Request& request)
       "; " + std::to_string(translucent) + " translucent props or volumes cast no shadow";
   }
   return done;
-}
-
-//------------------------------------------------------------------------------
-void vtkGodRaysEpipolarCoverageIntegrator::TellThatNot(const std::string& light)
-{
-  this->Internal->Plan = "the light \"" + light + "\" cannot be evaluated in this medium";
-  if (this->Internal->Told != light)
-  {
-    this->Internal->Told = light;
-    vtkWarningMacro("The light \""
-      << light
-      << "\" scatters nothing: in a medium of exponential density, light that fades from an axis "
-         "that is "
-         "not vertical cannot be evaluated. Set the light's Exponent to 0, or use a "
-         "vtkGodRaysShadowMapIntegrator.");
-  }
 }
 
 //------------------------------------------------------------------------------

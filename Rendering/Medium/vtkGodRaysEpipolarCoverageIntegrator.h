@@ -66,8 +66,6 @@ protected:
   ~vtkGodRaysEpipolarCoverageIntegrator() override;
 
 private:
-  void TellThatNot(const std::string& light);
-
   vtkGodRaysEpipolarCoverageIntegrator(const vtkGodRaysEpipolarCoverageIntegrator&) = delete;
   void operator=(const vtkGodRaysEpipolarCoverageIntegrator&) = delete;
 

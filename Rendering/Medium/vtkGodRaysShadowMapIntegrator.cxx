@@ -157,16 +157,10 @@ bool vtkGodRaysShadowMapIntegrator::Integrate(const Request& request)
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysShadowMapIntegrator::CanSweep(const Request& request)
-{
-  return vtkGodRaysSweptLight::Supports(request);
-}
-
-//------------------------------------------------------------------------------
 bool vtkGodRaysShadowMapIntegrator::DrawMap(const Request& request)
 {
   Internals& self = *this->Internal;
-  self.IsSwept = this->SweepMap && CanSweep(request);
+  self.IsSwept = this->SweepMap;
   self.CountLight(request);
   return self.GetMap().Draw(
     request, this->MapSize, self.IsSwept ? this->NumberOfNestedMaps : 1, self.IsSwept);

@@ -61,12 +61,10 @@ public:
 
   ///@{
   /**
-   * Set/Get whether light is summed on the processor in place of steps: all but a spotlight that fades from
-   * an axis that is not vertical in an atmosphere, which takes NumberOfSteps as ever. In each plane through
-   * the eye and the light a sweep adds what comes from every pixel of the map, at a cost that does not depend
-   * on their number along a ray; there is neither noise nor a mean of pixels, and a shadow starts at what
-   * casts it. For a directional light, seen in perspective, the map is then NumberOfNestedMaps. Default is
-   * off.
+   * Set/Get whether light is summed on the processor in place of steps. In each plane through the eye and
+   * the light a sweep adds what comes from every pixel of the map, at a cost that does not depend on their
+   * number along a ray; there is neither noise nor a mean of pixels, and a shadow starts at what casts it.
+   * For a directional light, seen in perspective, the map is then NumberOfNestedMaps. Default is off.
    */
   vtkSetMacro(SweepMap, bool);
   vtkGetMacro(SweepMap, bool);
@@ -109,7 +107,6 @@ private:
   vtkGodRaysShadowMapIntegrator(const vtkGodRaysShadowMapIntegrator&) = delete;
   void operator=(const vtkGodRaysShadowMapIntegrator&) = delete;
 
-  static bool CanSweep(const Request& request);
   bool DrawMap(const Request& request);
   bool Sweep(const Request& request);
 

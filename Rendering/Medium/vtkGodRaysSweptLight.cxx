@@ -46,13 +46,6 @@ vtkGodRaysCoverageSweep::Parameters vtkGodRaysSweptLight::GetParameters(
 }
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysSweptLight::Supports(const vtkGodRaysMediumIntegrator::Request& request)
-{
-  const int anySize[2] = { 16, 16 };
-  return vtkGodRaysCoverageSweep::Supports(GetParameters(request, anySize));
-}
-
-//------------------------------------------------------------------------------
 bool vtkGodRaysSweptLight::Add(const vtkGodRaysMediumIntegrator::Request& request,
   const vtkGodRaysCoverageSweep::Parameters& parameters, const int size[2])
 {

@@ -29,11 +29,6 @@ public:
     const vtkGodRaysShadowGrids* shadows = nullptr);
 
   /**
-   * Whether the sweep supports the request's light in its medium.
-   */
-  static bool Supports(const vtkGodRaysMediumIntegrator::Request& request);
-
-  /**
    * Compute it, and add it to the request's result. Returns false, after an error, if that failed.
    */
   bool Add(const vtkGodRaysMediumIntegrator::Request& request,

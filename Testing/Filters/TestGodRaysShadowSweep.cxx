@@ -515,29 +515,6 @@ TEST(ShadowSweep, AllDarkIsDark)
 }
 
 //------------------------------------------------------------------------------
-TEST(ShadowSweep, SaysWhatItLacks)
-{
-  const double light[3] = { 0.0, 0.0, 1.0 };
-  const vtkGodRaysShadowGrids nothing;
-  Sweep::Parameters parameters = MakeParameters(4, 4, light);
-  parameters.Shadows = &nothing;
-  EXPECT_TRUE(Sweep::Supports(parameters));
-  parameters.Parallel = true;
-  EXPECT_TRUE(Sweep::Supports(parameters));
-  parameters.Medium.Components[0].ScaleHeight = 1.0;
-  EXPECT_TRUE(Sweep::Supports(parameters));
-  parameters.Medium.PlanetRadius = 1000.0;
-  EXPECT_TRUE(Sweep::Supports(parameters));
-  parameters.Light[3] = 1.0;
-  parameters.Spot.CosCone = 0.9;
-  parameters.Spot.Exponent = 1.0; // fades from an axis that is level
-  EXPECT_FALSE(Sweep::Supports(parameters));
-  Sweep sweep;
-  sweep.PrepareInput(4, 4, 1);
-  EXPECT_FALSE(sweep.Execute(parameters));
-}
-
-//------------------------------------------------------------------------------
 TEST(ShadowSweep, SteadyExecutionAllocatesNothing)
 {
   const Picture ends = MakeEnds(120, 80);

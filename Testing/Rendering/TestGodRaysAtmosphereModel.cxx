@@ -19,6 +19,7 @@
 #include "vtkExtractVOI.h"
 
 #include <cstdlib>
+#include <initializer_list>
 #include <utility>
 
 using namespace GodRaysTesting;
@@ -47,9 +48,10 @@ protected:
   }
 
   /// Of each pixel, or of the middle one of each so many by so many.
-  vtkSmartPointer<vtkImageData> GetTruth(std::array<double, 4> light, int step = 1)
+  vtkSmartPointer<vtkImageData> GetTruth(
+    std::array<double, 4> light, int step = 1, vtkLight* spot = nullptr)
   {
-    const auto setMedium = [this](vtkGodRaysSingleScatteringReference* truth)
+    const auto setMedium = [this, spot](vtkGodRaysSingleScatteringReference* truth)
     {
       const auto scaled = [](const double* c) {
         return std::array<double, 3>{ Unit * c[0], Unit * c[1], Unit * c[2] };
@@ -66,6 +68,14 @@ protected:
       truth->SetGroundLevel(this->Air->GetGroundLevel());
       truth->SetPlanetRadius(this->Air->GetPlanetRadius() / Unit);
       truth->SetFarLimit(this->Air->GetFarLimit());
+      if (spot)
+      {
+        double axis[3];
+        vtkMath::Subtract(spot->GetFocalPoint(), spot->GetPosition(), axis);
+        truth->SetSpotDirection(axis);
+        truth->SetConeAngle(spot->GetConeAngle());
+        truth->SetSpotExponent(spot->GetExponent());
+      }
     };
     const int* window = this->Scene.Window->GetSize();
     EXPECT_TRUE(step % 2 == 1 && window[0] % step == 0 && window[1] % step == 0);
@@ -77,6 +87,10 @@ protected:
   double GetErrorOfAir(std::array<double, 4> light, vtkImageData* truth, int step = 1)
   {
     this->SetLight(light);
+    return this->GetErrorOfAir(truth, step);
+  }
+  double GetErrorOfAir(vtkImageData* truth, int step = 1)
+  {
     vtkNew<vtkExtractVOI> middles;
     middles->SetInputData(this->GetScattering());
     const int* window = this->Scene.Window->GetSize();
@@ -131,6 +145,45 @@ TEST_F(GodRaysAtmosphereModel, IsTheGroundTruthWithOccluders)
       std::cout << integrator->GetClassName() << ": " << error << "\n";
       EXPECT_LT(error, bound) << integrator->GetClassName();
     }
+  }
+}
+
+// That fade from slanted axes: no view ray is lit as another one is. Beside the picture, before the eye, and
+// behind it.
+TEST_F(GodRaysAtmosphereModel, IsTheGroundTruthOfSlantedSpotlights)
+{
+  this->Scene.Window->SetSize(255, 192);
+  this->AddPillars(0.1);
+  const int step = std::getenv("GODRAYS_LONG") ? 1 : 3; // the truth takes its time
+  vtkNew<vtkGodRaysEpipolarCoverageIntegrator> coverage;
+  vtkNew<vtkGodRaysAutomaticIntegrator> automatic;
+  const std::array<std::array<double, 4>, 3> places = { { { 4.0, 3.0, -3.0, 1.0 },
+    { 0.5, 1.0, -3.0, 1.0 }, { -3.0, 2.5, 12.0, 1.0 } } };
+  for (const auto& place : places)
+  {
+    auto spot = MakeLamplight({ place[0], place[1], place[2] });
+    spot->SetFocalPoint(0.5, -0.5, 1.0);
+    spot->SetConeAngle(25.0);
+    spot->SetExponent(6.0);
+    const auto truth = this->GetTruth(place, step, spot);
+    this->Rays->RemoveAllLights();
+    this->Rays->AddLight(spot);
+    for (vtkGodRaysIntegrator* integrator :
+      std::initializer_list<vtkGodRaysIntegrator*>{ automatic, coverage })
+    {
+      this->Rays->SetIntegrator(integrator);
+      const double error = this->GetErrorOfAir(truth, step);
+      spot->SetExponent(0.0);
+      const double even = this->GetErrorOfAir(truth, step);
+      spot->SetExponent(6.0);
+      std::cout << integrator->GetClassName() << ": " << error << ", without fading " << even
+                << "\n";
+      EXPECT_LT(error, integrator == coverage ? 0.002 : 0.0007) << this->Rays->GetPlan();
+      EXPECT_GT(even, 0.005);
+    }
+    this->Rays->SetIntegrator(automatic);
+    this->Scene.Window->Render();
+    EXPECT_TRUE(Says(this->Rays->GetPlan(), "swept on the processor")) << this->Rays->GetPlan();
   }
 }
 

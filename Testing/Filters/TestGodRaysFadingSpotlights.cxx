@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Spotlights that fade from slanted axes in air that thins out: no ray is lit as another one is, so that the
+// table's slices go all about the light. Random scenes against the ground truth; GODRAYS_LONG takes more.
+
+#include "GodRaysFiltersTesting.h"
+#include "GodRaysMediumScenes.h"
+#include "vtkGodRaysCoverageFilter.h"
+#include "vtkGodRaysMath.h"
+#include "vtkGodRaysSingleScatteringReference.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+
+using namespace GodRaysFiltersTesting;
+using namespace GodRaysMediumScenes;
+using vtkGodRays::Vec3;
+
+namespace
+{
+struct Random
+{
+  std::mt19937 Generator;
+  double Uniform(double low, double high)
+  {
+    return low + (high - low) * (this->Generator() / 4294967296.0);
+  }
+  double Log(double low, double high)
+  {
+    return std::exp(this->Uniform(std::log(low), std::log(high)));
+  }
+  Vec3 Direction()
+  {
+    Vec3 v;
+    do
+    {
+      v = Vec3(this->Uniform(-1, 1), this->Uniform(-1, 1), this->Uniform(-1, 1));
+    } while (vtkGodRays::length(v) > 1.0 || vtkGodRays::length(v) < 0.1);
+    return v / vtkGodRays::length(v);
+  }
+};
+
+// A spotlight that shines on some of what is seen, in air of a random kind.
+void SetScene(Random random, vtkGodRaysMediumFilter* filter)
+{
+  const bool parallel = random.Uniform(0.0, 1.0) < 0.4;
+  filter->SetFarLimit(random.Log(8.0, 40.0));
+  filter->SetViewAngle(random.Uniform(25.0, 80.0));
+  filter->SetParallelProjection(parallel);
+  filter->SetParallelScale(random.Uniform(2.0, 6.0));
+  const bool round = random.Uniform(0.0, 1.0) < 0.25; // over a planet, whose ground no ray meets
+  const double height = round ? random.Log(8.0, 40.0) : random.Log(0.7, 20.0);
+  const double eye = round ? 80.0 : random.Uniform(0.0, 3.0);
+  const double b = random.Log(0.005, 0.15) * (round ? std::exp(eye / height) : 1.0);
+  filter->SetScatteringCoefficient(b, b, b);
+  filter->SetAsymmetry(random.Uniform(-0.5, 0.8));
+  filter->SetScaleHeight(height);
+  const double gas = random.Log(0.002, 0.05);
+  filter->SetGasScatteringCoefficient(gas, gas, gas);
+  filter->SetGasScaleHeight(random.Uniform(0.0, 1.0) < 0.5 || round ? 0.0 : random.Log(2.0, 20.0));
+  const Vec3 up = random.Uniform(0.0, 1.0) < 0.5 ? Vec3(0.0, 1.0, 0.0) : random.Direction();
+  filter->SetMediumUp(up.x, up.y, up.z);
+  filter->SetGroundLevel(-eye);
+  filter->SetPlanetRadius(round ? 500.0 : 0.0);
+  // In the picture, beside it, behind the eye; towards somewhere before it.
+  const Vec3 light = random.Log(2.0, 9.0) * random.Direction() +
+    (random.Uniform(0.0, 1.0) < 0.5 ? Vec3(0.0, 0.0, -7.0) : Vec3(0.0));
+  filter->SetLight(light.x, light.y, light.z, 1.0);
+  const Vec3 target(
+    random.Uniform(-2.0, 2.0), random.Uniform(-1.5, 1.5), -random.Uniform(4.0, 9.0));
+  filter->SetSpotDirection(target.x - light.x, target.y - light.y, target.z - light.z);
+  filter->SetConeAngle(random.Uniform(10.0, 50.0));
+  filter->SetSpotExponent(random.Uniform(0.0, 1.0) < 0.5 ? 1.0 : random.Log(0.5, 60.0));
+}
+
+// The pixel in which the light is seen, or -1: there the truth is of a ray through the pixel's centre, the
+// filter's the mean over the pixel.
+vtkIdType FindLight(vtkGodRaysMediumFilter* filter, const int size[2])
+{
+  const double* light = filter->GetLight();
+  const double halfHeight = filter->GetParallelProjection()
+    ? filter->GetParallelScale()
+    : -light[2] * std::tan(0.5 * vtkMath::RadiansFromDegrees(filter->GetViewAngle()));
+  const double perUnit = 0.5 * size[1] / halfHeight;
+  const double x = std::floor(light[0] * perUnit + 0.5 * size[0]);
+  const double y = std::floor(light[1] * perUnit + 0.5 * size[1]);
+  const bool isShown = halfHeight > 0.0 && x >= 0.0 && y >= 0.0 && x < size[0] && y < size[1];
+  return isShown ? static_cast<vtkIdType>(y * size[0] + x) : -1;
+}
+
+// Of all pixels but the light's.
+Error GetError(vtkGodRaysSingleScatteringReference* reference, vtkGodRaysCoverageFilter* filter)
+{
+  Compare(reference->GetOutput(), filter);
+  vtkDataArray* expected = reference->GetOutput()->GetPointData()->GetArray("Radiance");
+  vtkDataArray* actual = filter->GetOutput()->GetPointData()->GetScalars();
+  const vtkIdType left = FindLight(reference, reference->GetSize());
+  Error error;
+  double peak = 0.0;
+  for (vtkIdType i = 0; i < expected->GetNumberOfTuples(); ++i)
+  {
+    const double truth = expected->GetComponent(i, 0);
+    const double difference =
+      i == left ? 0.0 : std::abs((actual ? actual->GetComponent(i, 0) : 1e30) - truth);
+    error.Rms += difference * difference / expected->GetNumberOfTuples();
+    error.Largest = std::max(error.Largest, difference);
+    peak = i == left ? peak : std::max(peak, truth);
+  }
+  return { std::sqrt(error.Rms) / peak, error.Largest / peak };
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(FadingSpotlights, ShineInLayersAsTheIntegral)
+{
+  const unsigned int seed =
+    std::getenv("GODRAYS_SEED") ? std::atoi(std::getenv("GODRAYS_SEED")) : 1;
+  const int scenes = std::getenv("GODRAYS_LONG") ? 60 : 8;
+  Error worst;
+  for (int i = 0; i < scenes; ++i)
+  {
+    const Random random{ std::mt19937(1000 * seed + i) };
+    vtkNew<vtkGodRaysSingleScatteringReference> reference;
+    vtkNew<vtkGodRaysCoverageFilter> filter;
+    SetScene(random, reference);
+    SetScene(random, filter);
+    reference->SetSize(96, 54);
+    reference->SetTolerance(1e-4);
+    reference->Update();
+    const auto start = std::chrono::steady_clock::now();
+    const Error error = GetError(reference, filter);
+    const auto middle = std::chrono::steady_clock::now();
+    const std::string plan = filter->GetPlan();
+    // The control: as if it did not fade.
+    filter->SetSpotExponent(0.0);
+    const Error even = GetError(reference, filter);
+    const std::chrono::duration<double> seconds = middle - start;
+    const std::chrono::duration<double> evenSeconds = std::chrono::steady_clock::now() - middle;
+    std::cout << i << ": " << error.Rms << ", at most " << error.Largest << ", even light "
+              << even.Rms << ", " << 1e3 * seconds.count() << " ms, of which even light takes "
+              << 1e3 * evenSeconds.count() << " ms, exponent " << reference->GetSpotExponent()
+              << ", " << plan << "; " << filter->GetPlan() << "\n";
+    EXPECT_LE(error.Rms, 1e-3) << i << ": " << plan;
+    EXPECT_LE(error.Largest, 0.01) << i << ": " << plan; // next to the light
+    EXPECT_GT(even.Rms, 3.0 * error.Rms) << i << ": " << plan;
+    worst.Rms = std::max(worst.Rms, error.Rms);
+    worst.Largest = std::max(worst.Largest, error.Largest);
+  }
+  std::cout << "seed " << seed << ": worst root mean square " << worst.Rms << ", largest "
+            << worst.Largest << "\n";
+}
