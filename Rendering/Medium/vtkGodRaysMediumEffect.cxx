@@ -99,7 +99,7 @@ void vtkGodRaysMediumEffect::SetUp(
 void vtkGodRaysMediumEffect::Begin(const Frame& frame)
 {
   this->LastError = frame.Integrator->GetErrorEstimate();
-  frame.Integrator->ForgetErrors();
+  frame.Integrator->BeginVerification(!frame.Interactive);
   // On several processes the depth of the joined picture may be nowhere.
   vtkTextureObject* occluders = frame.Occlusion->GetDepth();
   const bool hasSeen =

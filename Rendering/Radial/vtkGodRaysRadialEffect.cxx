@@ -58,7 +58,7 @@ void vtkGodRaysRadialEffect::SetUp(
 //------------------------------------------------------------------------------
 void vtkGodRaysRadialEffect::Begin(const Frame& frame)
 {
-  frame.Integrator->ForgetErrors();
+  frame.Integrator->BeginVerification(!frame.Interactive);
   this->Composed = 0;
   this->KeepsAll = frame.NumberOfLights == 1 || frame.KeepsLayers;
 }

@@ -5,10 +5,20 @@
 #include <algorithm>
 
 //------------------------------------------------------------------------------
-void vtkGodRaysIntegrator::ForgetErrors()
+void vtkGodRaysIntegrator::BeginVerification(bool isStill)
 {
   this->ErrorEstimate = -1.0;
   this->LargestVerifiedError = -1.0;
+  this->VerifiesFrame = false;
+  if (this->VerifyPixels <= 0)
+  {
+    this->StillFrames = 0;
+  }
+  else if (isStill)
+  {
+    this->VerifiesFrame = this->StillFrames % this->VerifyInterval == 0;
+    this->StillFrames = (this->StillFrames + 1) % this->VerifyInterval;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -23,6 +33,7 @@ void vtkGodRaysIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "VerifyPixels: " << this->VerifyPixels << "\n";
+  os << indent << "VerifyInterval: " << this->VerifyInterval << "\n";
   os << indent << "ErrorEstimate: " << this->ErrorEstimate << "\n";
   os << indent << "LargestVerifiedError: " << this->LargestVerifiedError << "\n";
 }

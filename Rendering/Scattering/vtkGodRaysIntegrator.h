@@ -30,7 +30,7 @@ public:
 
   ///@{
   /**
-   * Set/Get at how many pixels of each frame, at most all, chosen at random but the same every time,
+   * Set/Get at how many pixels of a frame, at most all, chosen at random but the same every time,
    * one in each of as many equal parts of the picture, the result is compared with the exact one, see
    * GetErrorEstimate() [no unit]. 0 does not. Of a vtkGodRaysRadialModel the exact sum is that of 2048
    * taps in double precision. Of a medium it is single scattering among the opaque polygons of the scene,
@@ -39,6 +39,16 @@ public:
    */
   vtkSetClampMacro(VerifyPixels, int, 0, 1000000);
   vtkGetMacro(VerifyPixels, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get in every how many still frames VerifyPixels are compared, beginning with the first. A frame
+   * is still unless the user drags, which the window's DesiredUpdateRate of at least 1 tells; others are
+   * never compared. Valid range: [1, 1000000]. Default is 1.
+   */
+  vtkSetClampMacro(VerifyInterval, int, 1, 1000000);
+  vtkGetMacro(VerifyInterval, int);
   ///@}
 
   ///@{
@@ -54,9 +64,11 @@ public:
 
   ///@{
   /**
-   * For effects: forget the last frame's errors; take those of a light.
+   * For effects: begin a frame, whose errors are unknown, and decide whether pixels of it are compared;
+   * whether they are; take the errors of a light.
    */
-  VTK_WRAPEXCLUDE void ForgetErrors();
+  VTK_WRAPEXCLUDE void BeginVerification(bool isStill);
+  VTK_WRAPEXCLUDE bool IsVerified() const { return this->VerifiesFrame; }
   VTK_WRAPEXCLUDE void TakeErrors(double rootMeanSquare, double largest);
   ///@}
 
@@ -80,10 +92,14 @@ protected:
   ~vtkGodRaysIntegrator() override = default;
 
   int VerifyPixels = 0;
+  int VerifyInterval = 1;
   double ErrorEstimate = -1.0;
   double LargestVerifiedError = -1.0;
 
 private:
+  bool VerifiesFrame = false;
+  int StillFrames = 0; // since pixels were compared
+
   vtkGodRaysIntegrator(const vtkGodRaysIntegrator&) = delete;
   void operator=(const vtkGodRaysIntegrator&) = delete;
 };

@@ -49,7 +49,7 @@ vtkGodRaysVerification::~vtkGodRaysVerification() = default;
 //------------------------------------------------------------------------------
 bool vtkGodRaysVerification::IsWanted() const
 {
-  return this->Integrator->GetVerifyPixels() > 0;
+  return this->Integrator->IsVerified();
 }
 
 //------------------------------------------------------------------------------

@@ -21,7 +21,7 @@ class vtkGodRaysVerification
 {
 public:
   /**
-   * Remember what there is before the light, if the integrator is to be verified.
+   * Remember what there is before the light, if pixels of this frame are compared.
    */
   vtkGodRaysVerification(vtkGodRaysIntegrator* integrator, vtkGodRaysSum& sum);
   ~vtkGodRaysVerification();

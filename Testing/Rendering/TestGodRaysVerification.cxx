@@ -170,6 +170,34 @@ TEST_F(GodRaysVerification, SaysWhatItLeavesOut)
     << this->Rays->GetPlan();
 }
 
+TEST_F(GodRaysVerification, IsOfEverySoManyStillFrames)
+{
+  this->AddPillars();
+  this->SetLight({ 0.15, 0.1, -1.0, 0.0 });
+  this->Coverage->SetVerifyPixels(20);
+  const auto draw = [this](double updateRate = 0.0001)
+  {
+    this->Scene.Window->SetDesiredUpdateRate(updateRate);
+    this->Scene.Window->Render();
+    return this->Coverage->GetErrorEstimate();
+  };
+  const double error = draw();
+  EXPECT_GE(error, 0.0);
+  EXPECT_EQ(draw(), error);
+  EXPECT_EQ(draw(10.0), -1.0) << "while the user drags";
+  this->Coverage->SetVerifyInterval(3);
+  std::vector<double> errors;
+  for (int i = 0; i < 7; ++i)
+  {
+    errors.push_back(draw());
+    draw(10.0);
+  }
+  EXPECT_EQ(errors, (std::vector<double>{ error, -1.0, -1.0, error, -1.0, -1.0, error }));
+  EXPECT_FALSE(Says(this->Rays->GetPlan(), "error:"));
+  this->Coverage->SetVerifyInterval(0);
+  EXPECT_EQ(this->Coverage->GetVerifyInterval(), 1);
+}
+
 // Until it is within the tolerance, or the largest map is reached.
 TEST_F(GodRaysVerification, CorrectsTheChoice)
 {
