@@ -168,14 +168,14 @@ vtkGodRaysHiddenProps::vtkGodRaysHiddenProps(
     return;
   }
   GetHidden().insert(GetHidden().end(), props.begin(), props.end());
-  this->Nothing = vtkSmartPointer<NoProp>::New();
   for (int i = 0; i < s->GetPropArrayCount(); ++i)
   {
     vtkProp*& prop = s->GetPropArray()[i];
     if (std::find(props.begin(), props.end(), prop) != props.end())
     {
       this->Hidden.emplace_back(i, prop);
-      prop = this->Nothing;
+      this->StandIns.push_back(vtkSmartPointer<NoProp>::New());
+      prop = this->StandIns.back();
     }
   }
 }
@@ -233,12 +233,9 @@ vtkGodRaysOverlays::vtkGodRaysOverlays(const vtkRenderState* s)
     vtkProp*& prop = s->GetPropArray()[i];
     if (vtkGodRaysIsOverlay(prop))
     {
-      if (!this->Nothing)
-      {
-        this->Nothing = vtkSmartPointer<NoProp>::New();
-      }
       this->Overlays.emplace_back(i, prop);
-      prop = this->Nothing;
+      this->StandIns.push_back(vtkSmartPointer<NoProp>::New());
+      prop = this->StandIns.back();
     }
   }
 }

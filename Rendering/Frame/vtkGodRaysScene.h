@@ -60,7 +60,8 @@ private:
   vtkNew<vtkCameraPass> InFramebuffer;
 };
 
-/// While it lives, some props are taken out of a state's props: others draw them.
+/// While it lives, some props are taken out of a state's props: others draw them. Each has a stand-in of its
+/// own: vtkOpenGLRenderPass keeps a reference to itself for each prop that a state has more than once.
 class vtkGodRaysHiddenProps
 {
 public:
@@ -76,7 +77,7 @@ private:
   const vtkRenderState* State;
   std::vector<std::pair<int, vtkProp*>> Hidden;
   std::size_t Former; // how many are hidden by others
-  vtkSmartPointer<vtkProp> Nothing;
+  std::vector<vtkSmartPointer<vtkProp>> StandIns;
 };
 
 /// While it lives, passes around this one, such as vtkSSAOPass, add nothing to shaders of a state's props.
@@ -107,7 +108,7 @@ public:
 private:
   const vtkRenderState* State;
   std::vector<std::pair<int, vtkProp*>> Overlays;
-  vtkSmartPointer<vtkProp> Nothing; ///< in their places
+  std::vector<vtkSmartPointer<vtkProp>> StandIns;
 };
 
 #endif

@@ -18,6 +18,7 @@
 #include "vtkOpenGLFXAAPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkOrderIndependentTranslucentPass.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderState.h"
@@ -26,6 +27,7 @@
 #include "vtkSSAOPass.h"
 #include "vtkSimpleMotionBlurPass.h"
 #include "vtkSobelGradientMagnitudePass.h"
+#include "vtkTextActor.h"
 #include "vtkTextureObject.h"
 #include "vtkToneMappingPass.h"
 #include "vtkTranslucentPass.h"
@@ -461,6 +463,35 @@ public:
   }
 };
 vtkStandardNewMacro(UntidySteps);
+}
+
+// Props that are held back have stand-ins, to which passes for shaders add themselves, too.
+TEST(GodRaysDelegate, IsReferredToAsOftenAfterEachFrame)
+{
+  Stage stage(Width, Height);
+  auto sun = stage.AddPillarsAndSun();
+  stage.Renderer->AddActor(MakeGlass());
+  for (int i = 0; i < 3; ++i)
+  {
+    vtkNew<vtkTextActor> text;
+    text->SetInput("held back");
+    text->SetPosition(5.0, 5.0 + 20.0 * i);
+    stage.Renderer->AddViewProp(text);
+  }
+  vtkNew<vtkRenderStepsPass> steps;
+  vtkNew<vtkOrderIndependentTranslucentPass> blended;
+  vtkNew<vtkTranslucentPass> translucent;
+  blended->SetTranslucentPass(translucent);
+  steps->SetTranslucentPass(blended);
+  stage.Rays->SetDelegatePass(steps);
+  stage.Window->Render();
+  ASSERT_FALSE(Says(stage.Rays->GetPlan(), "rays: none")) << stage.Rays->GetPlan();
+  const int references = blended->GetReferenceCount();
+  for (int i = 0; i < 3; ++i)
+  {
+    stage.Window->Render();
+    EXPECT_EQ(blended->GetReferenceCount(), references);
+  }
 }
 
 TEST(GodRaysDelegate, MayLeaveOpenGLInAnyState)
