@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DataMethods.h"
 
+#include "Froxels.h"
+
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
@@ -110,12 +112,11 @@ void DrawFroxels(const Scene& scene, int slices, Picture& picture)
   const double farthest = 12.0;
   const auto getDepth = [&](double slice)
   { return nearest * std::pow(farthest / nearest, slice / slices); };
-  // light that reaches the eye from before each slice's end
-  std::vector<float> sums(static_cast<std::size_t>(columns) * rows * (slices + 1), 0.0f);
+  Froxels froxels(columns, rows, slices, 1);
   vtkSMPTools::For(0, rows, 1,
     [&](vtkIdType first, vtkIdType last)
     {
-      for (vtkIdType j = first; j < last; ++j)
+      for (int j = static_cast<int>(first); j < last; ++j)
       {
         for (int i = 0; i < columns; ++i)
         {
@@ -128,7 +129,7 @@ void DrawFroxels(const Scene& scene, int slices, Picture& picture)
           const double phase =
             vtkGodRays::Phase({ 2, Asymmetry }, vtkGodRays::dot(way, scene.ToSun) / perDepth);
           double through = 1.0;
-          float* sum = sums.data() + (j * columns + i) * (slices + 1);
+          float* sum = froxels.GetSums(i, j);
           for (int k = 0; k < slices; ++k)
           {
             const Vec3 world = getDepth(k + 0.5) * way;
@@ -154,38 +155,15 @@ void DrawFroxels(const Scene& scene, int slices, Picture& picture)
   vtkSMPTools::For(0, scene.Height, 16,
     [&](vtkIdType first, vtkIdType last)
     {
-      const auto split = [](double at, int count, int& low, double& share)
-      {
-        at = std::min(std::max(at, 0.0), count - 1.0);
-        low = std::min(static_cast<int>(at), count - 2);
-        share = at - low;
-      };
-      for (vtkIdType row = first; row < last; ++row)
+      for (int row = static_cast<int>(first); row < last; ++row)
       {
         for (int column = 0; column < scene.Width; ++column)
         {
-          const std::size_t pixel = scene.GetPixel(column, static_cast<int>(row));
-          int low[3];
-          double share[3];
-          split((column + 0.5) * columns / scene.Width - 0.5, columns, low[0], share[0]);
-          split((row + 0.5) * rows / scene.Height - 0.5, rows, low[1], share[1]);
-          split(std::log(std::max<double>(scene.Depths[pixel] / nearest, 1.0)) * slices /
-              std::log(farthest / nearest),
-            slices + 1, low[2], share[2]);
-          double value = 0.0;
-          for (int corner = 0; corner < 8; ++corner)
-          {
-            double weight = 1.0;
-            int at[3];
-            for (int a = 0; a < 3; ++a)
-            {
-              at[a] = low[a] + (corner >> a & 1);
-              weight *= corner >> a & 1 ? share[a] : 1.0 - share[a];
-            }
-            value += weight *
-              sums[(static_cast<std::size_t>(at[1]) * columns + at[0]) * (slices + 1) + at[2]];
-          }
-          picture[pixel] = static_cast<float>(value);
+          const std::size_t pixel = scene.GetPixel(column, row);
+          const double slice = std::log(std::max<double>(scene.Depths[pixel] / nearest, 1.0)) *
+            slices / std::log(farthest / nearest);
+          froxels.Read(
+            (column + 0.5) / scene.Width, (row + 0.5) / scene.Height, slice, &picture[pixel]);
         }
       }
     });

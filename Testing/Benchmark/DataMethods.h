@@ -24,10 +24,9 @@ namespace DataMedium
 /// Equal steps through the grid's box, each with a ray of an eighth as many steps to the sun.
 void March(const Scene& scene, int steps, int rowStride, Picture& picture);
 
-/// What engines do: a grid of the view's cells, slices at depths that grow exponentially; each cell has one
-/// sample and one ray of 32 steps to the sun; slices are summed with the light that each scatters integrated
-/// over it (Hillaire, Physically Based and Unified Volumetric Rendering in Frostbite, 2015); pixels are
-/// interpolated.
+/// What engines do, see Froxels.h: slices at depths that grow exponentially; each cell has one sample and one
+/// ray of 32 steps to the sun; slices are summed with the light that each scatters integrated over it
+/// (Hillaire, Physically Based and Unified Volumetric Rendering in Frostbite, 2015).
 void DrawFroxels(const Scene& scene, int slices, Picture& picture);
 
 //------------------------------------------------------------------------------

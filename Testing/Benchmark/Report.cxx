@@ -190,6 +190,24 @@ bool Figure::IsMet() const
 }
 
 //------------------------------------------------------------------------------
+std::string MakeFigureTable(const std::vector<Figure>& figures)
+{
+  std::ostringstream text;
+  text << "| figure | asked | measured | |\n|---|---|---|---|\n";
+  for (const Figure& figure : figures)
+  {
+    text << "| " << figure.Text << (figure.Note.empty() ? "" : " (" + figure.Note + ")") << " | ";
+    text << (figure.Relates == Figure::AT_MOST ? "at most " : "at least ") << Format(figure.Bound);
+    text << " | " << Format(figure.Measured) << " | "
+         << (!figure.IsMeasured() ? "not measured"
+                : figure.IsMet()  ? "met"
+                                  : "**missed**")
+         << " |\n";
+  }
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
 std::vector<double> Report::Get(const std::string& section, const std::string& method, int channels,
   double (*value)(const Record&)) const
 {
@@ -345,18 +363,7 @@ std::string Report::MakeTables() const
     text << "\n";
   }
 
-  text
-    << "## The figures that are asked for\n\n| figure | asked | measured | |\n|---|---|---|---|\n";
-  for (const Figure& figure : this->Figures)
-  {
-    text << "| " << figure.Text << (figure.Note.empty() ? "" : " (" + figure.Note + ")") << " | ";
-    text << (figure.Relates == Figure::AT_MOST ? "at most " : "at least ") << Format(figure.Bound);
-    text << " | " << Format(figure.Measured) << " | "
-         << (!figure.IsMeasured() ? "not measured"
-                : figure.IsMet()  ? "met"
-                                  : "**missed**")
-         << " |\n";
-  }
+  text << "## The figures that are asked for\n\n" << MakeFigureTable(this->Figures);
   return text.str();
 }
 

@@ -52,6 +52,9 @@ struct Figure
   bool IsMet() const;
 };
 
+/// A table of figures in Markdown, each met or missed.
+std::string MakeFigureTable(const std::vector<Figure>& figures);
+
 class Report
 {
 public:

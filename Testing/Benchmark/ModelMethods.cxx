@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ModelMethods.h"
+
+#include "MediumMethods.h"
+
+#include "vtkGodRaysAutomaticIntegrator.h"
+#include "vtkGodRaysDepthWeightedTapsIntegrator.h"
+#include "vtkGodRaysEpipolarCoverageIntegrator.h"
+#include "vtkGodRaysEpipolarIntegrator.h"
+#include "vtkGodRaysHomogeneousModel.h"
+#include "vtkGodRaysShadowMapIntegrator.h"
+#include "vtkGodRaysTapsIntegrator.h"
+
+#include "vtkNew.h"
+
+#include <cstdio>
+
+namespace ModelError
+{
+//------------------------------------------------------------------------------
+std::vector<ModelMethod> MakeModelMethods()
+{
+  std::vector<ModelMethod> methods;
+  const auto add = [&methods](const char* name, const char* series, auto integrator)
+  {
+    const bool isMedium = integrator->Supports(vtkNew<vtkGodRaysHomogeneousModel>());
+    methods.push_back({ name, series, integrator, isMedium, 1.0 / 255.0 });
+  };
+  add("radial sum", "radial sum", vtkSmartPointer<vtkGodRaysEpipolarIntegrator>::New());
+  auto taps = vtkSmartPointer<vtkGodRaysTapsIntegrator>::New();
+  taps->SetNumberOfTaps(100);
+  add(CustomaryModel, "radial sum", taps);
+  for (const int count : { 32, 128 })
+  {
+    auto depths = vtkSmartPointer<vtkGodRaysDepthWeightedTapsIntegrator>::New();
+    depths->SetNumberOfTaps(count);
+    add(("depth-weighted taps, " + std::to_string(count)).c_str(), "depth-weighted taps", depths);
+  }
+  add(ClosedForm, "closed form", vtkSmartPointer<ClosedFormIntegrator>::New());
+  const int sizes[][3] = { { 80, 45, 32 }, { 160, 90, 64 }, { 240, 135, 128 } };
+  for (const auto& size : sizes)
+  {
+    auto froxels = vtkSmartPointer<FroxelsIntegrator>::New();
+    froxels->SetSize(size[0], size[1], size[2]);
+    char name[64];
+    std::snprintf(name, sizeof(name), "froxels, %d x %d x %d", size[0], size[1], size[2]);
+    add(name, "froxels", froxels);
+  }
+  for (const int layers : { 0, 1, 2 })
+  {
+    auto coverage = vtkSmartPointer<vtkGodRaysEpipolarCoverageIntegrator>::New();
+    coverage->SetNumberOfLayers(layers);
+    const char* const names[] = { "coverage", "coverage, one layer", "coverage, two layers" };
+    add(names[layers], "coverage", coverage);
+  }
+  for (const int steps : { 8, 16, 64, 256 })
+  {
+    auto shadows = vtkSmartPointer<vtkGodRaysShadowMapIntegrator>::New();
+    shadows->SetNumberOfSteps(steps);
+    add(("shadow map, " + std::to_string(steps) + " steps").c_str(), "shadow map, steps", shadows);
+  }
+  for (const int size : { 512, 1024, 1536, 3072 })
+  {
+    auto sweep = vtkSmartPointer<vtkGodRaysShadowMapIntegrator>::New();
+    sweep->SweepMapOn();
+    sweep->SetMapSize(size);
+    add(
+      ("shadow map, swept, 4 of " + std::to_string(size / 2)).c_str(), "shadow map, swept", sweep);
+  }
+  auto one = vtkSmartPointer<vtkGodRaysShadowMapIntegrator>::New();
+  one->SweepMapOn();
+  one->SetNumberOfNestedMaps(1);
+  add("shadow map, swept, 1 of 1024", "one map, swept", one);
+  for (const int share : { 16, 32, 64, 128, 255, 512, 1024 })
+  {
+    const std::string name =
+      share == 255 ? std::string(BestModel) : "automatic, 1/" + std::to_string(share);
+    add(name.c_str(), "automatic", vtkSmartPointer<vtkGodRaysAutomaticIntegrator>::New());
+    methods.back().Tolerance = 1.0 / share;
+  }
+  return methods;
+}
+}
