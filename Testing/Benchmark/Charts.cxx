@@ -60,7 +60,7 @@ struct Box
   }
 };
 
-/// The names of points, beside them, where there is room.
+/// The names of points, beside them, where there is room; off the lines, if there is room for that, too.
 class PointLabels : public vtkContextItem
 {
 public:
@@ -93,6 +93,19 @@ public:
       const float y = place(vtkAxis::LEFT, label.Y);
       taken.push_back({ x - 6, y - 6, x + 6, y + 6 });
     }
+    std::vector<Box> lines; // between neighbours of a series, in pieces
+    for (std::size_t i = 1; i < this->Labels.size(); ++i)
+    {
+      const int pieces = this->Labels[i].Color == this->Labels[i - 1].Color ? 256 : 0;
+      for (int k = 0; k < pieces; ++k)
+      {
+        const auto mix = [&](float a, float b) { return a + (b - a) * (k + 0.5f) / pieces; };
+        const float x = mix(taken[i - 1].Left, taken[i].Left) + 6;
+        const float y = mix(taken[i - 1].Low, taken[i].Low) + 6;
+        lines.push_back({ x - 2, y - 2, x + 2, y + 2 });
+      }
+    }
+    const float left = this->Chart->GetAxis(vtkAxis::LEFT)->GetPoint1()[0];
     painter->GetTextProp()->SetFontSize(FontSize - 3);
     painter->GetTextProp()->SetJustificationToLeft();
     painter->GetTextProp()->SetVerticalJustificationToBottom();
@@ -112,19 +125,34 @@ public:
         { x - width / 2, y + 9 }, { x - width / 2, y - 9 - height }, { x + 7, y + 7 },
         { x + 7, y - 7 - height }, { x - 7 - width, y + 7 }, { x - 7 - width, y - 7 - height },
         { x + 7, y + 21 }, { x + 7, y - 21 - height } };
-      for (const auto& corner : corners)
+      const auto toBox = [&](const float corner[2]) {
+        return Box{ corner[0], corner[1], corner[0] + width, corner[1] + height };
+      };
+      const auto overlaps = [](const Box& box, const std::vector<Box>& others)
       {
-        const Box box = { corner[0], corner[1], corner[0] + width, corner[1] + height };
-        if (std::none_of(
-              taken.begin(), taken.end(), [&box](const Box& other) { return box.Overlaps(other); }))
+        return std::any_of(
+          others.begin(), others.end(), [&](const Box& other) { return box.Overlaps(other); });
+      };
+      const float(*found)[2] = nullptr;
+      for (const bool offLines : { true, false })
+      {
+        for (const auto& corner : corners)
         {
-          taken.push_back(box);
-          const unsigned char* color = Colors[label.Color % NumberOfColors];
-          painter->GetTextProp()->SetColor(
-            color[0] / 255.0 * 0.8, color[1] / 255.0 * 0.8, color[2] / 255.0 * 0.8);
-          painter->DrawString(corner[0], corner[1], label.Text);
-          break;
+          const Box box = toBox(corner);
+          if (!found && !overlaps(box, taken) &&
+            !(offLines && (box.Left < left || overlaps(box, lines))))
+          {
+            found = &corner;
+          }
         }
+      }
+      if (found)
+      {
+        taken.push_back(toBox(*found));
+        const unsigned char* color = Colors[label.Color % NumberOfColors];
+        painter->GetTextProp()->SetColor(
+          color[0] / 255.0 * 0.8, color[1] / 255.0 * 0.8, color[2] / 255.0 * 0.8);
+        painter->DrawString((*found)[0], (*found)[1], label.Text);
       }
     }
     return true;
