@@ -4,8 +4,8 @@
  * @file    vtkGodRaysCoverageTable.h
  * @brief   fills the tables of airlight that vtkGodRaysCoverageKernels reads
  *
- * Private. Rows and columns are so dense that what is read differs from the integral by less than 2e-3 of
- * the largest in the picture; see Documentation/Accuracy.md.
+ * Private. Rows, columns and slices are so dense that what is read differs from the integral by less than
+ * 2e-3 of the largest in the picture; see Documentation/Accuracy.md.
  */
 
 #ifndef vtkGodRaysCoverageTable_h

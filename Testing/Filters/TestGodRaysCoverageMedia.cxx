@@ -16,6 +16,7 @@
 #include <cstdlib>
 #include <functional>
 #include <limits>
+#include <set>
 #include <utility>
 
 using namespace GodRaysFiltersTesting;
@@ -223,12 +224,18 @@ TEST(CoverageMedia, LayersShineAsTheIntegral)
 
 //------------------------------------------------------------------------------
 // Point lights above, in and below two components of exponential density, against sums of many steps.
+// Of the second seed those alone whose slices would be too few if heights alone told their number;
+// GODRAYS_LONG takes all.
 TEST(CoverageMedia, PointLightsInLayersShineAsTheIntegral)
 {
-  Random random(45);
+  const bool all = std::getenv("GODRAYS_LONG") != nullptr;
+  const std::set<int> chosen = { 9, 22, 33, 54 };
+  Random randoms[] = { Random(45), Random(1045) };
   double worst = 0.0;
-  for (int i = 0; i < 60; ++i)
+  for (int scene = 0; scene < 120; ++scene)
   {
+    const int i = scene % 60;
+    Random& random = randoms[scene / 60];
     vtkNew<Filter> filter;
     const double scale = random.Log(1e-3, 1e3); // the lesser height
     const double far = random.Log(0.3, 100.0) * scale;
@@ -269,6 +276,10 @@ TEST(CoverageMedia, PointLightsInLayersShineAsTheIntegral)
     } while (depth > 10.0);
     filter->SetLight(light.x, light.y, light.z, 1.0);
     const double most = random.Uniform(0.05, 1.0);
+    if (scene >= 60 && !all && chosen.count(i) == 0)
+    {
+      continue;
+    }
     const double error = CompareEnds(
       filter, [&](int x, int y) { return most * far * (1 + (x + y) % 7) / 7.0; },
       [&](const Ray& ray, double end)
@@ -301,7 +312,7 @@ TEST(CoverageMedia, PointLightsInLayersShineAsTheIntegral)
         }
         return sum;
       });
-    EXPECT_LE(error, 2e-3) << i << " " << filter->GetPlan() << " eye " << eye / scale << " far "
+    EXPECT_LE(error, 2e-3) << scene << " " << filter->GetPlan() << " eye " << eye / scale << " far "
                            << far / scale << " light " << light.x / scale << " " << light.y / scale
                            << " " << light.z / scale << " up " << vtkGodRays::dot(up, light) / scale
                            << " depths " << b * scale << " " << gas * scale;
