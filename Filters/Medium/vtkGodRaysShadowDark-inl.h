@@ -304,14 +304,32 @@ struct ColumnEdges
   const float* Y;
 };
 
+// How many columns a point light's map may be off where a ray ends: a texel's diagonal and a column, and what
+// half a strip of the picture, which is as dark as its middle line, is seen to be from the light. What is lit
+// so shortly before a ray's end, after what is dark, is what lies on the far side of what is seen, as within
+// a closed thing with a light in it. Not of layers that let light through, whose runs follow each other.
+inline int CountUnsureColumns(
+  const CoverageWedge& wedge, const vtkGodRaysShadowGrids& grids, double columnAngle)
+{
+  if (!grids.Point || grids.NumberOfLayers > 0)
+  {
+    return 0;
+  }
+  const double reach = std::abs(wedge.W * wedge.Widest - wedge.B); // of the widest strip, times W
+  const double strip = std::abs(wedge.W) * 0.5 * wedge.Spacing / std::max(reach, 1e-30);
+  return 3 + static_cast<int>(std::min(std::ceil(strip / columnAngle), 45.0));
+}
+
 //------------------------------------------------------------------------------
 // What the runs hide of some pixels, as many as there are lanes. All of them at once are measured faster
 // than each pixel's on its own.
 class SeenRuns
 {
 public:
-  explicit SeenRuns(ShadowLines& memory)
+  // unsure: see CountUnsureColumns().
+  SeenRuns(ShadowLines& memory, int unsure)
     : Memory(memory)
+    , Unsure(unsure)
   {
   }
 
@@ -381,16 +399,21 @@ public:
       const Float b = hn::TableLookupLanes(meeting[1], indices);
       const Float c = hn::TableLookupLanes(meeting[2], indices);
       const Float e = hn::TableLookupLanes(meeting[3], indices);
-      const auto toDepth = [&](const int* columns) HWY_ATTR
+      const auto toDepth = [&](const int* columns, int more) HWY_ATTR
       {
-        const auto column = hn::LoadU(di, columns + i);
+        const auto column = hn::Add(hn::LoadU(di, columns + i), hn::Set(di, more));
         const Float x = hn::GatherIndex(d, edges.X, column);
         const Float y = hn::GatherIndex(d, edges.Y, column);
         const Float rate = hn::Max(hn::MulAdd(c, x, e * y), hn::Set(d, 1e-30f));
         return hn::Max(hn::Min(hn::MulAdd(a, x, b * y) / rate, end), begin);
       };
-      const Float low = toDepth(m.SeenBegin.data());
-      const Float high = toDepth(m.SeenEnd.data());
+      const Float low = toDepth(m.SeenBegin.data(), 0);
+      Float high = toDepth(m.SeenEnd.data(), 0);
+      if (this->Unsure > 0)
+      {
+        const Float within = toDepth(m.SeenEnd.data(), this->Unsure);
+        high = hn::IfThenElse(hn::Ge(within, end), end, high);
+      }
       if (hn::AllTrue(d, hn::Ge(low, high))) // beyond the ray's end
       {
         for (int plane = 0; plane < settings.Planes; ++plane)
@@ -436,6 +459,7 @@ public:
 
 private:
   ShadowLines& Memory;
+  const int Unsure;
   int Ends[8]; // of pixels' runs
 };
 }

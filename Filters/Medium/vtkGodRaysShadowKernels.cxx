@@ -38,7 +38,7 @@ public:
     , Sums(memory, tables.Ladder)
     , Runs(memory)
     , Shades(memory)
-    , Seen(memory)
+    , Seen(memory, CountUnsureColumns(wedge, grids, tables.Fan.Angle))
   {
   }
 

@@ -9,6 +9,9 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkLight.h"
+
+#include <algorithm>
 
 using namespace GodRaysTesting;
 
@@ -94,6 +97,44 @@ TEST_F(GodRaysShadowMapSweep, IsTheGroundTruthOfLamps)
     { "lamp behind", { 0.5, 1.0, 12.0, 1.0 }, 0.001 },
   });
   EXPECT_TRUE(this->IsSwept()) << this->Rays->GetPlan();
+}
+
+// A spotlight 0.16 below the top of a closed slab that the camera looks down to: all before the slab is dark,
+// also the pixels next to the light, where rays end shortly before it.
+TEST_F(GodRaysShadowMapSweep, ASpotlightInAClosedThingIsDarkOutside)
+{
+  this->Renderer->GetActiveCamera()->SetPosition(2.96, 2.22, -6.22);
+  this->Renderer->GetActiveCamera()->SetFocalPoint(0.23, -0.68, -1.19);
+  this->Renderer->GetActiveCamera()->SetViewAngle(62.0);
+  auto spot = MakeLamplight({ 1.32, -1.757, 2.376 });
+  spot->SetFocalPoint(1.1, -1.13, 0.84);
+  spot->SetConeAngle(22.6);
+  this->Rays->AddLight(spot);
+  auto slab = MakeBox({ 0.0, -1.7, 0.0 }, { 60.0, 0.2, 60.0 });
+  this->Renderer->AddActor(slab);
+  const auto getLargest = [this]()
+  {
+    auto image = this->GetScattering();
+    double largest = 0.0;
+    for (int i = 0; i < Width * Height; ++i)
+    {
+      largest = std::max(largest, GetValue(image, i % Width, i / Width));
+    }
+    return largest;
+  };
+  for (const double exponent : { 0.0, 8.0 })
+  {
+    spot->SetExponent(exponent);
+    slab->VisibilityOn();
+    this->Renderer->ResetCameraClippingRange();
+    const double closed = getLargest();
+    EXPECT_TRUE(this->IsSwept()) << this->Rays->GetPlan();
+    slab->VisibilityOff();
+    const double open = getLargest();
+    std::cout << "exponent " << exponent << ": " << closed / open << " of what it is without\n";
+    EXPECT_GT(open, 0.0);
+    EXPECT_LE(closed, 1e-5 * open); // what single precision leaves
+  }
 }
 
 TEST_F(GodRaysShadowMapSweep, IsTheGroundTruthInAParallelProjection)
