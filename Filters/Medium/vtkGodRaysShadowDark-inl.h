@@ -308,6 +308,7 @@ struct ColumnEdges
 // half a strip of the picture, which is as dark as its middle line, is seen to be from the light. What is lit
 // so shortly before a ray's end, after what is dark, is what lies on the far side of what is seen, as within
 // a closed thing with a light in it. Not of layers that let light through, whose runs follow each other.
+// At most 48: a fan's tables go on for 64 columns.
 inline int CountUnsureColumns(
   const CoverageWedge& wedge, const vtkGodRaysShadowGrids& grids, double columnAngle)
 {
