@@ -34,6 +34,31 @@ public:
 };
 vtkStandardNewMacro(NoProp);
 
+/// Whether the renderer's own steps can draw translucent props into the framebuffer that is bound. Its
+/// passes for them have several textures of their own, which VTK does not set where mappers write several at
+/// once already; and vtkOrderIndependentTranslucentPass copies depths into a texture of the window's format,
+/// which fails from another, as within vtkEDLShading.
+bool CanRendererBlend(const vtkRenderState* s)
+{
+  if (vtkGodRaysFramebuffer::HasSeveralBuffers())
+  {
+    return false;
+  }
+  vtkRenderer* renderer = s->GetRenderer();
+  vtkProp** const props = s->GetPropArray();
+  if (!s->GetFrameBuffer() || renderer->GetUseDepthPeeling() ||
+    std::none_of(props, props + s->GetPropArrayCount(),
+      [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; }))
+  {
+    return true;
+  }
+  auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  const unsigned int ofWindow = window->GetStencilCapable() ? GL_DEPTH24_STENCIL8
+    : window->GetDepthBufferSize() == 32                    ? GL_DEPTH_COMPONENT32
+                                                            : GL_DEPTH_COMPONENT24;
+  return vtkGodRaysFramebuffer().Formats.Depth == ofWindow;
+}
+
 /// All that follows the camera, once that has set the viewport.
 class Steps : public vtkRenderPass
 {
@@ -50,9 +75,7 @@ public:
     vtkRenderer* renderer = s->GetRenderer();
     this->UpdateLightGeometry(renderer);
     this->UpdateLights(renderer);
-    // The renderer's passes for translucent geometry have several textures of their own, which VTK does not
-    // set where mappers write several at once already.
-    if (vtkGodRaysFramebuffer::HasSeveralBuffers())
+    if (!CanRendererBlend(s))
     {
       this->OneByOne->Render(s);
       this->NumberOfRenderedProps = this->OneByOne->GetNumberOfRenderedProps();
