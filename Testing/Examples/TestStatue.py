@@ -105,7 +105,7 @@ class Window(unittest.TestCase):
     def test_models(self):
         def draw(model):
             return subprocess.run(
-                [sys.executable, EXAMPLE, "Statue-model.png", "400x300", model],
+                [sys.executable, EXAMPLE, "Statue-model-py.png", "400x300", model],
                 stderr=subprocess.PIPE, text=True)  # fmt: skip
 
         ball = vtk.vtkSphereSource()
