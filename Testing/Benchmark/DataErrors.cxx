@@ -19,6 +19,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <memory>
@@ -346,6 +347,7 @@ void DataErrors::WritePicture() const
       }
     }
   }
+  std::filesystem::create_directories(this->Settings.Folder + "/Gallery");
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(image);
   writer->SetFileName((this->Settings.Folder + "/Gallery/data-error.png").c_str());

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <regex>
 
 using namespace ModelError;
@@ -183,6 +184,7 @@ void ModelErrors::WritePictures(
   }
   std::string name = scene.Name;
   std::replace(name.begin(), name.end(), ' ', '-');
+  std::filesystem::create_directories(this->Settings.Folder + "/Gallery");
   WriteRow({ truth, pictures[0], ours, differences[0], differences[1] }, white, this->Results.Width,
     this->Results.Height, this->Settings.Folder + "/Gallery/model-error-" + name + ".png");
 }
