@@ -55,88 +55,120 @@ public:
     this->Blocks = end / ShadowBlock + 1;
     for (int node = 0; node < 2; ++node)
     {
-      const float* weights =
+      this->Weights[node] =
         this->Ladder.Weights.data() + static_cast<std::size_t>(step + node) * this->Ladder.Columns;
-      this->Weights[node] = weights;
-      float* inner = this->Memory.Inner[node].data();
-      float* outer = this->Memory.Outer[node].data();
-      float total = 0.0f;
-      for (int block = 0; block < this->Blocks; ++block)
+    }
+    const float* dark = this->Memory.Dark.data();
+    float* inner = this->Memory.Inner.data();
+    float* outer = this->Memory.Outer.data();
+    float totals[2] = {};
+    for (int block = 0; block < this->Blocks; ++block, inner += ShadowBlockRoom, outer += 2)
+    {
+      std::copy_n(totals, 2, outer);
+      if (this->Memory.DarkBlocks[block] == 0)
       {
-        const int first = block * ShadowBlock;
-        outer[block] = total;
-        float sum = 0.0f;
-        if (this->Memory.DarkBlocks[block] == 0)
-        {
-          std::fill_n(inner + first, ShadowBlock, 0.0f);
-          continue;
-        }
-        for (int j = first; j < first + ShadowBlock; ++j)
-        {
-          inner[j] = sum;
-          sum += weights[j] * this->Memory.Dark[j];
-        }
-        total += sum;
+        std::fill_n(inner, 2 * ShadowBlock + 2, 0.0f);
+        continue;
       }
-      inner[this->Blocks * ShadowBlock] = 0.0f;
-      std::fill_n(outer + this->Blocks, 16, total);
+      const FourTag d;
+      auto one = hn::Zero(d); // sums before
+      auto other = hn::Zero(d);
+      for (int j = 0; j < ShadowBlock; j += FourLanes)
+      {
+        const int column = block * ShadowBlock + j;
+        const auto part = hn::LoadU(d, dark + column);
+        const auto ofOne = one + SumLanes(part * hn::LoadU(d, this->Weights[0] + column));
+        const auto ofOther = other + SumLanes(part * hn::LoadU(d, this->Weights[1] + column));
+        hn::StoreInterleaved2(ofOne, ofOther, d, inner + 2 * j + 2);
+        one = hn::Broadcast<FourLanes - 1>(ofOne);
+        other = hn::Broadcast<FourLanes - 1>(ofOther);
+      }
+      std::fill_n(inner, 2, 0.0f);
+      for (int node = 0; node < 2; ++node)
+      {
+        totals[node] += inner[2 * ShadowBlock + node];
+      }
     }
   }
 
   HWY_INLINE void Add(int column)
   {
-    this->Add(column, [](float weight) { return weight; });
+    this->Add(column, this->Weights[0][column], this->Weights[1][column]);
   }
   HWY_INLINE void Add(int column, float part)
   {
-    this->Add(column, [part](float weight) { return weight * part; });
+    this->Add(column, part * this->Weights[0][column], part * this->Weights[1][column]);
   }
 
-  template <typename Weigh>
-  HWY_INLINE void Add(int column, const Weigh& weigh)
+  // Before a place in a column, at both steps.
+  HWY_INLINE void Read(unsigned int column, float within, float* sums) const
+  {
+    const hn::CappedTag<float, 2> d;
+    const unsigned int block = column / ShadowBlock;
+    const float* inner =
+      this->Memory.Inner.data() + block * ShadowBlockRoom + column % ShadowBlock * 2;
+    const float* outer = this->Memory.Outer.data() + 2 * block;
+    for (int node = 0; node < 2; node += hn::MaxLanes(d))
+    {
+      const auto low = hn::LoadU(d, inner + node);
+      const auto high = hn::LoadU(d, inner + node + 2);
+      const auto before = hn::LoadU(d, outer + node);
+      hn::StoreU(hn::MulAdd(hn::Set(d, within), high - low, before + low), d, sums + node);
+    }
+  }
+
+private:
+  using FourTag = hn::CappedTag<float, 4>;
+  static constexpr int FourLanes = HWY_TARGET == HWY_SCALAR ? 1 : 4;
+
+  // The sums of the numbers up to each.
+  static HWY_INLINE hn::Vec<FourTag> SumLanes(hn::Vec<FourTag> x)
+  {
+#if HWY_TARGET != HWY_SCALAR
+    const FourTag d;
+    x = x + hn::ShiftLeftLanes<1>(d, x);
+    x = x + hn::ShiftLeftLanes<2>(d, x);
+#endif
+    return x;
+  }
+
+  // One number and the other in turn, from the place k on.
+  static HWY_INLINE Float Alternate(float one, float other, int k)
+  {
+    const FloatTag d;
+#if HWY_TARGET == HWY_SCALAR
+    return hn::Set(d, k % 2 == 0 ? one : other);
+#else
+    static_cast<void>(k); // even
+    return hn::OddEven(hn::Set(d, other), hn::Set(d, one));
+#endif
+  }
+
+  // To what follows the column in its block, and to the blocks that follow.
+  HWY_INLINE void Add(int column, float one, float other)
   {
     const FloatTag d;
     const int lanes = GetLanes();
     const int block = column / ShadowBlock;
-    const float* before = this->Memory.IsAfter.data() + this->Memory.IsAfter.size() / 2 - 1;
-    const float* inside = before - column % ShadowBlock;
-    const float* outside = before - block;
-    for (int node = 0; node < 2; ++node)
+    const float* after = this->Memory.IsAfter.data() + this->Memory.IsAfter.size() / 2;
+    const float* inside = after - 2 * (column % ShadowBlock + 1);
+    const float* outside = after - 2 * (block + 1);
+    float* inner = this->Memory.Inner.data() + block * ShadowBlockRoom;
+    for (int k = 0; k < 2 * ShadowBlock + 2; k += lanes)
     {
-      const Float weight = hn::Set(d, weigh(this->Weights[node][column]));
-      float* inner = this->Memory.Inner[node].data() + block * ShadowBlock;
-      for (int k = 0; k < ShadowBlock; k += lanes)
-      {
-        hn::StoreU(
-          hn::MulAdd(weight, hn::LoadU(d, inside + k), hn::LoadU(d, inner + k)), d, inner + k);
-      }
-      float* outer = this->Memory.Outer[node].data();
-      for (int k = 0; k <= this->Blocks; k += lanes)
-      {
-        hn::StoreU(
-          hn::MulAdd(weight, hn::LoadU(d, outside + k), hn::LoadU(d, outer + k)), d, outer + k);
-      }
+      hn::StoreU(
+        hn::MulAdd(Alternate(one, other, k), hn::LoadU(d, inside + k), hn::LoadU(d, inner + k)), d,
+        inner + k);
+    }
+    float* outer = this->Memory.Outer.data();
+    for (int k = 0; k < 2 * this->Blocks; k += lanes)
+    {
+      hn::StoreU(
+        hn::MulAdd(Alternate(one, other, k), hn::LoadU(d, outside + k), hn::LoadU(d, outer + k)), d,
+        outer + k);
     }
   }
 
-  // Before a place in columns, at a part of the way from the first step to the second.
-  HWY_INLINE float Read(float place, float part) const
-  {
-    const int column = static_cast<int>(place);
-    const float within = place - column;
-    float sums[2];
-    for (int node = 0; node < 2; ++node)
-    {
-      const float* inner = this->Memory.Inner[node].data();
-      const float* outer = this->Memory.Outer[node].data();
-      const float low = outer[column / ShadowBlock] + inner[column];
-      const float high = outer[(column + 1) / ShadowBlock] + inner[column + 1];
-      sums[node] = low + within * (high - low);
-    }
-    return sums[0] + part * (sums[1] - sums[0]);
-  }
-
-private:
   ShadowLines& Memory;
   const ShadowLadder& Ladder;
   const float* Weights[2] = {};

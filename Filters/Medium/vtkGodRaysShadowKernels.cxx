@@ -288,9 +288,11 @@ private:
       const Float perColumn = SetFloat(extinction * this->Width) * hn::Sqrt(square) / q;
       const Float step =
         hn::Log(d, perColumn * SetFloat(1.0 / this->Ladder.First)) * SetFloat(perStep);
-      const Float before = hn::Exp(d,
-        hn::Max(hn::Min(perColumn * SetFloat(-this->Start / this->Width), SetFloat(60.0)),
-          SetFloat(-80.0)));
+      const Float before = this->Start == 0.0
+        ? SetFloat(1.0)
+        : hn::Exp(d,
+            hn::Max(hn::Min(perColumn * SetFloat(-this->Start / this->Width), SetFloat(60.0)),
+              SetFloat(-80.0)));
       hn::StoreU(q * SetFloat(1.0 / this->Width), d, this->Memory.Perpendicular.data() + k);
       hn::StoreU(perColumn, d, this->Memory.Extinction.data() + k);
       hn::StoreU(hn::Min(hn::Max(step, hn::Zero(d)), SetFloat(this->Ladder.Steps - 1.001)), d,
@@ -308,7 +310,7 @@ private:
     const Float each = SetFloat(ShadowLadder::Each);
     const Float fine = SetFloat(1 << ShadowLadder::Octaves);
     const Float one = SetFloat(1.0);
-    const Float lastColumn = SetFloat(GetShadowColumn(this->Columns));
+    const Float farthest = SetFloat(GetShadowColumn(this->Columns));
     const auto zero = hn::Zero(di);
     for (int i = 0; i < this->Pixels; i += GetLanes())
     {
@@ -323,8 +325,8 @@ private:
           SetFloat(-this->Start / this->Width));
       const Float at = hn::Min(hn::Max(end, hn::Zero(d)), SetFloat(1e6));
       const auto column = hn::IfThenElseZero(inside, hn::LoadU(di, this->Memory.Column.data() + i));
-      this->StoreCorrections(i, hn::Min(at, lastColumn),
-        hn::GatherIndex(d, this->Memory.Extinction.data(), row),
+      const Float extinction = hn::GatherIndex(d, this->Memory.Extinction.data(), row);
+      this->StoreCorrections(i, hn::Min(at, farthest), extinction,
         this->GetLonger(hn::ConvertTo(d, column), hn::ConvertTo(d, row)));
       // The column is told by exponent and first bits of the mantissa.
       const Float y = hn::Min(at, each) * fine;
@@ -346,13 +348,28 @@ private:
       first = hn::IfThenElse(hn::RebindMask(di, isLower), zero, first);
       first = hn::IfThenElse(hn::RebindMask(di, isUpper),
         hn::Set(di, ShadowLadder::Each * ShadowLadder::Octaves), first);
-      // (1 - e^-ab)/(1 - e^-a), b of a column that is a thick
-      const Float b = x - whole;
-      const Float thick = hn::GatherIndex(d, this->Memory.Extinction.data(), row) * width;
-      const Float part = Absorbed(d, thick * b) / Absorbed(d, hn::Max(thick, SetFloat(1e-20)));
-      hn::StoreU(hn::ConvertTo(d, first) + whole + hn::Min(part, SetFloat(0.9999)), d,
-        this->Memory.Last.data() + i);
+      const Float part = GetAbsorbedPart(extinction * width, x - whole);
+      const Float last = hn::Min(
+        hn::ConvertTo(d, first) + whole + hn::Min(part, SetFloat(0.9999)), SetFloat(this->Columns));
+      const auto lastColumn = hn::ConvertTo(di, last);
+      hn::StoreU(last, d, this->Memory.Last.data() + i);
+      hn::StoreU(lastColumn, di, this->Memory.LastColumn.data() + i);
+      hn::StoreU(last - hn::ConvertTo(d, lastColumn), d, this->Memory.Within.data() + i);
     }
+  }
+
+  // (1 - e^-ab)/(1 - e^-a), b of a column that is a thick. Of thin ones within 1e-6, by the first terms in a:
+  // b (1 + (1 - b) a/2 (1 + (1 - 2 b) a/6)).
+  static HWY_INLINE Float GetAbsorbedPart(Float a, Float b)
+  {
+    const FloatTag d;
+    const Float one = SetFloat(1.0);
+    if (hn::AllTrue(d, hn::Lt(a, SetFloat(0.05))))
+    {
+      const Float second = hn::MulAdd((one - b - b) * SetFloat(1.0 / 6.0), a, one);
+      return b * hn::MulAdd((one - b) * SetFloat(0.5) * a, second, one);
+    }
+    return Absorbed(d, a * b) / Absorbed(d, hn::Max(a, SetFloat(1e-20)));
   }
 
   // How much longer pixels' rays are than the line's in their rows, for each unit of depth [fraction].
@@ -394,9 +411,9 @@ private:
       change = change - (first + shift) * (one - before);
       hidden = hidden - before;
     }
-    const Float all = hn::Max(hidden, SetFloat(1e-12));
-    const Float part = SetFloat(0.5 * step * step) * excess / all;
-    hn::StoreU(hn::MulAdd(longer, change / all, one), d, this->Memory.Stretch.data() + pixel);
+    const Float perAll = one / hn::Max(hidden, SetFloat(1e-12));
+    const Float part = SetFloat(0.5 * step * step) * excess * perAll;
+    hn::StoreU(hn::MulAdd(longer, change * perAll, one), d, this->Memory.Stretch.data() + pixel);
     hn::StoreU(hn::Max(hn::Min(part, SetFloat(0.02)), SetFloat(-0.02)), d,
       this->Memory.Excess.data() + pixel);
   }
@@ -406,38 +423,42 @@ private:
   template <bool InParts>
   void Hide(int channel)
   {
-    float* hidden = this->Picture.Hidden[channel];
     const float* parts = this->Memory.Part[channel].data();
     const int* rows = this->Memory.Row.data();
     const float* steps = this->Memory.Step.data();
+    const float* last = this->Memory.Last.data();
+    const int* head = this->Memory.Head.data();
     const int* next = this->Memory.Next.data();
+    const int* columns = this->Memory.LastColumn.data();
+    const float* within = this->Memory.Within.data();
+    float* sums = this->Memory.Sums.data();
     this->Sums.Clear(this->Columns);
     int row = 0; // columns that turn dark before it are marked
-    for (int i = 0; i < this->Pixels;)
+    for (int begin = 0; begin < this->Pixels;)
     {
-      const int step = std::min(static_cast<int>(steps[rows[i]]), this->Ladder.Steps - 2);
+      const int step = std::min(static_cast<int>(steps[rows[begin]]), this->Ladder.Steps - 2);
       const float low = step - 0.2f;
       const float high = step + 1.2f;
-      int end = i;
+      int end = begin;
       float most = 0.0f;
       for (; end < this->Pixels && steps[rows[end]] >= low && steps[rows[end]] <= high; ++end)
       {
-        most = std::max(most, this->Memory.Last[end]);
+        most = std::max(most, last[end]);
       }
       const int needed = static_cast<int>(std::min(this->Columns + 0.0f, most + 1.0f));
-      for (; row < rows[i]; ++row)
+      for (; row < rows[begin]; ++row)
       {
-        for (int j = this->Memory.Head[row]; j >= 0; j = next[j])
+        for (int j = head[row]; j >= 0; j = next[j])
         {
           InParts ? this->Sums.Mark(this->GetColumn(j), parts[j]) : this->Sums.Mark(j);
         }
       }
       this->Sums.Build(step, needed);
-      for (; i < end; ++i)
+      for (int i = begin; i < end; ++i)
       {
         for (; row <= rows[i]; ++row)
         {
-          for (int j = this->Memory.Head[row]; j >= 0; j = next[j])
+          for (int j = head[row]; j >= 0; j = next[j])
           {
             const int column = InParts ? this->GetColumn(j) : j;
             InParts ? this->Sums.Mark(column, parts[j]) : this->Sums.Mark(column);
@@ -447,11 +468,38 @@ private:
             }
           }
         }
-        const float place = std::min(this->Memory.Last[i], static_cast<float>(needed));
-        const float part = steps[rows[i]] - step;
-        hidden[this->Memory.Offset[i]] = this->Sums.Read(place, part) *
-          this->Memory.Before[rows[i]] * (1.0f - part * (1.0f - part) * this->Memory.Excess[i]) *
-          this->Memory.Stretch[i];
+        this->Sums.Read(columns[i], within[i], sums + 2 * i);
+      }
+      this->WriteHidden(begin, end, step, this->Picture.Hidden[channel]);
+      begin = end;
+    }
+  }
+
+  // Of pixels whose sums are of a step and the next one.
+  void WriteHidden(int begin, int end, int step, float* hidden) const
+  {
+    const FloatTag d;
+    const IntTag di;
+    const int* offsets = this->Memory.Offset.data();
+    for (int i = begin; i < end; i += GetLanes())
+    {
+      const int count = std::min(end - i, GetLanes());
+      const auto row = hn::IfThenElseZero(
+        hn::RebindMask(di, hn::FirstN(d, count)), hn::LoadU(di, this->Memory.Row.data() + i));
+      const Float part = hn::GatherIndex(d, this->Memory.Step.data(), row) - SetFloat(step);
+      Float one;
+      Float other;
+      hn::LoadInterleaved2(d, this->Memory.Sums.data() + 2 * i, one, other);
+      const Float excess =
+        part * (SetFloat(1.0) - part) * hn::LoadU(d, this->Memory.Excess.data() + i);
+      const Float sum = hn::MulAdd(part, other - one, one) *
+        hn::GatherIndex(d, this->Memory.Before.data(), row) * (SetFloat(1.0) - excess) *
+        hn::LoadU(d, this->Memory.Stretch.data() + i);
+      HWY_ALIGN float sums[8];
+      hn::StoreU(sum, d, sums);
+      for (int pixel = 0; pixel < count; ++pixel)
+      {
+        hidden[offsets[i + pixel]] = sums[pixel];
       }
     }
   }

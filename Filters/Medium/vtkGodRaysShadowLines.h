@@ -19,7 +19,8 @@
 
 namespace vtkGodRays
 {
-constexpr int ShadowBlock = 32; // columns whose sums are one
+constexpr int ShadowBlock = 32;     // columns whose sums are one
+constexpr int ShadowBlockRoom = 72; // for two sums before each and after the last, whole vectors
 
 class ShadowLines
 {
@@ -34,15 +35,18 @@ public:
   std::vector<int> Head;               // the first column that turns dark there, or -1
   // Of its pixels.
   std::vector<int> Offset, Row, Column;
-  std::vector<float> Last;    // where rays end [columns, and part of the light of one]
+  std::vector<float> Last; // where rays end [columns, and part of the light of one]
+  std::vector<int> LastColumn;
+  std::vector<float> Within;  // it, a part
   std::vector<float> Excess;  // of sums between the ladder's steps [fraction]
   std::vector<float> Stretch; // what sums are times, as the pixel's ray is not the line's
+  std::vector<float> Sums;    // of what is dark before their ends, at two steps
   // Of columns.
   std::vector<int> Flip, Next;
   std::vector<float> Dark;       // 1 or 0
   std::vector<int> DarkBlocks;   // how many columns of each block are
-  std::vector<float> Inner[2];   // sums of what is dark before a column, in its block
-  std::vector<float> Outer[2];   // and in the blocks before
+  std::vector<float> Inner;      // sums of what is dark before a column, in its block, at two steps
+  std::vector<float> Outer;      // and in the blocks before
   std::vector<float> IsAfter;    // 0 in its first half, then 1
   std::vector<float> EdgePlaces; // where columns begin
   std::vector<float> Ones;
@@ -76,10 +80,12 @@ public:
     this->Offset.resize(4 * paddedRows);
     this->Row.resize(4 * paddedRows);
     this->Column.resize(4 * paddedRows);
-    for (std::vector<float>* values : { &this->Last, &this->Excess, &this->Stretch })
+    this->LastColumn.resize(4 * paddedRows);
+    for (std::vector<float>* values : { &this->Last, &this->Within, &this->Excess, &this->Stretch })
     {
       values->resize(4 * paddedRows);
     }
+    this->Sums.resize(8 * paddedRows);
     this->Room = columns + 64;
     this->Flip.resize(static_cast<std::size_t>(this->Room) * std::max(layers, 1));
     this->Next.resize(this->Flip.size());
@@ -102,11 +108,8 @@ public:
       this->IsAfter.assign(2 * blocks, 1.0f);
       std::fill_n(this->IsAfter.begin(), blocks, 0.0f);
     }
-    for (int i = 0; i < 2; ++i)
-    {
-      this->Inner[i].resize(columns + 64);
-      this->Outer[i].resize(blocks);
-    }
+    this->Inner.resize(blocks * ShadowBlockRoom);
+    this->Outer.resize(2 * blocks);
   }
 };
 }
