@@ -48,6 +48,7 @@ public:
     {
       return;
     }
+    this->ReadDepths();
     const bool inParts = this->Grids.NumberOfLayers > 0;
     if (this->Settings.Table->Kind != CoverageTable::NONE || this->Settings.Parallel)
     {
@@ -301,6 +302,18 @@ private:
     }
   }
 
+  // Of the ends of pixels' rays. The pixels lie far apart, and reads that nothing else waits between overlap.
+  void ReadDepths()
+  {
+    const float* ends = this->Picture.Ends;
+    const int* offsets = this->Memory.Offset.data();
+    float* depths = this->Memory.Depth.data();
+    for (int i = 0; i < this->Pixels; ++i)
+    {
+      depths[i] = ends[offsets[i]];
+    }
+  }
+
   // Where pixels' rays end.
   void MeasurePixels()
   {
@@ -317,9 +330,8 @@ private:
       const int valid = std::min(this->Pixels - i, GetLanes());
       const auto inside = hn::RebindMask(di, hn::FirstN(d, valid));
       const auto row = hn::IfThenElseZero(inside, hn::LoadU(di, this->Memory.Row.data() + i));
-      const auto offset = hn::IfThenElseZero(inside, hn::LoadU(di, this->Memory.Offset.data() + i));
       const Float depth =
-        hn::Min(hn::GatherIndex(d, this->Picture.Ends, offset), SetFloat(this->Settings.FarLimit));
+        hn::Min(hn::LoadU(d, this->Memory.Depth.data() + i), SetFloat(this->Settings.FarLimit));
       const Float end =
         hn::MulAdd(depth, hn::GatherIndex(d, this->Memory.Perpendicular.data(), row),
           SetFloat(-this->Start / this->Width));
@@ -548,7 +560,7 @@ private:
       const Float y = number((first - this->Image.Center[1]) * this->Settings.PixelSize,
         this->Wedge.Direction * this->Settings.PixelSize, k);
       const Float last =
-        hn::Min(hn::GatherIndex(d, this->Picture.Ends, offset), SetFloat(this->Settings.FarLimit));
+        hn::Min(hn::LoadU(d, this->Memory.Depth.data() + i), SetFloat(this->Settings.FarLimit));
       const Float begin = this->Picture.Begins
         ? hn::Min(hn::GatherIndex(d, this->Picture.Begins, offset), last)
         : hn::Zero(d);

@@ -35,7 +35,8 @@ public:
   std::vector<int> Head;               // the first column that turns dark there, or -1
   // Of its pixels.
   std::vector<int> Offset, Row, Column;
-  std::vector<float> Last; // where rays end [columns, and part of the light of one]
+  std::vector<float> Depth; // of where rays end
+  std::vector<float> Last;  // where rays end [columns, and part of the light of one]
   std::vector<int> LastColumn;
   std::vector<float> Within;  // it, a part
   std::vector<float> Excess;  // of sums between the ladder's steps [fraction]
@@ -81,7 +82,8 @@ public:
     this->Row.resize(4 * paddedRows);
     this->Column.resize(4 * paddedRows);
     this->LastColumn.resize(4 * paddedRows);
-    for (std::vector<float>* values : { &this->Last, &this->Within, &this->Excess, &this->Stretch })
+    for (std::vector<float>* values :
+      { &this->Depth, &this->Last, &this->Within, &this->Excess, &this->Stretch })
     {
       values->resize(4 * paddedRows);
     }
