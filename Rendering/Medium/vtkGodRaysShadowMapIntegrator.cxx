@@ -116,15 +116,19 @@ vtkGodRaysShadowMapIntegrator::~vtkGodRaysShadowMapIntegrator() = default;
 bool vtkGodRaysShadowMapIntegrator::Integrate(const Request& request)
 {
   Internals& self = *this->Internal;
-  vtkGodRaysTarget* const ends = request.Depths->GetEnds();
   self.ShadowsAlone = false;
-  if (!ends || !this->DrawMap(request))
+  if (!this->DrawMap(request))
   {
     return false;
   }
   if (self.IsSwept)
   {
     return this->Sweep(request);
+  }
+  vtkGodRaysTarget* const ends = request.Depths->GetEnds();
+  if (!ends)
+  {
+    return false;
   }
   const int size[2] = { ends->GetWidth(), ends->GetHeight() };
   const vtkGodRaysMediumRays rays(request, size);
@@ -170,14 +174,17 @@ bool vtkGodRaysShadowMapIntegrator::DrawMap(const Request& request)
 bool vtkGodRaysShadowMapIntegrator::Sweep(const Request& request)
 {
   Internals& self = *this->Internal;
-  vtkGodRaysTarget& ends = *request.Depths->GetEnds();
-  const int size[2] = { ends.GetWidth(), ends.GetHeight() };
+  int size[2];
+  request.Depths->GetSize(size);
   auto parameters = vtkGodRaysSweptLight::GetParameters(request, size, &self.GetMap().GetGrids());
   parameters.LineSpacing = this->LineSpacing;
   if (self.Frame != request.Depths->GetFrame())
   {
     const auto input = self.Swept.Sweep.PrepareInput(size[0], size[1], 1);
-    ends.Read(GL_RED, GL_FLOAT, input.Values[0], static_cast<int>(input.Stride));
+    if (!request.Depths->ReadEnds(input.Values[0]))
+    {
+      return false;
+    }
     self.Frame = request.Depths->GetFrame();
   }
   return self.Swept.Add(request, parameters, size);

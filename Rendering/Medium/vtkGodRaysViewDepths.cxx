@@ -7,10 +7,59 @@
 #include "vtkGodRaysViewDepthsFS.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkSMPTools.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
 #include <atomic>
+#include <cstdint>
+#include <cstring>
+
+namespace
+{
+/// As vtkGodRaysViewDepthsFS.glsl has it, of 1 - window depth.
+inline float FindViewDepth(float rest, const float terms[4])
+{
+  const float view = (terms[0] + terms[1] * rest) / (terms[2] + terms[3] * rest);
+  const float sky = vtkGodRaysViewDepths::OpenSky;
+  return (rest > 0.0f) & (view > 0.0f) & (view < sky) ? view : sky;
+}
+
+/// In place, of floats, or of integers that are 2^32 - 1 where depth is 1. Loops of a number that is known are
+/// what compilers make vectors of.
+void FindViewDepths(float* depths, vtkIdType count, bool isFixedPoint, const float terms[4])
+{
+  constexpr vtkIdType each = 64;
+  float rests[each] = {};
+  for (vtkIdType first = 0; first < count; first += each)
+  {
+    const vtkIdType number = std::min(each, count - first);
+    std::uint32_t numbers[each] = {};
+    std::memcpy(numbers, depths + first, number * sizeof(float));
+    if (isFixedPoint)
+    {
+      for (vtkIdType i = 0; i < each; ++i) // 31 bits
+      {
+        rests[i] = static_cast<float>(static_cast<std::int32_t>(~numbers[i] >> 1)) / 2147483648.0f;
+      }
+    }
+    else
+    {
+      std::memcpy(rests, numbers, sizeof(rests));
+      for (vtkIdType i = 0; i < each; ++i)
+      {
+        rests[i] = 1.0f - rests[i];
+      }
+    }
+    for (vtkIdType i = 0; i < each; ++i)
+    {
+      rests[i] = FindViewDepth(rests[i], terms);
+    }
+    std::memcpy(depths + first, rests, number * sizeof(float));
+  }
+}
+}
 
 //------------------------------------------------------------------------------
 vtkGodRaysViewDepths::vtkGodRaysViewDepths()
@@ -64,8 +113,8 @@ vtkGodRaysTarget* vtkGodRaysViewDepths::Get(int which)
   {
     return &target;
   }
-  const int size[2] = { static_cast<int>(this->Sources[0]->GetWidth()),
-    static_cast<int>(this->Sources[0]->GetHeight()) };
+  int size[2];
+  this->GetSize(size);
   vtkGodRaysView::Pinhole pinhole;
   target.Prepare(this->Window, size[0], size[1], { GL_R32F, 0 });
   if (!this->View->GetPinhole(size, pinhole) || !target.Bind())
@@ -78,9 +127,8 @@ vtkGodRaysTarget* vtkGodRaysViewDepths::Get(int which)
   {
     return nullptr;
   }
-  const float terms[4] = { static_cast<float>(pinhole.Depth[0]),
-    static_cast<float>(pinhole.Depth[1]), static_cast<float>(pinhole.Depth[2]),
-    static_cast<float>(pinhole.Depth[3]) };
+  float terms[4];
+  std::copy_n(pinhole.Depth, 4, terms);
   program->SetUniform4f("depthTerms", terms);
   program->SetUniformf("openSky", OpenSky);
   program->SetUniformf("viewScale", static_cast<float>(this->View->ViewScale));
@@ -95,8 +143,50 @@ vtkGodRaysTarget* vtkGodRaysViewDepths::Get(int which)
 }
 
 //------------------------------------------------------------------------------
+void vtkGodRaysViewDepths::GetSize(int size[2]) const
+{
+  size[0] = static_cast<int>(this->Sources[0]->GetWidth());
+  size[1] = static_cast<int>(this->Sources[0]->GetHeight());
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysViewDepths::ReadEnds(float* depths)
+{
+  if (this->HasEnds() || this->Drawn[0])
+  {
+    vtkGodRaysTarget* const ends = this->GetEnds();
+    if (ends)
+    {
+      ends->Read(GL_RED, GL_FLOAT, depths, 0);
+    }
+    return ends != nullptr;
+  }
+  int size[2];
+  this->GetSize(size);
+  vtkGodRaysView::Pinhole pinhole;
+  if (!this->View->GetPinhole(size, pinhole))
+  {
+    return false;
+  }
+  this->Layer.Prepare(this->Window, 0, this->Sources[0]);
+  GLint kind = GL_UNSIGNED_NORMALIZED;
+  this->Sources[0]->Activate();
+  glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_DEPTH_TYPE, &kind);
+  this->Sources[0]->Deactivate();
+  const bool isFixedPoint = kind != GL_FLOAT;
+  this->Layer.Read(GL_DEPTH_COMPONENT, isFixedPoint ? GL_UNSIGNED_INT : GL_FLOAT, depths, 0);
+  float terms[4];
+  std::copy_n(pinhole.Depth, 4, terms);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(size[0]) * size[1], 65536,
+    [&](vtkIdType begin, vtkIdType end)
+    { FindViewDepths(depths + begin, end - begin, isFixedPoint, terms); });
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void vtkGodRaysViewDepths::Release(vtkWindow* window)
 {
+  this->Layer.Release(window); // before the depth that it borrows
   this->Quad.Release();
   for (vtkGodRaysTarget& target : this->Depths)
   {

@@ -60,6 +60,17 @@ public:
   bool HasEnds() const { return this->Sources[1] != nullptr; }
   ///@}
 
+  /**
+   * The size of the layer.
+   */
+  void GetSize(int size[2]) const;
+
+  /**
+   * Copy where view rays end to memory, rows one after the other: from window depths, without drawing, where
+   * these are the layer's alone. False after an error.
+   */
+  bool ReadEnds(float* depths);
+
   void Release(vtkWindow* window);
 
 private:
@@ -67,6 +78,7 @@ private:
 
   vtkGodRaysQuad Quad;
   vtkGodRaysTarget Depths[2];
+  vtkGodRaysTarget Layer; // the occluders' window depths, to be read
   bool Drawn[2] = { false, false };
   vtkTextureObject* Sources[2] = { nullptr, nullptr };
   vtkOpenGLRenderWindow* Window = nullptr;

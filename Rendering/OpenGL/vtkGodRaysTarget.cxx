@@ -102,7 +102,7 @@ void vtkGodRaysTarget::Prepare(
 {
   const int width = static_cast<int>(depth->GetWidth());
   const int height = static_cast<int>(depth->GetHeight());
-  if (this->Color && this->IsOf(window) && this->Depth == depth && this->Width == width &&
+  if (this->IsOf(window) && this->Depth == depth && this->Width == width &&
     this->Height == height && this->Formats.Color == color)
   {
     return;
@@ -111,7 +111,7 @@ void vtkGodRaysTarget::Prepare(
   this->Width = width;
   this->Height = height;
   this->Formats = { color, 0 };
-  this->Color = MakeColor(window, width, height, color);
+  this->Color = color ? MakeColor(window, width, height, color) : nullptr;
   this->Depth = depth;
   this->Attach(window);
 }

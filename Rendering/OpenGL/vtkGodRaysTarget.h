@@ -42,7 +42,8 @@ public:
 
   ///@{
   /**
-   * Make textures of this size and format, for this window. The second form borrows the depth texture.
+   * Make textures of this size and format, for this window. The second form borrows the depth texture;
+   * without a format of colours there are none.
    */
   void Prepare(vtkOpenGLRenderWindow* window, int width, int height, Format format);
   void Prepare(vtkOpenGLRenderWindow* window, unsigned int color, vtkTextureObject* depth);
@@ -81,7 +82,7 @@ public:
   ///@}
 
   /**
-   * Copy the colours to memory; waits for the drawing. OpenGL format and type; rowLength is how far
+   * Copy the colours, or depths, to memory; waits for the drawing. OpenGL format and type; rowLength is how far
    * apart rows are in memory [pixels], 0 for the width.
    */
   void Read(unsigned int format, unsigned int type, void* pixels, int rowLength);
