@@ -55,6 +55,8 @@ public:
       inParts ? this->HideRuns<true>() : this->HideRuns<false>();
       return;
     }
+    this->FindLengths();
+    this->FindEnds();
     for (int c = 0; c < this->Settings.Channels; ++c)
     {
       this->MeasureRows(this->Settings.Extinction[c]);
@@ -274,10 +276,10 @@ private:
     hn::StoreU(hn::ConvertTo(di, row), di, this->Memory.Flip.data() + place);
   }
 
-  void MeasureRows(double extinction)
+  // How long rays are in a column.
+  void FindLengths()
   {
     const FloatTag d;
-    const double perStep = 1.0 / std::log(ShadowLadder::Ratio);
     for (int k = 0; k < this->Rows; k += GetLanes())
     {
       const Float n = CountFrom(d, static_cast<float>(k));
@@ -286,15 +288,28 @@ private:
       const Float square =
         hn::MulAdd(n, hn::MulAdd(n, SetFloat(this->Square[2]), SetFloat(this->Square[1])),
           SetFloat(this->Square[0]));
-      const Float perColumn = SetFloat(extinction * this->Width) * hn::Sqrt(square) / q;
+      const Float length = SetFloat(this->Width) * hn::Sqrt(square) / q;
+      hn::StoreU(q * SetFloat(1.0 / this->Width), d, this->Memory.Perpendicular.data() + k);
+      hn::StoreU(length, d, this->Memory.Length.data() + k);
+      hn::StoreU(hn::Log(d, length), d, this->Memory.LogLength.data() + k);
+    }
+  }
+
+  void MeasureRows(double extinction)
+  {
+    const FloatTag d;
+    const double perStep = 1.0 / std::log(ShadowLadder::Ratio);
+    const Float firstStep = SetFloat(std::log(extinction / this->Ladder.First) * perStep);
+    for (int k = 0; k < this->Rows; k += GetLanes())
+    {
+      const Float perColumn = hn::LoadU(d, this->Memory.Length.data() + k) * SetFloat(extinction);
       const Float step =
-        hn::Log(d, perColumn * SetFloat(1.0 / this->Ladder.First)) * SetFloat(perStep);
+        hn::MulAdd(hn::LoadU(d, this->Memory.LogLength.data() + k), SetFloat(perStep), firstStep);
       const Float before = this->Start == 0.0
         ? SetFloat(1.0)
         : hn::Exp(d,
             hn::Max(hn::Min(perColumn * SetFloat(-this->Start / this->Width), SetFloat(60.0)),
               SetFloat(-80.0)));
-      hn::StoreU(q * SetFloat(1.0 / this->Width), d, this->Memory.Perpendicular.data() + k);
       hn::StoreU(perColumn, d, this->Memory.Extinction.data() + k);
       hn::StoreU(hn::Min(hn::Max(step, hn::Zero(d)), SetFloat(this->Ladder.Steps - 1.001)), d,
         this->Memory.Step.data() + k);
@@ -315,7 +330,7 @@ private:
   }
 
   // Where pixels' rays end.
-  void MeasurePixels()
+  void FindEnds()
   {
     const FloatTag d;
     const IntTag di;
@@ -337,9 +352,9 @@ private:
           SetFloat(-this->Start / this->Width));
       const Float at = hn::Min(hn::Max(end, hn::Zero(d)), SetFloat(1e6));
       const auto column = hn::IfThenElseZero(inside, hn::LoadU(di, this->Memory.Column.data() + i));
-      const Float extinction = hn::GatherIndex(d, this->Memory.Extinction.data(), row);
-      this->StoreCorrections(i, hn::Min(at, farthest), extinction,
-        this->GetLonger(hn::ConvertTo(d, column), hn::ConvertTo(d, row)));
+      hn::StoreU(hn::Min(at, farthest), d, this->Memory.At.data() + i);
+      hn::StoreU(this->GetLonger(hn::ConvertTo(d, column), hn::ConvertTo(d, row)), d,
+        this->Memory.Longer.data() + i);
       // The column is told by exponent and first bits of the mantissa.
       const Float y = hn::Min(at, each) * fine;
       const auto bits = hn::ShiftRight<shift>(hn::BitCast(di, y));
@@ -360,9 +375,30 @@ private:
       first = hn::IfThenElse(hn::RebindMask(di, isLower), zero, first);
       first = hn::IfThenElse(hn::RebindMask(di, isUpper),
         hn::Set(di, ShadowLadder::Each * ShadowLadder::Octaves), first);
-      const Float part = GetAbsorbedPart(extinction * width, x - whole);
-      const Float last = hn::Min(
-        hn::ConvertTo(d, first) + whole + hn::Min(part, SetFloat(0.9999)), SetFloat(this->Columns));
+      hn::StoreU(hn::ConvertTo(d, first) + whole, d, this->Memory.Whole.data() + i);
+      hn::StoreU(x - whole, d, this->Memory.Rest.data() + i);
+      hn::StoreU(width, d, this->Memory.LastWidth.data() + i);
+    }
+  }
+
+  void MeasurePixels()
+  {
+    const FloatTag d;
+    const IntTag di;
+    for (int i = 0; i < this->Pixels; i += GetLanes())
+    {
+      const int valid = std::min(this->Pixels - i, GetLanes());
+      const auto row = hn::IfThenElseZero(
+        hn::RebindMask(di, hn::FirstN(d, valid)), hn::LoadU(di, this->Memory.Row.data() + i));
+      const Float extinction = hn::GatherIndex(d, this->Memory.Extinction.data(), row);
+      this->StoreCorrections(i, hn::LoadU(d, this->Memory.At.data() + i), extinction,
+        hn::LoadU(d, this->Memory.Longer.data() + i));
+      const Float part =
+        GetAbsorbedPart(extinction * hn::LoadU(d, this->Memory.LastWidth.data() + i),
+          hn::LoadU(d, this->Memory.Rest.data() + i));
+      const Float last =
+        hn::Min(hn::LoadU(d, this->Memory.Whole.data() + i) + hn::Min(part, SetFloat(0.9999)),
+          SetFloat(this->Columns));
       const auto lastColumn = hn::ConvertTo(di, last);
       hn::StoreU(last, d, this->Memory.Last.data() + i);
       hn::StoreU(lastColumn, di, this->Memory.LastColumn.data() + i);

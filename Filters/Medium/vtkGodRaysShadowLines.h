@@ -29,14 +29,22 @@ public:
   std::vector<float> RowFirst, RowEnd; // pixels of the wedge
   std::vector<int> Begin, End;         // pixels of the line
   std::vector<float> Perpendicular;    // distance from the axis at depth 1 [columns]
+  std::vector<float> Length;           // of a column
+  std::vector<float> LogLength;        // its natural logarithm
   std::vector<float> Extinction;       // for each column's width
   std::vector<float> Step;             // place on the ladder
   std::vector<float> Before;           // transmittance of what is before the first column
   std::vector<int> Head;               // the first column that turns dark there, or -1
   // Of its pixels.
   std::vector<int> Offset, Row, Column;
-  std::vector<float> Depth; // of where rays end
-  std::vector<float> Last;  // where rays end [columns, and part of the light of one]
+  std::vector<float> Depth;     // of where rays end
+  std::vector<float> At;        // the same [whole columns]
+  std::vector<float> Whole;     // columns before it
+  std::vector<float> Rest;      // and a part of the next one, of this width
+  std::vector<float> LastWidth; // [whole columns]
+  std::vector<float>
+    Longer;                // by so much the pixel's ray is than the line's, for each unit of depth
+  std::vector<float> Last; // where rays end [columns, and part of the light of one]
   std::vector<int> LastColumn;
   std::vector<float> Within;  // it, a part
   std::vector<float> Excess;  // of sums between the ladder's steps [fraction]
@@ -70,7 +78,7 @@ public:
   {
     const std::size_t paddedRows = rows + 16;
     for (std::vector<float>* values : { &this->RowFirst, &this->RowEnd, &this->Perpendicular,
-           &this->Extinction, &this->Step, &this->Before })
+           &this->Length, &this->LogLength, &this->Extinction, &this->Step, &this->Before })
     {
       values->resize(paddedRows);
     }
@@ -83,7 +91,8 @@ public:
     this->Column.resize(4 * paddedRows);
     this->LastColumn.resize(4 * paddedRows);
     for (std::vector<float>* values :
-      { &this->Depth, &this->Last, &this->Within, &this->Excess, &this->Stretch })
+      { &this->Depth, &this->At, &this->Whole, &this->Rest, &this->LastWidth, &this->Longer,
+        &this->Last, &this->Within, &this->Excess, &this->Stretch })
     {
       values->resize(4 * paddedRows);
     }

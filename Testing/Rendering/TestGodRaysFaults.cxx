@@ -232,7 +232,7 @@ TEST_P(GodRaysFaults, OfAnyShaderLeaveTheSceneAsWithoutRays)
     EXPECT_GT(CountDifferentPixels(world.Draw(), world.Without), 100);
     texts = ShaderTexts;
   }
-  ASSERT_GT(texts.size(), 3u);
+  ASSERT_GE(texts.size(), 2u); // a pass's, of vertices and of fragments
   int refused = 0;
   for (std::size_t i = 0; i < texts.size(); ++i)
   {
