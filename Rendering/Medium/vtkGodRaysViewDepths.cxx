@@ -26,8 +26,8 @@ inline float FindViewDepth(float rest, const float terms[4])
   return (rest > 0.0f) & (view > 0.0f) & (view < sky) ? view : sky;
 }
 
-/// In place, of floats, or of integers that are 2^32 - 1 where depth is 1. Loops of a number that is known are
-/// what compilers make vectors of.
+/// In place, of floats, or of integers that are 2^32 - 1 where depth is 1. Compilers make vectors of loops
+/// whose number they know.
 void FindViewDepths(float* depths, vtkIdType count, bool isFixedPoint, const float terms[4])
 {
   constexpr vtkIdType each = 64;

@@ -82,8 +82,8 @@ public:
   ///@}
 
   /**
-   * Copy the colours, or depths, to memory; waits for the drawing. OpenGL format and type; rowLength is how far
-   * apart rows are in memory [pixels], 0 for the width.
+   * Copy the colours, or depths, to memory; waits for the drawing. OpenGL format and type; rowLength is
+   * how far apart rows are in memory [pixels], 0 for the width.
    */
   void Read(unsigned int format, unsigned int type, void* pixels, int rowLength);
 

@@ -37,10 +37,10 @@ const int Width = 1280;
 const int Height = 800;
 const int FontSize = 17;
 
-/// Told apart also by the colour-blind: Okabe and Ito's, but for yellow; two more.
+/// Told apart also by the colour-blind: Okabe and Ito's, but for yellow; three more.
 const unsigned char Colors[][3] = { { 0, 114, 178 }, { 86, 180, 233 }, { 204, 121, 167 },
-  { 90, 90, 90 }, { 213, 94, 0 }, { 0, 158, 115 }, { 230, 159, 0 }, { 110, 60, 20 },
-  { 90, 0, 140 } };
+  { 90, 90, 90 }, { 213, 94, 0 }, { 0, 158, 115 }, { 230, 159, 0 }, { 110, 60, 20 }, { 90, 0, 140 },
+  { 200, 16, 46 } };
 const int NumberOfColors = sizeof(Colors) / sizeof(Colors[0]);
 
 const int Markers[] = { vtkPlotPoints::CIRCLE, vtkPlotPoints::SQUARE, vtkPlotPoints::DIAMOND };

@@ -21,6 +21,7 @@
 
 vtkStandardNewMacro(ClosedFormIntegrator);
 vtkStandardNewMacro(FroxelsIntegrator);
+vtkStandardNewMacro(TreesIntegrator);
 
 using vtkGodRays::Vec3;
 
@@ -68,16 +69,12 @@ void FillRow(Froxels& froxels, int row, const vtkGodRaysCoverageSweep::Parameter
 // No grid has an occluder.
 bool ClosedFormIntegrator::Integrate(const Request& request)
 {
-  vtkGodRaysTarget* const ends = request.Depths->GetEnds();
-  if (!ends)
-  {
-    return false;
-  }
-  const int size[2] = { ends->GetWidth(), ends->GetHeight() };
+  int size[2];
+  request.Depths->GetSize(size);
   const auto input = this->Light.Sweep.PrepareInput(size[0], size[1], 1);
-  ends->Read(GL_RED, GL_FLOAT, input.Values[0], static_cast<int>(input.Stride));
   const vtkGodRaysShadowGrids none;
-  return this->Light.Add(request, vtkGodRaysSweptLight::GetParameters(request, size, &none), size);
+  return request.Depths->ReadEnds(input.Values[0]) &&
+    this->Light.Add(request, vtkGodRaysSweptLight::GetParameters(request, size, &none), size);
 }
 
 //------------------------------------------------------------------------------
@@ -93,7 +90,7 @@ void ClosedFormIntegrator::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
-FroxelsIntegrator::FroxelsIntegrator()
+PictureIntegrator::PictureIntegrator()
 {
   this->Map->SweepMapOn();
   this->Map->SetMapSize(1024);
@@ -101,53 +98,26 @@ FroxelsIntegrator::FroxelsIntegrator()
 }
 
 //------------------------------------------------------------------------------
-void FroxelsIntegrator::SetSize(int columns, int rows, int slices)
+bool PictureIntegrator::Integrate(const Request& request)
 {
-  this->Columns = columns;
-  this->Rows = rows;
-  this->Slices = slices;
-}
-
-//------------------------------------------------------------------------------
-bool FroxelsIntegrator::Integrate(const Request& request)
-{
-  vtkGodRaysTarget* const ends = request.Depths->GetEnds();
-  const vtkGodRaysShadowGrids* const shadows = ends ? this->Map->DrawShadows(request) : nullptr;
+  const vtkGodRaysShadowGrids* const shadows = this->Map->DrawShadows(request);
   if (!shadows)
   {
     return false;
   }
-  const int size[2] = { ends->GetWidth(), ends->GetHeight() };
-  const auto scene = vtkGodRaysSweptLight::GetParameters(request, size, shadows);
+  int size[2];
+  request.Depths->GetSize(size);
   const bool grey = request.Medium->IsGrey();
   const int components = grey ? 1 : 3;
-  Froxels froxels(this->Columns, this->Rows, this->Slices, components);
-  vtkSMPTools::For(0, this->Rows, 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType row = begin; row < end; ++row)
-      {
-        FillRow(froxels, static_cast<int>(row), scene, size, components);
-      }
-    });
   const std::size_t pixels = static_cast<std::size_t>(size[0]) * size[1];
   this->Depths.resize(pixels);
   this->Picture.resize(components * pixels);
-  ends->Read(GL_RED, GL_FLOAT, this->Depths.data(), size[0]);
-  vtkSMPTools::For(0, size[1], 16,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType row = begin; row < end; ++row)
-      {
-        for (int column = 0; column < size[0]; ++column)
-        {
-          const std::size_t pixel = row * size[0] + column;
-          const double depth = std::min<double>(this->Depths[pixel] / scene.Medium.FarLimit, 1.0);
-          froxels.Read((column + 0.5) / size[0], (row + 0.5) / size[1],
-            std::sqrt(depth) * this->Slices, this->Picture.data() + components * pixel);
-        }
-      }
-    });
+  if (!request.Depths->ReadEnds(this->Depths.data()))
+  {
+    return false;
+  }
+  this->Fill(vtkGodRaysSweptLight::GetParameters(request, size, shadows), size, components,
+    this->Depths.data(), this->Picture.data());
   vtkGodRaysTarget& rays = this->Rays[grey ? 0 : 1];
   if (!request.Result->Settle())
   {
@@ -160,6 +130,51 @@ bool FroxelsIntegrator::Integrate(const Request& request)
 }
 
 //------------------------------------------------------------------------------
+void PictureIntegrator::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Map->ReleaseGraphicsResources(window);
+  this->Rays[0].Release(window);
+  this->Rays[1].Release(window);
+}
+
+//------------------------------------------------------------------------------
+void FroxelsIntegrator::SetSize(int columns, int rows, int slices)
+{
+  this->Columns = columns;
+  this->Rows = rows;
+  this->Slices = slices;
+}
+
+//------------------------------------------------------------------------------
+void FroxelsIntegrator::Fill(
+  const Scene& scene, const int size[2], int components, const float* depths, float* picture)
+{
+  Froxels froxels(this->Columns, this->Rows, this->Slices, components);
+  vtkSMPTools::For(0, this->Rows, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        FillRow(froxels, static_cast<int>(row), scene, size, components);
+      }
+    });
+  vtkSMPTools::For(0, size[1], 16,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        for (int column = 0; column < size[0]; ++column)
+        {
+          const std::size_t pixel = row * size[0] + column;
+          const double depth = std::min<double>(depths[pixel] / scene.Medium.FarLimit, 1.0);
+          froxels.Read((column + 0.5) / size[0], (row + 0.5) / size[1],
+            std::sqrt(depth) * this->Slices, picture + components * pixel);
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
 std::string FroxelsIntegrator::Describe(vtkGodRaysModel*)
 {
   return "froxels: " + std::to_string(this->Columns) + " x " + std::to_string(this->Rows) + " x " +
@@ -167,9 +182,115 @@ std::string FroxelsIntegrator::Describe(vtkGodRaysModel*)
 }
 
 //------------------------------------------------------------------------------
-void FroxelsIntegrator::ReleaseGraphicsResources(vtkWindow* window)
+void TreesIntegrator::Fill(
+  const Scene& scene, const int size[2], int components, const float* depths, float* picture)
 {
-  this->Map->ReleaseGraphicsResources(window);
-  this->Rays[0].Release(window);
-  this->Rays[1].Release(window);
+  const Vec3 light = glm::normalize(Vec3(scene.Light[0], scene.Light[1], scene.Light[2]));
+  const vtkGodRaysShadowGrids& shadows = *scene.Shadows;
+  const auto across = [&](const Vec3& way, int axis)
+  {
+    const double* a = shadows.Grids[0].Axes[axis];
+    return vtkGodRays::dot(way, Vec3(a[0], a[1], a[2]));
+  };
+  const auto getWay = [&](double x, double y)
+  {
+    return Vec3(
+      (x - scene.Center[0]) * scene.PixelSize, (y - scene.Center[1]) * scene.PixelSize, 1.0);
+  };
+  const auto addLine = [&](double x, double y)
+  {
+    const Vec3 way = getWay(x, y);
+    this->Angles.push_back(std::atan2(across(way, 1), across(way, 0)));
+  };
+  this->Angles.clear();
+  for (int x = 0; x <= size[0]; x += 2)
+  {
+    addLine(x, 0.0);
+    addLine(x, size[1]);
+  }
+  for (int y = 0; y <= size[1]; y += 2)
+  {
+    addLine(0.0, y);
+    addLine(size[0], y);
+  }
+  std::sort(this->Angles.begin(), this->Angles.end());
+  const int lines = static_cast<int>(this->Angles.size());
+  const double pi = std::acos(-1.0);
+  const int parts = 1 << 16;
+  this->Nearest.resize(parts);
+  for (int i = 0, line = 0; i < parts; ++i)
+  {
+    const double angle = 2.0 * pi * (i + 0.5) / parts - pi;
+    while (line + 1 < lines &&
+      std::abs(this->Angles[line + 1] - angle) <= std::abs(this->Angles[line] - angle))
+    {
+      ++line;
+    }
+    this->Nearest[i] = line;
+  }
+  this->Trees.resize(lines);
+  vtkSMPTools::For(0, lines, 16,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType line = begin; line < end; ++line)
+      {
+        this->Trees[line].Build(shadows, this->Angles[line]);
+      }
+    });
+  const vtkGodRaysMedium::Component& medium = scene.Medium.Components[0];
+  vtkSMPTools::For(0, size[1], 4,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        for (int column = 0; column < size[0]; ++column)
+        {
+          const std::size_t pixel = row * size[0] + column;
+          const Vec3 way = getWay(column + 0.5, row + 0.5);
+          const double part = std::atan2(across(way, 1), across(way, 0)) / (2.0 * pi) + 0.5;
+          const ShadowTree& tree =
+            this->Trees[this->Nearest[std::min(static_cast<int>(part * parts), parts - 1)]];
+          const double perDepth = vtkGodRays::length(way);
+          const double perAcross =
+            perDepth / std::max(std::hypot(across(way, 0), across(way, 1)), 1e-9);
+          const double far = std::min<double>(depths[pixel], scene.Medium.FarLimit);
+          double sums[3] = {};
+          double litFrom = 0.0; // of the parts that follow each other
+          double litTo = 0.0;
+          const auto add = [&]
+          {
+            for (int c = 0; c < components && litTo > litFrom; ++c)
+            {
+              sums[c] +=
+                vtkGodRays::DirectionalAirlight(medium.Scattering[c] + medium.Absorption[c],
+                  perAcross * litFrom, perAcross * litTo, 0.0, 0.0);
+            }
+          };
+          tree.Walk(vtkGodRays::dot(way, light) * perAcross / perDepth, far * perDepth / perAcross,
+            [&](bool isLit, double from, double to)
+            {
+              if (isLit && from > litTo)
+              {
+                add();
+                litFrom = from;
+              }
+              litTo = isLit ? to : litTo;
+            });
+          add();
+          const double phase = vtkGodRays::Phase(
+            { medium.PhaseFunction, medium.Asymmetry }, vtkGodRays::dot(way, light) / perDepth);
+          for (int c = 0; c < components; ++c)
+          {
+            picture[components * pixel + c] =
+              static_cast<float>(scene.LightColor[c] * phase * medium.Scattering[c] * sums[c]);
+          }
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+std::string TreesIntegrator::Describe(vtkGodRaysModel*)
+{
+  return "trees of least and greatest heights: " + std::to_string(this->Trees.size());
 }

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Ways to draw a medium that the library does not offer, to compare it with. Both are of a directional light
+// Ways to draw a medium that the library does not offer, to compare it with. All are of a directional light
 // in perspective, run on the processor, and give their picture to the pass as the library's sweeps do.
 
 #ifndef MediumMethods_h
 #define MediumMethods_h
+
+#include "ShadowTree.h"
 
 #include "vtkGodRaysMediumIntegrator.h"
 #include "vtkGodRaysShadowMapIntegrator.h"
@@ -35,33 +37,78 @@ private:
   vtkGodRaysSweptLight Light;
 };
 
-/// What games do in a homogeneous medium: a grid of the view's cells, slices at depths that grow as squares;
-/// each cell asks the library's shadow map, one of 1024 x 1024 pixels, whether its middle is lit, and if it
-/// is, has all its light; see Froxels.h.
-class FroxelsIntegrator : public vtkGodRaysMediumIntegrator
+/// A picture of the light in a homogeneous medium that the processor makes from the library's shadow map, one
+/// of 1024 x 1024 pixels.
+class PictureIntegrator : public vtkGodRaysMediumIntegrator
 {
 public:
-  static FroxelsIntegrator* New();
-  vtkTypeMacro(FroxelsIntegrator, vtkGodRaysMediumIntegrator);
-
-  void SetSize(int columns, int rows, int slices);
+  vtkTypeMacro(PictureIntegrator, vtkGodRaysMediumIntegrator);
 
   bool Integrate(const Request& request) override;
-  std::string Describe(vtkGodRaysModel* model) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
-  FroxelsIntegrator();
+  using Scene = vtkGodRaysCoverageSweep::Parameters;
+
+  PictureIntegrator();
+  ~PictureIntegrator() override = default;
+
+  /// Fill the picture, of so many components, with radiances of rays to these depths.
+  virtual void Fill(
+    const Scene& scene, const int size[2], int components, const float* depths, float* picture) = 0;
+
+private:
+  vtkNew<vtkGodRaysShadowMapIntegrator> Map;
+  std::vector<float> Depths;
+  std::vector<float> Picture;
+  vtkGodRaysTarget Rays[2]; // of one channel, and of three
+};
+
+/// What games do: a grid of the view's cells, slices at depths that grow as squares; each cell asks the map
+/// whether its middle is lit, and if it is, has all its light; see Froxels.h.
+class FroxelsIntegrator : public PictureIntegrator
+{
+public:
+  static FroxelsIntegrator* New();
+  vtkTypeMacro(FroxelsIntegrator, PictureIntegrator);
+
+  void SetSize(int columns, int rows, int slices);
+  std::string Describe(vtkGodRaysModel* model) override;
+
+protected:
+  FroxelsIntegrator() = default;
   ~FroxelsIntegrator() override = default;
+
+  void Fill(const Scene& scene, const int size[2], int components, const float* depths,
+    float* picture) override;
 
 private:
   int Columns = 160;
   int Rows = 90;
   int Slices = 64;
-  vtkNew<vtkGodRaysShadowMapIntegrator> Map;
-  std::vector<float> Depths;
-  std::vector<float> Picture;
-  vtkGodRaysTarget Rays[2]; // of one channel, and of three
+};
+
+/// Epipolar lines, which meet the picture's border two pixels apart, with a tree of the map's least and
+/// greatest heights each, which the view ray of every pixel walks; see ShadowTree.h.
+class TreesIntegrator : public PictureIntegrator
+{
+public:
+  static TreesIntegrator* New();
+  vtkTypeMacro(TreesIntegrator, PictureIntegrator);
+
+  std::string Describe(vtkGodRaysModel* model) override;
+
+protected:
+  TreesIntegrator() = default;
+  ~TreesIntegrator() override = default;
+
+  void Fill(const Scene& scene, const int size[2], int components, const float* depths,
+    float* picture) override;
+
+private:
+  std::vector<double> Angles; // of the lines, ascending
+  std::vector<int> Nearest;   // line, of each of as many equal parts of a turn
+  std::vector<ShadowTree> Trees;
 };
 
 #endif

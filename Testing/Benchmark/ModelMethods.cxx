@@ -47,6 +47,7 @@ std::vector<ModelMethod> MakeModelMethods()
     std::snprintf(name, sizeof(name), "froxels, %d x %d x %d", size[0], size[1], size[2]);
     add(name, "froxels", froxels);
   }
+  add(TreeMethod, "min/max trees", vtkSmartPointer<TreesIntegrator>::New());
   for (const int layers : { 0, 1, 2 })
   {
     auto coverage = vtkSmartPointer<vtkGodRaysEpipolarCoverageIntegrator>::New();

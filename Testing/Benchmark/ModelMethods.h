@@ -19,6 +19,7 @@ const char* const CustomaryModel = "radial sum, 100 taps";
 const char* const BestModel = "automatic, 1/255"; // the default
 const char* const ClosedForm = "closed form, no shadows";
 const char* const CellMethod = "froxels, 160 x 90 x 64";
+const char* const TreeMethod = "epipolar lines, min/max trees";
 
 /// A line in each table.
 struct ModelMethod
