@@ -29,7 +29,7 @@ public:
   std::vector<float> RowFirst, RowEnd; // pixels of the wedge
   std::vector<int> Begin, End;         // pixels of the line
   std::vector<float> Perpendicular;    // distance from the axis at depth 1 [columns]
-  std::vector<float> Length;           // of a column
+  std::vector<float> Length;           // of view rays in a column [scene units]
   std::vector<float> LogLength;        // its natural logarithm
   std::vector<float> Extinction;       // for each column's width
   std::vector<float> Step;             // place on the ladder
@@ -40,16 +40,15 @@ public:
   std::vector<float> Depth;     // of where rays end
   std::vector<float> At;        // the same [whole columns]
   std::vector<float> Whole;     // columns before it
-  std::vector<float> Rest;      // and a part of the next one, of this width
-  std::vector<float> LastWidth; // [whole columns]
-  std::vector<float>
-    Longer;                // by so much the pixel's ray is than the line's, for each unit of depth
-  std::vector<float> Last; // where rays end [columns, and part of the light of one]
-  std::vector<int> LastColumn;
-  std::vector<float> Within;  // it, a part
-  std::vector<float> Excess;  // of sums between the ladder's steps [fraction]
-  std::vector<float> Stretch; // what sums are times, as the pixel's ray is not the line's
-  std::vector<float> Sums;    // of what is dark before their ends, at two steps
+  std::vector<float> Rest;      // and a part of the next one
+  std::vector<float> LastWidth; // of that one [whole columns]
+  std::vector<float> Longer;    // the pixel's ray than the line's [fraction]
+  std::vector<float> Last;      // where rays end [columns, and part of the light of one]
+  std::vector<int> LastColumn;  // the whole ones of it
+  std::vector<float> Within;    // the rest of it
+  std::vector<float> Excess;    // of sums between the ladder's steps [fraction]
+  std::vector<float> Stretch;   // what sums are times, as the pixel's ray is not the line's
+  std::vector<float> Sums;      // of what is dark before their ends, at two steps
   // Of columns.
   std::vector<int> Flip, Next;
   std::vector<float> Dark;       // 1 or 0
