@@ -373,6 +373,7 @@ void DataErrors::WritePage() const
     chart.Series.back().Y.push_back(this->Errors[i]);
     chart.Series.back().Labels.push_back(method.Name);
   }
+  std::filesystem::create_directories(folder + "/Charts");
   WriteChart(chart, folder + "/Charts/data-error.png");
   this->WritePicture();
   std::ofstream page(folder + "/DataError.md");
