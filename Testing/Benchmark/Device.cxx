@@ -11,6 +11,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkRenderingOpenGLConfigure.h"
 #include "vtkShaderProgram.h"
+#include "vtkVersionMacros.h"
 
 #include <chrono>
 #include <cstdlib>
@@ -57,7 +58,12 @@ void main()
 //------------------------------------------------------------------------------
 std::string FindWhyNoDisplay()
 {
-#ifdef VTK_USE_X
+#if defined(VTK_OPENGL_HAS_EGL) && VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+  if (!vtkNew<vtkRenderWindow>()->SupportsOpenGL()) // without a display VTK draws through EGL
+  {
+    return "VTK finds no OpenGL, neither on a display nor through EGL";
+  }
+#elif defined(VTK_USE_X)
   const std::string remedy =
     "; run the program in a desktop session, or under xvfb-run -a -s \"-screen 0 1280x1024x24 "
     "-noreset\"";
