@@ -59,7 +59,9 @@ float SignedMean(float begin, float end, vec2 nearest, vec2 step)
 
 void main()
 {
-  ivec2 cell = ivec2(texCoord * size);
+  // Cards also run fragments beyond the edge, to fill blocks of 2 x 2: there tables hold anything, which
+  // must not be a number of taps.
+  ivec2 cell = min(ivec2(texCoord * size), ivec2(size) - 1);
   int wedge = 0;
   for (int i = 1; i < 4; ++i)
   {

@@ -26,7 +26,7 @@ vec4 Fetch(int column, int line)
 
 void main()
 {
-  ivec2 cell = ivec2(texCoord * size);
+  ivec2 cell = min(ivec2(texCoord * size), ivec2(size) - 1); // as for the means
   vec4 sums = texelFetch(nodes, ivec2(cell.x, 0), 0);
   vec4 around = texelFetch(nodes, ivec2(cell.x, 1), 0);
   int wedge = int(around.z);
