@@ -73,6 +73,7 @@ struct LitRay
   Real AxisStart;    // of a spotlight: how far along its axis from it the ray starts [length]
   Real AxisSlope;    // and how far along it each unit of the ray's length leads
   SpotShape Shape;   // and which way it shines
+  int ThroughGround; // 1: a planet's ground lets the light through, and its shadow is taken away elsewhere
 };
 
 // The part of a ray, from x to y, that is within a spotlight's cone, at most from 0 to end; y is 0 if
@@ -151,12 +152,17 @@ FUNCTION Real LightSlope(IN(LitRay) ray, IN(Real) height, IN(Real) s, IN(Real) r
 }
 
 // Whether a planet hides a point of the ray from the light. The arguments are those of LightSlope() and
-// its result; a plane hides nothing. Formula: SkyGroundDistance towards the light is one, and below r.
+// its result; a plane hides nothing, and out of a planet nothing shines.
+// Formula: LightHeight < 0, or SkyGroundDistance towards the light is one, and below r.
 FUNCTION bool IsInPlanetShadow(IN(LitRay) ray, IN(Real) height, IN(Real) slope, IN(Real) r)
 {
-  Real ground =
-    ray.PlanetRadius > 0.0 ? SkyGroundDistance(ray.PlanetRadius, height, slope) : -1.0;
-  return ground >= 0.0 && (ray.Infinite != 0 || ground < r);
+  if (ray.PlanetRadius <= 0.0 || ray.ThroughGround != 0)
+  {
+    return false;
+  }
+  Real ground = SkyGroundDistance(ray.PlanetRadius, height, slope);
+  return ray.Infinite != 0 ? ground >= 0.0
+                           : ray.LightHeight < 0.0 || (ground >= 0.0 && ground < r);
 }
 
 // Where a ray that would go on to end stops: at a planet's ground.

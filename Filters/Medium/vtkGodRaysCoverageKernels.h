@@ -101,6 +101,8 @@ struct CoverageTable
     float Longest = 0.0f;    // of the picture's rays
     float Scale = 0.0f;      // least height in which the air thins by 1/e
     bool HasShadow = false;  // on the air before the picture's rays end
+    float LampRoom = 0.0f;   // of a point light: its distance^2 from the centre - Ground^2
+    float LampAlong = 0.0f;  // of the eye, from it along the vertical there [scene units]
   };
   Globe Planet;
   std::vector<float>

@@ -8,6 +8,7 @@
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysShadowAlong.h"
 #include "vtkGodRaysShadowKernels.h"
+#include "vtkGodRaysTableRays.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -198,6 +199,7 @@ private:
     settings.PlanetRadius = medium.PlanetRadius;
     settings.FarLimit = medium.FarLimit;
     this->FromShadows = parameters.Shadows != nullptr;
+    this->LeastScale = GetLeastScale(medium);
     settings.Layers = this->FromShadows ? 0 : parameters.Layers;
     settings.Thickness = parameters.Thickness;
     settings.Spacing = parameters.LineSpacing;
@@ -245,8 +247,33 @@ private:
     this->PrepareWedges();
   }
 
+  // Whether parallel rays begin at other heights to the right of a lamp than to the left, by more than 1/20 of
+  // that in which the air thins by 1/e, as a planet's ground bends away below the eye. Less is an error of at
+  // most 6e-4, root mean square.
+  bool BeginsAboveBend() const
+  {
+    const CoverageSettings& settings = this->Settings;
+    if (!settings.Parallel || settings.PlanetRadius <= 0.0)
+    {
+      return false;
+    }
+    const double rise = std::hypot(settings.Up[0], settings.Up[1]);
+    const double x = settings.Light[0];
+    const double y = settings.Light[1];
+    const double side =
+      rise > 1e-6 ? std::abs(settings.Up[0] * y - settings.Up[1] * x) / rise : std::hypot(x, y);
+    const double widest = std::hypot(std::abs(x) +
+        std::max(this->Image.Center[0], this->Image.Width - this->Image.Center[0]) *
+          settings.PixelSize,
+      std::abs(y) +
+        std::max(this->Image.Center[1], this->Image.Height - this->Image.Center[1]) *
+          settings.PixelSize);
+    return 2.0 * side * widest > 0.05 * this->LeastScale * settings.PlanetRadius;
+  }
+
   // Rays are alike in planes with the vertical, or a spotlight's axis. If they fade from an axis that is not
-  // vertical, none are: slices are about the light, from the picture's middle on.
+  // vertical, or begin where the ground bends, none are: slices are about the light, from the picture's middle
+  // on.
   void PrepareSliceAxes()
   {
     CoverageSettings& settings = this->Settings;
@@ -254,7 +281,8 @@ private:
     const Vec3 axis(settings.Spot.Axis[0], settings.Spot.Axis[1], settings.Spot.Axis[2]);
     std::copy_n(this->Layered ? settings.Up : settings.Spot.Axis, 3, settings.SliceAxis);
     std::fill_n(settings.SliceSide, 3, 0.0);
-    settings.Around = this->Layered && settings.Spot.Fades() && length(cross(up, axis)) > 1e-3;
+    settings.Around = this->Layered && settings.Point &&
+      ((settings.Spot.Fades() && length(cross(up, axis)) > 1e-3) || this->BeginsAboveBend());
     if (!settings.Around)
     {
       return;
@@ -644,7 +672,8 @@ private:
   Plane Hidden[CoverageMaximumPlanes];
   Plane TurnedHidden[CoverageMaximumPlanes];
   bool Layered = false; // the medium
-  Plane Cone[2];        // where view rays enter a spotlight's cone, and where they end
+  double LeastScale = 0.0;
+  Plane Cone[2]; // where view rays enter a spotlight's cone, and where they end
   Plane TurnedCone[2];
   CoverageTable Table;
   TableKey TableKeys[2]; // of the table, and of what is asked for

@@ -200,7 +200,7 @@ vtkGodRaysGridSight::Result vtkGodRaysGridSight::Evaluate(double x, double y, do
   ray.Lit = { this->Directional ? 1 : 0, ray.Foot, 0.0, begin.x, begin.y,
     this->Directional ? start(ray.Origin, this->Light).y : start(this->Light, this->Light).x,
     this->Medium.PlanetRadius, vtkGodRays::dot(this->SpotAxis, ray.Origin - this->Light),
-    vtkGodRays::dot(this->SpotAxis, ray.Along), {} };
+    vtkGodRays::dot(this->SpotAxis, ray.Along), {}, 0 };
   this->Spot.SetShape(ray.Lit);
   end = vtkGodRays::MediumEnd(ray.Lit, end);
   if (!this->Directional)

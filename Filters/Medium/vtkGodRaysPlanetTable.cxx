@@ -45,7 +45,7 @@ public:
     : Medium(medium)
     , Parallel(settings.Parallel)
     , Ground(settings.PlanetRadius)
-    , Eye(std::max(settings.PlanetRadius + settings.EyeHeight, 1e-6 * settings.PlanetRadius))
+    , Eye(GetEyeRadius(settings))
     , UpZ(settings.Up[2])
     , LightZ(settings.Light[2])
     , LightSlope(settings.Light[0] * settings.Up[0] + settings.Light[1] * settings.Up[1] +
@@ -227,16 +227,10 @@ void Evaluate(const Planet& planet, const CoverageSettings& settings, const Plan
 }
 
 //------------------------------------------------------------------------------
-void SetGlobe(
+void SetPlanetOfSun(
   const Planet& planet, const CoverageSettings& settings, double longest, CoverageTable& table)
 {
-  const double ground = planet.Ground / planet.Eye;
-  const double height = settings.EyeHeight / planet.Eye;
-  const double room = height * (1.0 + ground); // without cancellation
-  table.Planet.Radius = static_cast<float>(planet.Eye);
-  table.Planet.Ground = static_cast<float>(ground);
-  table.Planet.Room = static_cast<float>(room);
-  table.Planet.Excess = static_cast<float>(room - planet.UpZ * planet.UpZ);
+  const double room = SetGlobe(settings, table);
   table.Planet.Longest = static_cast<float>(longest / planet.Eye);
   table.Planet.Scale = static_cast<float>(planet.Least / planet.Eye);
   table.Planet.LightSlope = static_cast<float>(planet.LightSlope);
@@ -392,12 +386,31 @@ void FillRow(const Planet& planet, const CoverageSettings& settings, const Plane
 namespace vtkGodRays
 {
 //------------------------------------------------------------------------------
+double GetEyeRadius(const CoverageSettings& settings)
+{
+  return std::max(settings.PlanetRadius + settings.EyeHeight, 1e-6 * settings.PlanetRadius);
+}
+
+//------------------------------------------------------------------------------
+double SetGlobe(const CoverageSettings& settings, CoverageTable& table)
+{
+  const double eye = GetEyeRadius(settings);
+  const double ground = settings.PlanetRadius / eye;
+  const double room = settings.EyeHeight / eye * (1.0 + ground); // without cancellation
+  table.Planet.Radius = static_cast<float>(eye);
+  table.Planet.Ground = static_cast<float>(ground);
+  table.Planet.Room = static_cast<float>(room);
+  table.Planet.Excess = static_cast<float>(room - settings.Up[2] * settings.Up[2]);
+  return room;
+}
+
+//------------------------------------------------------------------------------
 void MakePlanetTable(const CoverageSettings& settings, const CoverageImage& image,
   const vtkGodRaysMedium& medium, CoverageTable& table)
 {
   const Planet planet(settings, medium);
   const double longest = GetLongest(settings, image);
-  SetGlobe(planet, settings, longest, table);
+  SetPlanetOfSun(planet, settings, longest, table);
   double change = 0.0;
   for (int c = 0; c < 3; ++c)
   {

@@ -22,6 +22,12 @@ struct CoverageImage;
 struct CoverageSettings;
 struct CoverageTable;
 
+/// How far the eye is from the planet's centre.
+double GetEyeRadius(const CoverageSettings& settings);
+
+/// What kernels need to know of the planet's ground; returns 1 - Globe::Ground^2.
+double SetGlobe(const CoverageSettings& settings, CoverageTable& table);
+
 /// As MakeCoverageTable() has it.
 void MakePlanetTable(const CoverageSettings& settings, const CoverageImage& image,
   const vtkGodRaysMedium& medium, CoverageTable& table);

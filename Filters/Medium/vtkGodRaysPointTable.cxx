@@ -5,6 +5,7 @@
 #include "vtkGodRaysCoverageKernels.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysMedium.h"
+#include "vtkGodRaysPlanetTable.h"
 #include "vtkGodRaysTableRays.h"
 #include "vtkSMPTools.h"
 
@@ -23,6 +24,7 @@ constexpr double PointRowStep = 0.03;
 constexpr double PointRowStepOfDepth = 0.1; // [mean free paths]
 constexpr double PointColumnStep = 0.2;
 constexpr double SliceStepOfHeight = 0.5; // [scale heights]
+constexpr double Below = 4.0; // what goes on below a planet's ground ends [scale heights]
 constexpr int MostRows = 1024;
 constexpr int MostColumns = 1024;
 constexpr double ReachOfSlices =
@@ -138,6 +140,7 @@ LitRay GetLitRay(
   lit.LightHeight =
     MediumHeight(radius, settings.EyeHeight, dot(up, light) / table.Distance, table.Distance);
   lit.PlanetRadius = radius;
+  lit.ThroughGround = lit.LightHeight >= 0.0 ? 1 : 0; // kernels take the shadow away
   settings.Spot.SetShape(lit);
   if (settings.Parallel)
   {
@@ -217,8 +220,7 @@ void SetSlices(const CoverageSettings& settings, const CoverageImage& image, dou
   const Vec3 light(settings.Light[0], settings.Light[1], settings.Light[2]);
   const Vec3 up(settings.SliceAxis[0], settings.SliceAxis[1], settings.SliceAxis[2]);
   table.LightRise = static_cast<float>(dot(up, light) / table.Distance);
-  const Vec3 axis = GetAxis(settings, table);
-  const double side = length(cross(axis, up));
+  const double side = length(cross(GetAxis(settings, table), up));
   table.InverseSide = static_cast<float>(1.0 / std::max(side, 1e-6));
   Range range;
   double widest = 0.0; // way from the light's axis
@@ -229,7 +231,7 @@ void SetSlices(const CoverageSettings& settings, const CoverageImage& image, dou
       range.Add(GetAbout(settings, table, GetRay(settings, image, x, y), way));
       widest = std::max(widest, way * (settings.Parallel ? 1.0 : reach));
     });
-  if (Shows(settings, image, light) || Shows(settings, image, axis))
+  if (Shows(settings, image, light))
   {
     range = { -1.0, 1.0 };
   }
@@ -245,6 +247,36 @@ void SetSlices(const CoverageSettings& settings, const CoverageImage& image, dou
         std::min(std::max(ofHeight, ofSpot), MostPlaces / places), FewestSlices, MostSlices);
   table.FirstSlice = static_cast<float>(range.Low);
   table.SlicesPerUnit = static_cast<float>((table.Slices - 1.0) / std::max(size, 1e-6));
+}
+
+//------------------------------------------------------------------------------
+// Where a ray is so deep in a planet's ground that no pixel reads between there and the ground.
+double FindEnd(const LitRay& lit, double scale, double longest)
+{
+  if (lit.PlanetRadius <= 0.0 || scale <= 0.0)
+  {
+    return longest;
+  }
+  const double ground = SkyGroundDistance(lit.PlanetRadius, lit.Height, lit.Slope);
+  return ground >= 0.0
+    ? ground + Below * scale / std::max(-lit.Slope, std::sqrt(scale / lit.PlanetRadius))
+    : longest;
+}
+
+//------------------------------------------------------------------------------
+// A planet, of whose shadow there is none where rays end before the light's own horizon.
+void SetPlanetOfLamp(const CoverageSettings& settings, double longest, CoverageTable& table)
+{
+  const double room = SetGlobe(settings, table);
+  const Vec3 light(settings.Light[0], settings.Light[1], settings.Light[2]);
+  const Vec3 up(settings.Up[0], settings.Up[1], settings.Up[2]);
+  const double eye = GetEyeRadius(settings);
+  const double square = dot(light, light) / eye;
+  const double ofLamp = room + (2.0 * dot(up, light) + square) / eye;
+  table.Planet.LampRoom = static_cast<float>(std::max(ofLamp, 0.0));
+  table.Planet.LampAlong = static_cast<float>(-dot(up, light) - square);
+  table.Planet.HasShadow =
+    ofLamp >= 0.0 && std::sqrt(ofLamp) * eye < longest + std::sqrt(dot(light, light));
 }
 
 //------------------------------------------------------------------------------
@@ -312,7 +344,6 @@ struct SliceProbe
     const double units = settings.Parallel ? std::hypot(place.x - light.x, place.y - light.y)
                                            : std::tan(0.5 * AngleBetween(place, light));
     const PointRay ray = GetPointRay(settings, table, std::log1p(units / table.RowUnit));
-    const double end = ray.ToUnits(settings.FarLimit * (settings.Parallel ? 1.0 : length(place)));
     double way;
     const double about = GetAbout(settings, table, place, way);
     const double slice = (about - table.FirstSlice) * table.SlicesPerUnit;
@@ -332,6 +363,8 @@ struct SliceProbe
       lit[i] = GetLitRay(
         settings, table, ray, (table.FirstSlice + from / table.SlicesPerUnit) / table.InverseSide);
     }
+    const double end =
+      ray.ToUnits(MediumEnd(lit[4], settings.FarLimit * (settings.Parallel ? 1.0 : length(place))));
     const MediumComponent* components = medium.Components[medium.Brightest];
     double difference = 0.0;
     double s = 0.0;
@@ -423,11 +456,15 @@ void MakePointTable(const CoverageSettings& settings, const CoverageImage& image
   }
   SetColumns(end, PointColumnStep, sliced ? MostColumnsOfSlices : MostColumns, table);
   SetSlices(settings, image, scale, longest, table);
-  if (table.Slices > 1 && !settings.Around)
+  if (table.Slices > 1 && !(settings.Around && settings.Spot.Fades()))
   {
     AddSlices(settings, image, mixed, table);
   }
   MakeRoom(settings.Planes, table);
+  if (settings.PlanetRadius > 0.0)
+  {
+    SetPlanetOfLamp(settings, longest, table);
+  }
 
   vtkSMPTools::For(0, static_cast<vtkIdType>(table.Slices) * table.Rows, 1,
     [&](vtkIdType first, vtkIdType last)
@@ -439,11 +476,13 @@ void MakePointTable(const CoverageSettings& settings, const CoverageImage& image
           ? 0.0
           : (table.FirstSlice + row / table.Rows / double(table.SlicesPerUnit)) / table.InverseSide;
         const LitRay lit = GetLitRay(settings, table, ray, about);
+        const double last = FindEnd(lit, scale, longest);
         double sums[CoverageMaximumPlanes] = {};
         double before = 0.0;
         for (int column = 0; column < table.Columns; ++column)
         {
           const double s = ray.Invert(before, column / static_cast<double>(table.ColumnsPerUnit));
+          const bool isBeyond = before > last;
           const double r = ray.GetDistance(s);
           const double perColumn = 1.0 / (r * r * ray.GetUnitsPerLength(s) * table.ColumnsPerUnit);
           for (int p = 0; p < settings.Planes; ++p)
@@ -451,7 +490,8 @@ void MakePointTable(const CoverageSettings& settings, const CoverageImage& image
             const int color = settings.Planes == 1 ? mixed.Brightest : p;
             const MediumComponent& one = mixed.Components[color][0];
             const MediumComponent& other = mixed.Components[color][1];
-            const double gain = mixed.Wholes[color] > 0.0 ? ray.Height / mixed.Wholes[color] : 0.0;
+            const double gain =
+              mixed.Wholes[color] > 0.0 && !isBeyond ? ray.Height / mixed.Wholes[color] : 0.0;
             sums[p] += gain * MediumAirlight(one, other, lit, before, s);
             float* values = table.Values[p].data() + 2 * (row * table.Columns + column);
             values[0] = static_cast<float>(sums[p]);

@@ -669,7 +669,7 @@ void vtkGodRaysSingleScattering::Evaluate(double x, double y, Result& result, do
   f.Ray = { directional ? 1 : 0, slice.Foot, 0.0, begin.x, begin.y,
     directional ? start(origin, self.Light).y : start(self.Light, self.Light).x,
     medium.PlanetRadius, vtkGodRays::dot(self.SpotAxis, origin - self.Light),
-    vtkGodRays::dot(self.SpotAxis, along), {} };
+    vtkGodRays::dot(self.SpotAxis, along), {}, 0 };
   self.Spot.SetShape(f.Ray);
   const double end = vtkGodRays::MediumEnd(f.Ray, std::min(sight, farthest));
   if (!directional)

@@ -9,6 +9,7 @@
 #include "vtkGodRaysGate.h"
 #include "vtkGodRaysLight.h"
 #include "vtkGodRaysLightFinder.h"
+#include "vtkGodRaysMath.h"
 #include "vtkGodRaysMediumIntegrator.h"
 #include "vtkGodRaysMediumModel.h"
 #include "vtkGodRaysMediumNumbers.h"
@@ -118,6 +119,7 @@ void vtkGodRaysMediumEffect::Begin(const Frame& frame)
   this->SceneDepth = this->Medium.HasExponentialDensity()
     ? 0.0
     : GetDiagonal(bounds) * (air.Scattering[1] + air.Absorption[1]);
+  this->HiddenLamps = 0;
   this->Data.Begin();
   this->DataError = frame.ErrorTolerance;
   this->HadData = false;
@@ -140,6 +142,10 @@ std::string vtkGodRaysMediumEffect::Describe() const
   if (this->SceneDepth > 0.0)
   {
     text << ", optical depth across the scene " << this->SceneDepth;
+  }
+  if (this->HiddenLamps > 0)
+  {
+    text << ", " << this->HiddenLamps << " lamp(s) in the planet's ground give no light";
   }
   text << this->Data.Describe();
   return text.str();
@@ -202,12 +208,23 @@ bool vtkGodRaysMediumEffect::DrawData(const vtkGodRaysMediumIntegrator::Request&
 }
 
 //------------------------------------------------------------------------------
+bool vtkGodRaysMediumEffect::IsInGround(const vtkGodRaysLight& light) const
+{
+  const vtkGodRaysMedium& medium = this->Medium;
+  const glm::dvec3 up(medium.Up[0], medium.Up[1], medium.Up[2]);
+  const glm::dvec3 place(light.Position[0], light.Position[1], light.Position[2]);
+  return medium.PlanetRadius > 0.0 && !light.IsInfinite() &&
+    vtkGodRays::MediumStart(medium.PlanetRadius, medium.EyeHeight, up, place, up).x < 0.0;
+}
+
+//------------------------------------------------------------------------------
 bool vtkGodRaysMediumEffect::DrawLight(const Frame& frame, const vtkGodRaysLight& light)
 {
   if (!frame.Scatters)
   {
     return true;
   }
+  this->HiddenLamps += this->IsInGround(light) ? 1 : 0;
   vtkGodRaysMediumIntegrator::Request request = this->MakeRequest(frame, light);
   auto integrator = vtkGodRaysMediumIntegrator::SafeDownCast(frame.Integrator);
   frame.Timers->Start(vtkGodRaysTimers::SCATTERING);

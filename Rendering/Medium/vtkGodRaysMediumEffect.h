@@ -51,6 +51,7 @@ private:
   vtkGodRaysMedium GetMedium(
     vtkRenderer* renderer, const vtkGodRaysView& view, const double bounds[6]) const;
 
+  bool IsInGround(const vtkGodRaysLight& light) const; // of a planet
   vtkGodRaysMediumIntegrator::Request MakeRequest(const Frame& frame, const vtkGodRaysLight& light);
   bool DrawData(const vtkGodRaysMediumIntegrator::Request& request, bool hasAir,
     vtkGodRaysMediumIntegrator* integrator);
@@ -66,6 +67,7 @@ private:
   vtkGodRaysMediumVerification Verification;
   double LastError = -1.0; // of the last frame
   double SceneDepth = 0.0; // optical depth across the scene; 0 if that is not one number
+  int HiddenLamps = 0;     // of this frame, in a planet's ground
   vtkTextureObject* SeenDepth = nullptr; // where view rays end
   const vtkGodRaysView* View = nullptr;
   vtkGodRaysView LastView; // of the last frame, for its numbers

@@ -61,6 +61,7 @@ LitRay GetLitRay(vec2 place)
   ray.AxisStart = -dot(spotAxis, to);
   ray.AxisSlope = dot(spotAxis, direction);
   ray.Shape = spotShape;
+  ray.ThroughGround = 0;
   return ray;
 }
 

@@ -292,7 +292,7 @@ TEST(CoverageMedia, PointLightsInLayersShineAsTheIntegral)
         const vtkGodRays::LitRay lit = { 0, vtkGodRays::dot(to, along),
           std::max(nearest, vtkGodRays::length(vtkGodRays::cross(to, along))),
           eye + vtkGodRays::dot(up, ray.Origin), vtkGodRays::dot(up, along),
-          eye + vtkGodRays::dot(up, light), 0.0, 0.0, 0.0, 0.0, 0.0 };
+          eye + vtkGodRays::dot(up, light), 0.0, 0.0, 0.0, { 0.0, 0.0 }, 0 };
         // Steps of angle and of length.
         constexpr int parts = 60;
         std::array<double, 2 * parts> places;

@@ -528,8 +528,8 @@ TEST(Medium, AirlightOfPartsIsTheClosedForm)
   const MediumComponent dust = { 0.04, 0.05, 0.0, { 2, 0.6 }, { 0, 0.0 }, 0.0 };
   const MediumComponent none = { 0.0, 0.0, 0.0, { 0, 0.0 }, { 0, 0.0 }, 0.0 };
   const MediumComponent thin = { 0.04, 0.05, 4.0, { 2, 0.6 }, { 0, 0.0 }, 0.0 };
-  const LitRay sun = { 1, 0.7, 0.0, 1.0, 0.2, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0 };
-  const LitRay lamp = { 0, 8.0, 0.5, 1.0, 0.2, 2.5, 0.0, 0.0, 0.0, 0.0, 0.0 };
+  const LitRay sun = { 1, 0.7, 0.0, 1.0, 0.2, 0.5, 0.0, 0.0, 0.0, { 0.0, 0.0 }, 0 };
+  const LitRay lamp = { 0, 8.0, 0.5, 1.0, 0.2, 2.5, 0.0, 0.0, 0.0, { 0.0, 0.0 }, 0 };
   const auto sum = [](const MediumComponent& a, const MediumComponent& b, const LitRay& ray)
   {
     double all = 0.0;

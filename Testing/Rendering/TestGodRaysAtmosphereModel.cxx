@@ -227,6 +227,34 @@ TEST_F(GodRaysAtmosphereModel, ReddensALowSunAndIsDarkBelowTheHorizon)
   EXPECT_TRUE(!this->Rays->GetScatteringImage(image) || GetMean(image) == 0.0);
 }
 
+// A planet's ground, which no prop shows, ends view rays, and lamps in it give no light.
+TEST_F(GodRaysAtmosphereModel, EndsAtAPlanetsGroundOutOfWhichNothingShines)
+{
+  this->Scene.Window->SetSize(48, 36); // the truth takes its time
+  this->Air->SetPlanetRadius(6.36e6);
+  this->Air->SetGroundLevel(-0.5);
+  for (const bool parallel : { false, true })
+  {
+    this->Renderer->GetActiveCamera()->SetParallelProjection(parallel);
+    for (auto& integrator : { vtkSmartPointer<vtkGodRaysMediumIntegrator>(
+                                vtkSmartPointer<vtkGodRaysAutomaticIntegrator>::New()),
+           vtkSmartPointer<vtkGodRaysMediumIntegrator>(
+             vtkSmartPointer<vtkGodRaysShadowMapIntegrator>::New()) })
+    {
+      this->Rays->SetIntegrator(integrator);
+      const auto truth = this->GetTruth(LampBeside);
+      const double error = this->GetErrorOfAir(LampBeside, truth);
+      std::cout << integrator->GetClassName() << (parallel ? ", parallel: " : ": ") << error
+                << "\n";
+      EXPECT_LT(error, 1e-4);
+      EXPECT_FALSE(Says(this->Rays->GetPlan(), "in the planet's ground"));
+      this->SetLight({ 0.0, -0.7, -2.0, 1.0 });
+      EXPECT_EQ(GetMean(this->GetScattering()), 0.0);
+      EXPECT_TRUE(Says(this->Rays->GetPlan(), "1 lamp(s) in the planet's ground give no light"));
+    }
+  }
+}
+
 TEST_F(GodRaysAtmosphereModel, DimsLessWhatIsHigh)
 {
   this->Renderer->SetBackground(0.7, 0.7, 0.7);
