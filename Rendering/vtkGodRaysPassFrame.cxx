@@ -123,6 +123,7 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   {
     // also if the former window, or its context, is gone
     self.Release(self.Window ? self.Window.Get() : window);
+    window->MakeCurrent(); // windows of EGL leave the context current in which they released
   }
   self.Window = window;
   self.ContextTime = window->GetContextCreationTime();

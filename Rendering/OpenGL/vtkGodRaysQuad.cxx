@@ -104,6 +104,7 @@ vtkShaderProgram* vtkGodRaysQuad::Begin(
   if (this->Window && this->Window != window) // whose shaders are of another context
   {
     this->Release();
+    window->MakeCurrent(); // see vtkGodRaysPass::Render()
   }
   if (this->Failed)
   {

@@ -442,6 +442,7 @@ void vtkGodRaysSkyPass::Render(const vtkRenderState* s)
   {
     // also if the former window, or its context, is gone
     self.Release(self.Window ? self.Window.Get() : window);
+    window->MakeCurrent(); // see vtkGodRaysPass::Render()
     self.Window = window;
     self.ContextTime = window->GetContextCreationTime();
   }
