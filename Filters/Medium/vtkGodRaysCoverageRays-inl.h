@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What tables of airlight have for rays, and the lines of a band. Compiled for each set of vector instructions: see
-// vtkGodRaysCoverageKernels.cxx.
+// What tables of airlight have for rays, and the lines of a band. Compiled for each set of vector
+// instructions: see vtkGodRaysCoverageKernels.cxx.
 #if defined(vtkGodRaysCoverageRays_inl_h) == defined(HWY_TARGET_TOGGLE)
 #ifdef vtkGodRaysCoverageRays_inl_h
 #undef vtkGodRaysCoverageRays_inl_h

@@ -247,9 +247,9 @@ private:
     this->PrepareWedges();
   }
 
-  // Whether parallel rays begin at other heights to the right of a lamp than to the left, by more than 1/20 of
-  // that in which the air thins by 1/e, as a planet's ground bends away below the eye. Less is an error of at
-  // most 6e-4, root mean square.
+  // Whether parallel rays begin at other heights to the right of a lamp than to the left, by more than 1/20
+  // of that in which the air thins by 1/e, as a planet's ground bends away below the eye. Less is an error of
+  // at most 6e-4, root mean square.
   bool BeginsAboveBend() const
   {
     const CoverageSettings& settings = this->Settings;
@@ -272,8 +272,8 @@ private:
   }
 
   // Rays are alike in planes with the vertical, or a spotlight's axis. If they fade from an axis that is not
-  // vertical, or begin where the ground bends, none are: slices are about the light, from the picture's middle
-  // on.
+  // vertical, or begin where the ground bends, none are: slices are about the light, from the middle of the
+  // picture on.
   void PrepareSliceAxes()
   {
     CoverageSettings& settings = this->Settings;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// View rays of pixels, as tables of airlight tell them apart, and where a planet's ground ends and darkens them.
-// Compiled for each set of vector instructions: see vtkGodRaysCoverageKernels.cxx.
+// View rays of pixels, as tables of airlight tell them apart, and where a planet's ground ends and darkens
+// them. Compiled for each set of vector instructions: see vtkGodRaysCoverageKernels.cxx.
 #if defined(vtkGodRaysCoverageViewRays_inl_h) == defined(HWY_TARGET_TOGGLE)
 #ifdef vtkGodRaysCoverageViewRays_inl_h
 #undef vtkGodRaysCoverageViewRays_inl_h

@@ -112,5 +112,6 @@ void main()
   {
     result = vec3(0.0);
   }
+  result = max(result, vec3(0.0)); // what bumps take away is rounded
   gl_FragData[0] = vec4(gain * (OneChannel ? vec3(result.r) : result), 1.0);
 }

@@ -53,7 +53,8 @@ Pictures, lights and the model (density 0.97, decay 0.99) are the same every tim
 is capped as vtkGodRaysPass does it. Layers hold 16-bit floats (32-bit where an integrator asks for
 them), the same values in both.
 
-It needs a display, or VTK 9.4 or later with EGL: xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" godrays_benchmark
+It needs a display, if VTK has no EGL or is older than 9.4:
+  xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" godrays_benchmark
 )";
 //------------------------------------------------------------------------------
 BenchmarkOptions ReadOptions(int count, char* arguments[])

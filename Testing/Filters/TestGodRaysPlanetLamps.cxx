@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Lamps in the air over a planet, of which there is nothing but its ground: where view rays meet it they end,
-// what is behind it is dark, and nothing shines out of it. Random scenes against the ground truth; GODRAYS_LONG
-// takes more.
+// what is behind it is dark, and nothing shines out of it. Random scenes against the ground truth;
+// GODRAYS_LONG takes more.
 
 #include "GodRaysFiltersTesting.h"
 #include "GodRaysMediumScenes.h"

@@ -65,16 +65,23 @@ void PrintTo(const Kind& kind, std::ostream* os)
   *os << kind.Name;
 }
 
+void UseShaders(Stage& scene)
+{
+  vtkGodRaysEpipolarIntegrator::SafeDownCast(scene.Rays->GetIntegrator())
+    ->SetBackend(vtkGodRaysEpipolarIntegrator::GRAPHICS);
+}
+
 const Kind Kinds[] = {
   { "Look", [](Stage&) {} },
-  { "LookInShaders",
-    [](Stage& scene)
-    {
-      auto integrator = vtkGodRaysEpipolarIntegrator::SafeDownCast(scene.Rays->GetIntegrator());
-      integrator->SetBackend(vtkGodRaysEpipolarIntegrator::GRAPHICS);
-    } },
+  { "LookInShaders", UseShaders },
   { "Taps", [](Stage& scene) { SumTaps(scene.Rays); } },
   { "Margin", [](Stage& scene) { scene.Rays->SetLayerMargin(0.25); } },
+  { "MarginInShaders",
+    [](Stage& scene)
+    {
+      UseShaders(scene);
+      scene.Rays->SetLayerMargin(0.25);
+    } },
   { "Medium",
     [](Stage& scene)
     {
