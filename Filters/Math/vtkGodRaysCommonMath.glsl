@@ -37,6 +37,14 @@ FUNCTION Vec3 Sanitize(IN(Vec3) value, IN(Real) maximum)
     Sanitize(value.x, maximum), Sanitize(value.y, maximum), Sanitize(value.z, maximum));
 }
 
+// How far along the axis of view something is whose window depth is 1 - rest; terms are those of the camera,
+// see vtkGodRaysView::Pinhole.
+// Formula: (x + y rest)/(z + w rest), (x, y, z, w) being the terms. [length]
+FUNCTION Real ViewDepth(IN(Vec4) terms, IN(Real) rest)
+{
+  return (terms.x + terms.y * rest) / (terms.z + terms.w * rest);
+}
+
 // Noise for the offset of each pixel's taps: between 0 and 1, even on every block of pixels, and
 // different from one pixel to the next. pixel is a position [pixels].
 // Formula: fract(52.9829189 fract(0.06711056 x + 0.00583715 y)). [no unit] [Jimenez2014]

@@ -72,7 +72,7 @@ uniform vec2 cells;          // of the pictures that a meter reads
 vec3 SceneTransmittance(ivec2 pixel, vec2 uv)
 {
   float rest = 1.0 - texelFetch(depth, pixel, 0).r;
-  float viewDepth = (depthTerms.x + depthTerms.y * rest) / (depthTerms.z + depthTerms.w * rest);
+  float viewDepth = ViewDepth(depthTerms, rest);
   viewDepth = rest > 0.0 && viewDepth > 0.0 ? min(viewDepth, farLimit) : farLimit;
   vec2 place = pictureScale * (2.0 * uv - 1.0);
   vec3 ray = pictureOrigin + place.x * pictureRight + place.y * pictureUp;

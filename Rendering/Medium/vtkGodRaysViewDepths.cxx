@@ -18,7 +18,8 @@
 
 namespace
 {
-/// As vtkGodRaysViewDepthsFS.glsl has it, of 1 - window depth.
+/// As vtkGodRaysViewDepthsFS.glsl has it, of 1 - window depth: ViewDepth() of the shared formulas in single
+/// precision, of which a vector holds twice as many.
 inline float FindViewDepth(float rest, const float terms[4])
 {
   const float view = (terms[0] + terms[1] * rest) / (terms[2] + terms[3] * rest);

@@ -11,6 +11,7 @@ uniform float viewScale;    // fraction of the layer's size that the picture cov
 uniform vec4 depthTerms;    // see vtkGodRaysView::Pinhole
 uniform float openSky;
 
+//VTK::GodRays::Common
 //VTK::GodRays::Terms
 // fromPicture: whether the picture has depths of its own
 
@@ -26,6 +27,6 @@ void main()
     }
   }
   float rest = 1.0 - depth;
-  float view = (depthTerms.x + depthTerms.y * rest) / (depthTerms.z + depthTerms.w * rest);
+  float view = ViewDepth(depthTerms, rest);
   gl_FragData[0] = vec4(depth < 1.0 && view > 0.0 ? min(view, openSky) : openSky);
 }

@@ -79,8 +79,7 @@ vec3 SceneThroughAir(vec3 ray, float slope, bool above, vec2 cell, vec3 aerosolP
   vec3 shown = texelFetch(scene, pixel, 0).rgb;
   vec2 within = SkyBelow(sky.GroundRadius, height, slope, sky.TopHeight);
   float rest = 1.0 - texelFetch(depth, pixel, 0).r;
-  float viewDepth = (depthTerms.x + depthTerms.y * rest) / (depthTerms.z + depthTerms.w * rest);
-  float way = viewDepth * sceneUnit * length(ray) / dot(ray, axis) - within.x;
+  float way = ViewDepth(depthTerms, rest) * sceneUnit * length(ray) / dot(ray, axis) - within.x;
   if (within.x > within.y || !(way > 0.0))
   {
     return shown;

@@ -3,7 +3,7 @@
 
 // The formulas of topics whose quantities have one unit each, compiled with units as types: what compiles has
 // the dimensions that it says. C++20: 0 alone compares with quantities of all units, which is known while
-// compiling. Vectors count as numbers, as do Vec2 and Vec3 there.
+// compiling. Vectors count as numbers, as do Vec2 to Vec4 there.
 
 #ifndef GodRaysUnits_h
 #define GodRaysUnits_h
@@ -15,6 +15,7 @@ namespace vtkGodRaysUnits
 using Real = double;
 using Vec2 = vtkGodRays::Vec2;
 using Vec3 = vtkGodRays::Vec3;
+using Vec4 = vtkGodRays::Vec4;
 
 struct Zero
 {

@@ -468,6 +468,22 @@ TEST(FacingFade, FadesBehindTheCamera)
 }
 
 //------------------------------------------------------------------------------
+TEST(ViewDepth, IsWhatProjectionsMadeOfIt)
+{
+  const double nearest = 0.5;
+  const double farthest = 80.0;
+  for (const double z : { 0.5, 0.7, 3.0, 41.0, 80.0 })
+  {
+    const double perspective = (1.0 / nearest - 1.0 / z) / (1.0 / nearest - 1.0 / farthest);
+    const double parallel = (z - nearest) / (farthest - nearest);
+    const Vec4 ofPerspective(nearest * farthest, 0.0, nearest, farthest - nearest);
+    const Vec4 ofParallel(farthest, nearest - farthest, 1.0, 0.0);
+    EXPECT_NEAR(ViewDepth(ofPerspective, 1.0 - perspective), z, 1e-12 * z);
+    EXPECT_NEAR(ViewDepth(ofParallel, 1.0 - parallel), z, 1e-12 * z);
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(Sanitize, LeavesNothingHarmful)
 {
   EXPECT_EQ(Sanitize(Vec3(notANumber, -1.0, infinity), 100.0), Vec3(0.0, 0.0, 100.0));
