@@ -138,15 +138,66 @@ HWY_INLINE Float TangentOfQuarter(Float x, Float y)
 }
 
 //------------------------------------------------------------------------------
-// The ways of rays to a planet's ground, or CoverageSky if they do not meet it; units are as below.
-HWY_INLINE Float FindGround(Float room, Float rise, Float excess)
+// Rays over a planet. Lengths are in distances of the eye from its centre: at the way t along a ray,
+// (distance from the centre)^2 = Ground^2 + Room + 2 Rise t + t^2.
+struct RaysOverGround
+{
+  Float Aside; // of parallel rays' starts, along the eye's vertical [scene units]
+  Float Rise;
+  Float Room;
+  Float Excess; // of the least distance^2 of the ray's line, than Ground^2
+  Float Way;    // to the ground, or CoverageSky if it is not met
+};
+
+HWY_INLINE RaysOverGround FindGround(
+  const CoverageSettings& settings, Float column, Float row, Float length)
+{
+  const FloatTag d;
+  const CoverageTable::Globe& planet = settings.Table->Planet;
+  const Float zero = hn::Zero(d);
+  const auto set = [&](double value) { return hn::Set(d, static_cast<float>(value)); };
+  RaysOverGround rays;
+  rays.Aside = column * set(settings.Up[0]) + row * set(settings.Up[1]);
+  rays.Room = set(planet.Room);
+  if (settings.Parallel)
+  {
+    const Float perLength = set(1.0 / planet.Radius);
+    const Float more =
+      (rays.Aside + rays.Aside + hn::MulAdd(column, column, row * row) * perLength) * perLength;
+    rays.Room = rays.Room + more;
+    rays.Excess = set(planet.Excess) + more;
+    rays.Rise = set(settings.Up[2]);
+  }
+  else
+  {
+    rays.Rise = (rays.Aside + set(settings.Up[2])) / length;
+    rays.Excess = hn::NegMulAdd(rays.Rise, rays.Rise, rays.Room);
+  }
+  const auto isMet = hn::And(hn::Lt(rays.Rise, zero), hn::Le(rays.Excess, zero));
+  const Float way = hn::Max(rays.Room, zero) /
+    (hn::Sqrt(hn::Max(hn::Neg(rays.Excess), zero)) - hn::Min(rays.Rise, set(-1e-12)));
+  rays.Way = hn::IfThenElse(isMet, way, set(CoverageSky));
+  return rays;
+}
+
+//------------------------------------------------------------------------------
+// Where a t^2 + 2 b t + c is 0, without cancellation.
+struct Roots
+{
+  Float First;
+  Float Second;
+  hn::Mask<FloatTag> Are;
+};
+
+HWY_INLINE Roots FindRoots(Float a, Float b, Float c)
 {
   const FloatTag d;
   const Float zero = hn::Zero(d);
-  const auto isMet = hn::And(hn::Lt(rise, zero), hn::Le(excess, zero));
-  const Float way = hn::Max(room, zero) /
-    (hn::Sqrt(hn::Max(hn::Neg(excess), zero)) - hn::Min(rise, hn::Set(d, -1e-12f)));
-  return hn::IfThenElse(isMet, way, hn::Set(d, CoverageSky));
+  const Float root = hn::NegMulAdd(a, c, b * b);
+  const Float q = hn::Neg(b + hn::CopySign(hn::Sqrt(hn::Max(root, zero)), b));
+  const Float one = q / a;
+  const Float other = c / hn::IfThenElse(hn::Eq(q, zero), hn::Set(d, 1e-30f), q);
+  return { hn::Min(one, other), hn::Max(one, other), hn::Gt(root, zero) };
 }
 
 //------------------------------------------------------------------------------
@@ -163,57 +214,43 @@ HWY_INLINE void FindGroundOfLamp(
   const auto set = [&](double value) { return hn::Set(d, static_cast<float>(value)); };
   const Float perLength = set(1.0 / planet.Radius);
   const Float radius = set(planet.Radius);
-  const Float aside = column * set(settings.Up[0]) + row * set(settings.Up[1]);
-  Float rise = (aside + set(settings.Up[2])) / rays.Length;
-  Float room = set(planet.Room);
-  Float excess = hn::NegMulAdd(rise, rise, room);
-  Float along = set(planet.LampAlong);
-  if (settings.Parallel)
-  {
-    const Float more =
-      (aside + aside + hn::MulAdd(column, column, row * row) * perLength) * perLength;
-    const Float nearer = column * set(settings.Light[0]) + row * set(settings.Light[1]);
-    room = room + more;
-    rise = set(settings.Up[2]);
-    excess = set(planet.Excess) + more;
-    along = along + hn::MulAdd(nearer, perLength, aside);
-  }
-  rays.Ground = hn::Min(FindGround(room, rise, excess) * radius, set(CoverageSky));
+  const RaysOverGround over = FindGround(settings, column, row, rays.Length);
+  rays.Ground = hn::Min(over.Way * radius, set(CoverageSky));
   if (!planet.HasShadow)
   {
     return;
   }
+  Float along = set(planet.LampAlong);
+  if (settings.Parallel)
+  {
+    const Float nearer = column * set(settings.Light[0]) + row * set(settings.Light[1]);
+    along = along + hn::MulAdd(nearer, perLength, over.Aside);
+  }
   const Float ofLamp = set(planet.LampRoom);
-  const Float slope = hn::MulAdd(rays.Foot, perLength, rise);
+  const Float slope = hn::MulAdd(rays.Foot, perLength, over.Rise);
   // a t^2 + 2 b t + c >= 0
   Float a = hn::MulAdd(slope, slope, hn::Neg(ofLamp));
   a = hn::IfThenElse(hn::Lt(hn::Abs(a), set(1e-12)), set(-1e-12), a);
   const Float b = hn::MulAdd(along, slope, ofLamp * rays.Foot);
   const Float c = hn::MulAdd(along, along, hn::Neg(ofLamp * rays.Start * rays.Start));
-  const Float root = hn::NegMulAdd(a, c, b * b);
-  const Float q = hn::Neg(b + hn::CopySign(hn::Sqrt(hn::Max(root, zero)), b));
-  const Float one = q / a;
-  const Float other = c / hn::IfThenElse(hn::Eq(q, zero), set(1e-30), q);
-  const Float first = hn::Min(one, other);
-  const Float second = hn::Max(one, other);
+  const Roots roots = FindRoots(a, b, c);
   const auto isWithin = hn::Gt(a, zero); // the ray, in the end, the cone
   const auto isDown = hn::Lt(slope, zero);
   const Float sky = set(CoverageSky);
-  Float begin = hn::IfThenElse(isWithin, hn::IfThenElse(isDown, second, zero), first);
-  Float end = hn::IfThenElse(isWithin, hn::IfThenElse(isDown, sky, first), second);
+  Float begin = hn::IfThenElse(isWithin, hn::IfThenElse(isDown, roots.Second, zero), roots.First);
+  Float end = hn::IfThenElse(isWithin, hn::IfThenElse(isDown, sky, roots.First), roots.Second);
   const Float horizon = hn::Neg(hn::MulAdd(ofLamp, radius, along)) /
     hn::IfThenElse(hn::Lt(hn::Abs(slope), set(1e-12)), set(1e-12), slope);
   begin = hn::Max(hn::IfThenElse(isDown, hn::Max(begin, horizon), begin), zero);
   end = hn::IfThenElse(isDown, end, hn::Min(end, horizon));
-  const auto isDark = hn::And(hn::Gt(root, zero), hn::Gt(end, begin));
+  const auto isDark = hn::And(roots.Are, hn::Gt(end, begin));
   rays.Dusk = hn::IfThenElseZero(isDark, begin);
   rays.Dawn = hn::IfThenElseZero(isDark, hn::Min(end, sky));
 }
 
 //------------------------------------------------------------------------------
-// Over a planet, of the rays of pixels. Lengths are in distances of the eye from its centre: at the way t
-// along a ray, (distance from the centre)^2 = Ground^2 + room + 2 rise t + t^2, and what is nearer to the
-// light than the centre is nearer by light + cosine t. Returns the place in rows.
+// Over a planet, of the rays of pixels. Units are those of RaysOverGround; what is nearer to the light than
+// the centre is nearer by light + cosine t. Returns the place in rows.
 HWY_INLINE Float FindPlanetRays(
   const CoverageSettings& settings, Float column, Float row, Rays<FloatTag>& rays)
 {
@@ -222,50 +259,41 @@ HWY_INLINE Float FindPlanetRays(
   const CoverageTable::Globe& planet = table.Planet;
   const Float zero = hn::Zero(d);
   const auto set = [&](double value) { return hn::Set(d, static_cast<float>(value)); };
-  Float rise = column * set(settings.Up[0]) + row * set(settings.Up[1]);
+  const RaysOverGround over = FindGround(settings, column, row, rays.Length);
+  const Float rise = over.Rise;
+  const Float room = over.Room;
   const Float nearer = column * set(settings.Light[0]) + row * set(settings.Light[1]);
-  Float room = set(planet.Room);
-  Float excess; // of the least distance^2 of the ray's line
   Float light = set(planet.LightSlope);
   Float cosine;
   Float place;
   Float slice;
   if (settings.Parallel)
   {
-    const Float perLength = set(1.0 / planet.Radius);
-    const Float more =
-      (rise + rise + hn::MulAdd(column, column, row * row) * perLength) * perLength;
-    room = room + more;
-    excess = set(planet.Excess) + more;
-    rise = set(settings.Up[2]);
     cosine = set(settings.Light[2]);
-    light = hn::MulAdd(nearer, perLength, light);
+    light = hn::MulAdd(nearer, set(1.0 / planet.Radius), light);
     const Float surface = set(planet.Ground);
     const auto toUnits = [&](Float more) HWY_ATTR // of a distance^2 than Ground^2
     {
       const Float radius = hn::Sqrt(hn::Max(hn::MulAdd(surface, surface, more), zero));
       return InverseSinh(more / (radius + surface) * set(planet.Radius / table.RowUnit));
     };
-    place = toUnits(excess) + toUnits(room);
+    place = toUnits(over.Excess) + toUnits(room);
     slice = nearer;
   }
   else
   {
-    rise = (rise + set(settings.Up[2])) / rays.Length;
     cosine = (nearer + set(settings.Light[2])) / rays.Length;
-    excess = hn::NegMulAdd(rise, rise, room);
     place = InverseSinh((rise - set(planet.Horizon)) * set(1.0 / table.RowUnit));
     slice = cosine;
   }
   rays.Slice = (slice - set(table.FirstSlice)) * set(table.SlicesPerUnit);
   rays.Slice = hn::Min(hn::Max(rays.Slice, zero), set(table.Slices - 1.0));
-  const Float toGround = FindGround(room, rise, excess);
-  const auto isMet = hn::Lt(toGround, set(CoverageSky));
-  rays.Ground = hn::Min(toGround * set(planet.Radius), set(CoverageSky));
+  const auto isMet = hn::Lt(over.Way, set(CoverageSky));
+  rays.Ground = hn::Min(over.Way * set(planet.Radius), set(CoverageSky));
   // Where the air is densest, and how far from there it falls by 1/e: scale = slope s + s^2/2.
   const Float longest = set(planet.Longest);
   const Float foot =
-    hn::Min(hn::IfThenElse(isMet, toGround, hn::Max(hn::Neg(rise), zero)), longest);
+    hn::Min(hn::IfThenElse(isMet, over.Way, hn::Max(hn::Neg(rise), zero)), longest);
   const Float ground = set(planet.Ground);
   const Float square = hn::MulAdd(foot, foot + rise + rise, hn::MulAdd(ground, ground, room));
   const Float along = rise + foot;
@@ -286,18 +314,15 @@ HWY_INLINE Float FindPlanetRays(
     const Float a = hn::Max(hn::NegMulAdd(cosine, cosine, set(1.0)), set(1e-7));
     const Float b = hn::NegMulAdd(light, cosine, rise);
     const Float c = hn::NegMulAdd(light, light, room);
-    const Float root = hn::NegMulAdd(a, c, b * b);
-    const Float q = hn::Neg(b + hn::CopySign(hn::Sqrt(hn::Max(root, zero)), b));
-    const Float one = q / a;
-    const Float other = c / hn::IfThenElse(hn::Eq(q, zero), set(1e-30), q);
+    const Roots roots = FindRoots(a, b, c);
     const Float middle =
       hn::Neg(light) / hn::IfThenElse(hn::Lt(hn::Abs(cosine), set(1e-12)), set(1e-12), cosine);
     const auto isTowards = hn::Gt(cosine, zero);
-    Float begin = hn::Max(hn::Min(one, other), zero);
-    Float end = hn::Max(one, other);
+    Float begin = hn::Max(roots.First, zero);
+    Float end = roots.Second;
     begin = hn::IfThenElse(isTowards, begin, hn::Max(begin, middle));
     end = hn::IfThenElse(isTowards, hn::Min(end, middle), end);
-    const auto isDark = hn::And(hn::Gt(root, zero), hn::Gt(end, begin));
+    const auto isDark = hn::And(roots.Are, hn::Gt(end, begin));
     rays.Dusk = hn::IfThenElseZero(isDark, begin * set(planet.Radius));
     rays.Dawn = hn::IfThenElseZero(isDark, end * set(planet.Radius));
   }
