@@ -6,9 +6,9 @@
 #include "vtkGodRaysCoveragePhase.h"
 #include "vtkGodRaysCoverageTable.h"
 #include "vtkGodRaysMath.h"
+#include "vtkGodRaysPointSlices.h"
 #include "vtkGodRaysShadowAlong.h"
 #include "vtkGodRaysShadowKernels.h"
-#include "vtkGodRaysTableRays.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -199,7 +199,6 @@ private:
     settings.PlanetRadius = medium.PlanetRadius;
     settings.FarLimit = medium.FarLimit;
     this->FromShadows = parameters.Shadows != nullptr;
-    this->LeastScale = GetLeastScale(medium);
     settings.Layers = this->FromShadows ? 0 : parameters.Layers;
     settings.Thickness = parameters.Thickness;
     settings.Spacing = parameters.LineSpacing;
@@ -235,7 +234,7 @@ private:
       }
     }
     this->PrepareImages(parameters);
-    this->PrepareSliceAxes();
+    SetSliceAxes(this->Image, medium, layered, settings);
     this->PrepareCone();
     this->PrepareTable(parameters);
     this->PrepareShade(parameters);
@@ -245,66 +244,6 @@ private:
     std::swap(this->TurnedSettings.SliceAxis[0], this->TurnedSettings.SliceAxis[1]);
     std::swap(this->TurnedSettings.SliceSide[0], this->TurnedSettings.SliceSide[1]);
     this->PrepareWedges();
-  }
-
-  // Whether parallel rays begin at other heights to the right of a lamp than to the left, by more than 1/20
-  // of that in which the air thins by 1/e, as a planet's ground bends away below the eye. Less is an error of
-  // at most 6e-4, root mean square.
-  bool BeginsAboveBend() const
-  {
-    const CoverageSettings& settings = this->Settings;
-    if (!settings.Parallel || settings.PlanetRadius <= 0.0)
-    {
-      return false;
-    }
-    const double rise = std::hypot(settings.Up[0], settings.Up[1]);
-    const double x = settings.Light[0];
-    const double y = settings.Light[1];
-    const double side =
-      rise > 1e-6 ? std::abs(settings.Up[0] * y - settings.Up[1] * x) / rise : std::hypot(x, y);
-    const double widest = std::hypot(std::abs(x) +
-        std::max(this->Image.Center[0], this->Image.Width - this->Image.Center[0]) *
-          settings.PixelSize,
-      std::abs(y) +
-        std::max(this->Image.Center[1], this->Image.Height - this->Image.Center[1]) *
-          settings.PixelSize);
-    return 2.0 * side * widest > 0.05 * this->LeastScale * settings.PlanetRadius;
-  }
-
-  // Rays are alike in planes with the vertical, or a spotlight's axis. If they fade from an axis that is not
-  // vertical, or begin where the ground bends, none are: slices are about the light, from the middle of the
-  // picture on.
-  void PrepareSliceAxes()
-  {
-    CoverageSettings& settings = this->Settings;
-    const Vec3 up(settings.Up[0], settings.Up[1], settings.Up[2]);
-    const Vec3 axis(settings.Spot.Axis[0], settings.Spot.Axis[1], settings.Spot.Axis[2]);
-    std::copy_n(this->Layered ? settings.Up : settings.Spot.Axis, 3, settings.SliceAxis);
-    std::fill_n(settings.SliceSide, 3, 0.0);
-    settings.Around = this->Layered && settings.Point &&
-      ((settings.Spot.Fades() && length(cross(up, axis)) > 1e-3) || this->BeginsAboveBend());
-    if (!settings.Around)
-    {
-      return;
-    }
-    const Vec3 light(settings.Light[0], settings.Light[1], settings.Light[2]);
-    const double distance = length(light);
-    const Vec3 forward(0.0, 0.0, 1.0);
-    const Vec3 way = settings.Parallel || distance <= 0.0 ? forward : light / distance;
-    const Vec3 middle((0.5 * (this->Image.Width - 1) - this->Image.Center[0]) * settings.PixelSize,
-      (0.5 * (this->Image.Height - 1) - this->Image.Center[1]) * settings.PixelSize, 1.0);
-    const Vec3 towards = settings.Parallel ? middle - light : middle;
-    Vec3 away = towards - dot(towards, way) * way;
-    if (length(away) <= 1e-6 * length(towards))
-    {
-      const Vec3 any = std::abs(way.x) < 0.7 ? Vec3(1.0, 0.0, 0.0) : Vec3(0.0, 1.0, 0.0);
-      away = any - dot(any, way) * way;
-    }
-    const Vec3 one = away / length(away);
-    const Vec3 other = cross(way, one);
-    const double axes[2][3] = { { one.x, one.y, one.z }, { other.x, other.y, other.z } };
-    std::copy_n(axes[0], 3, settings.SliceAxis);
-    std::copy_n(axes[1], 3, settings.SliceSide);
   }
 
   void PrepareTable(const Parameters& parameters)
@@ -672,8 +611,7 @@ private:
   Plane Hidden[CoverageMaximumPlanes];
   Plane TurnedHidden[CoverageMaximumPlanes];
   bool Layered = false; // the medium
-  double LeastScale = 0.0;
-  Plane Cone[2]; // where view rays enter a spotlight's cone, and where they end
+  Plane Cone[2];        // where view rays enter a spotlight's cone, and where they end
   Plane TurnedCone[2];
   CoverageTable Table;
   TableKey TableKeys[2]; // of the table, and of what is asked for
