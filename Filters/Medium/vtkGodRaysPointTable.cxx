@@ -490,12 +490,16 @@ void MakePointTable(const CoverageSettings& settings, const CoverageImage& image
             const int color = settings.Planes == 1 ? mixed.Brightest : p;
             const MediumComponent& one = mixed.Components[color][0];
             const MediumComponent& other = mixed.Components[color][1];
-            const double gain =
-              mixed.Wholes[color] > 0.0 && !isBeyond ? ray.Height / mixed.Wholes[color] : 0.0;
-            sums[p] += gain * MediumAirlight(one, other, lit, before, s);
+            double rate = 0.0;
+            if (!isBeyond && mixed.Wholes[color] > 0.0)
+            {
+              const double gain = ray.Height / mixed.Wholes[color];
+              sums[p] += gain * MediumAirlight(one, other, lit, before, s);
+              rate = gain * perColumn * MediumIntegrand(one, other, lit, s);
+            }
             float* values = table.Values[p].data() + 2 * (row * table.Columns + column);
             values[0] = static_cast<float>(sums[p]);
-            values[1] = static_cast<float>(gain * perColumn * MediumIntegrand(one, other, lit, s));
+            values[1] = static_cast<float>(rate);
           }
           before = s;
         }
