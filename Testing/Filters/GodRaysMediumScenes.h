@@ -12,6 +12,7 @@
 #define GodRaysMediumScenes_h
 
 #include "vtkGodRaysCoverageFilter.h"
+#include "vtkGodRaysMath.h"
 #include "vtkGodRaysSingleScatteringReference.h"
 
 #include "vtkCellArray.h"
@@ -218,6 +219,53 @@ inline Error Compare(vtkImageData* truth, vtkGodRaysCoverageFilter* filter)
   error.Largest /= peak;
   return error;
 }
+
+// Of all pixels but one, as fractions of the largest value in these.
+inline Error GetErrorBut(vtkIdType left, vtkImageData* truth, vtkGodRaysCoverageFilter* filter)
+{
+  Compare(truth, filter);
+  vtkDataArray* expected = truth->GetPointData()->GetArray("Radiance");
+  vtkDataArray* actual = filter->GetOutput()->GetPointData()->GetScalars();
+  const vtkIdType pixels = expected->GetNumberOfTuples();
+  Error error;
+  double peak = 0.0;
+  for (vtkIdType i = 0; i < pixels; ++i)
+  {
+    if (i == left)
+    {
+      continue;
+    }
+    const double value = expected->GetComponent(i, 0);
+    const double difference = std::abs((actual ? actual->GetComponent(i, 0) : 1e30) - value);
+    error.Rms += difference * difference / static_cast<double>(pixels);
+    error.Largest = std::max(error.Largest, difference);
+    peak = std::max(peak, value);
+  }
+  return { std::sqrt(error.Rms) / peak, error.Largest / peak };
+}
+
+// Numbers that are the same with every compiler.
+struct Random
+{
+  std::mt19937 Generator;
+  double Uniform(double low, double high)
+  {
+    return low + (high - low) * (this->Generator() / 4294967296.0);
+  }
+  double Log(double low, double high)
+  {
+    return std::exp(this->Uniform(std::log(low), std::log(high)));
+  }
+  vtkGodRays::Vec3 Direction()
+  {
+    vtkGodRays::Vec3 v;
+    do
+    {
+      v = vtkGodRays::Vec3(this->Uniform(-1, 1), this->Uniform(-1, 1), this->Uniform(-1, 1));
+    } while (vtkGodRays::length(v) > 1.0 || vtkGodRays::length(v) < 0.1);
+    return v / vtkGodRays::length(v);
+  }
+};
 }
 
 #endif

@@ -72,33 +72,17 @@ void SetTruth(const PlanetScene& scene, vtkGodRaysSingleScatteringReference* ref
   reference->Update();
 }
 
-// Of all pixels but the brightest, in which the lamp may be, as fractions of the next one: there the truth is
-// of a ray through the pixel's centre, the filter's the mean over the pixel.
-Error GetError(vtkGodRaysSingleScatteringReference* reference, vtkGodRaysCoverageFilter* filter)
+// The brightest pixel, in which the lamp may be: there the truth is of a ray through the pixel's centre, the
+// filter's the mean over the pixel.
+vtkIdType FindBrightest(vtkImageData* truth)
 {
-  Compare(reference->GetOutput(), filter);
-  vtkDataArray* expected = reference->GetOutput()->GetPointData()->GetArray("Radiance");
-  vtkDataArray* actual = filter->GetOutput()->GetPointData()->GetScalars();
-  const vtkIdType number = expected->GetNumberOfTuples();
+  vtkDataArray* values = truth->GetPointData()->GetArray("Radiance");
   vtkIdType brightest = 0;
-  for (vtkIdType i = 1; i < number; ++i)
+  for (vtkIdType i = 1; i < values->GetNumberOfTuples(); ++i)
   {
-    brightest = expected->GetComponent(i, 0) > expected->GetComponent(brightest, 0) ? i : brightest;
+    brightest = values->GetComponent(i, 0) > values->GetComponent(brightest, 0) ? i : brightest;
   }
-  Error error;
-  double peak = 1e-30;
-  for (vtkIdType i = 0; i < number; ++i)
-  {
-    if (i != brightest)
-    {
-      const double truth = expected->GetComponent(i, 0);
-      const double difference = std::abs((actual ? actual->GetComponent(i, 0) : 1e30) - truth);
-      peak = std::max(peak, truth);
-      error.Rms += difference * difference / static_cast<double>(number);
-      error.Largest = std::max(error.Largest, difference);
-    }
-  }
-  return { std::sqrt(error.Rms) / peak, error.Largest / peak };
+  return brightest;
 }
 
 double GetLargest(vtkImageData* image)
@@ -133,36 +117,33 @@ TEST(PlanetLamps, ShineOnWhatTheirHorizonDoesNotHide)
   const unsigned int seed =
     std::getenv("GODRAYS_SEED") ? std::atoi(std::getenv("GODRAYS_SEED")) : 1;
   const int scenes = std::getenv("GODRAYS_LONG") ? 120 : 8;
-  std::mt19937 generator(seed);
-  const auto uniform = [&](double low, double high)
-  { return low + (high - low) * (generator() / 4294967296.0); };
-  const auto log = [&](double low, double high)
-  { return std::exp(uniform(std::log(low), std::log(high))); };
+  Random random{ std::mt19937(seed) };
   Error worst;
   for (int i = 0; i < scenes; ++i)
   {
     PlanetScene scene;
     scene.Parallel = i % 3 == 2;
-    scene.Radius = log(5.0, 1e5);
+    scene.Radius = random.Log(5.0, 1e5);
     // Lengths are those to the horizon of something so high.
-    const double height = log(1e-3, 0.3) * scene.Radius;
+    const double height = random.Log(1e-3, 0.3) * scene.Radius;
     const double reach = std::sqrt(2.0 * height * scene.Radius);
-    scene.Eye = height * log(0.2, 3.0);
-    scene.Lamp = height * log(0.05, 2.0);
-    scene.Way = reach * uniform(0.1, 1.5);
-    scene.Turn = uniform(-60.0, 60.0);
-    scene.Pitch = uniform(-30.0, 20.0);
-    scene.Far = reach * uniform(1.5, 4.0);
-    scene.Scale = height * log(0.5, 5.0);
+    scene.Eye = height * random.Log(0.2, 3.0);
+    scene.Lamp = height * random.Log(0.05, 2.0);
+    scene.Way = reach * random.Uniform(0.1, 1.5);
+    scene.Turn = random.Uniform(-60.0, 60.0);
+    scene.Pitch = random.Uniform(-30.0, 20.0);
+    scene.Far = reach * random.Uniform(1.5, 4.0);
+    scene.Scale = height * random.Log(0.5, 5.0);
     scene.Gas = i % 2 ? 0.0 : 0.3;
     vtkNew<vtkGodRaysCoverageFilter> filter;
     SetScene(scene, filter);
     vtkNew<vtkGodRaysSingleScatteringReference> reference;
     SetTruth(scene, reference);
-    const Error error = GetError(reference, filter);
+    const vtkIdType left = FindBrightest(reference->GetOutput());
+    const Error error = GetErrorBut(left, reference->GetOutput(), filter);
     const std::string plan = filter->GetPlan();
     filter->SetPlanetRadius(0.0); // the control: a plane ends no ray, and hides nothing
-    const Error plane = GetError(reference, filter);
+    const Error plane = GetErrorBut(left, reference->GetOutput(), filter);
     std::cout << i << ": " << error.Rms << ", at most " << error.Largest << ", a plane "
               << plane.Rms << ", radius " << scene.Radius << ", heights " << scene.Eye << " and "
               << scene.Lamp << " and " << scene.Scale << ", way " << scene.Way << "\n";
