@@ -13,11 +13,24 @@
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkProp.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
 
 vtkStandardNewMacro(vtkGodRaysPass);
+
+namespace
+{
+// Linear (1, 0.69, 0.34) and (0.62, 0.80, 1): warm light over blue passes grey, which looks like mud.
+const double WarmSun[3] = { 1.0, 0.85, 0.62 };
+const double CoolSun[3] = { 0.81, 0.91, 1.0 };
+
+bool IsColor(vtkLight* light, const double color[3])
+{
+  return std::equal(color, color + 3, light->GetDiffuseColor());
+}
+}
 
 //------------------------------------------------------------------------------
 vtkGodRaysPass::vtkGodRaysPass()
@@ -92,19 +105,9 @@ void vtkGodRaysPass::RemoveAllLights()
 //------------------------------------------------------------------------------
 vtkLight* vtkGodRaysPass::PlaceSun(vtkRenderer* renderer)
 {
-  if (!renderer)
-  {
-    vtkErrorMacro("PlaceSun needs a vtkRenderer, not null; nothing is changed.");
-    return nullptr;
-  }
-  Internals& self = *this->Internal;
-  vtkNew<vtkGodRaysSunPlacer> placer;
-  if (!self.Compositor || !self.Compositor->IsDistributed()) // else others see other props
-  {
-    placer->Find(renderer);
-  }
-  vtkLight* sun = this->PlaceSun(renderer, placer->GetPlace()[0], placer->GetPlace()[1]);
-  self.SunIsKept = placer->GetCoverage() > 0.0;
+  const double* usual = vtkGodRaysSunPlacer::GetUsualPlace();
+  vtkLight* sun = this->PlaceSun(renderer, usual[0], usual[1]);
+  this->Internal->SunIsKept = this->Internal->SunIsKept && !sun;
   return sun;
 }
 
@@ -127,7 +130,7 @@ vtkLight* vtkGodRaysPass::PlaceSun(vtkRenderer* renderer, double x, double y)
     self.PlacedSun->SetLightTypeToSceneLight();
     self.PlacedSun->SetConeAngle(90.0);
     self.PlacedSun->SetFocalPoint(0.0, 0.0, 0.0);
-    self.PlacedSun->SetDiffuseColor(1.0, 0.93, 0.8);
+    self.PlacedSun->SetDiffuseColor(WarmSun[0], WarmSun[1], WarmSun[2]);
   }
   self.PlacedSun->SetPositional(isLamp);
   self.PlacedSun->SetPosition(place);
@@ -137,31 +140,86 @@ vtkLight* vtkGodRaysPass::PlaceSun(vtkRenderer* renderer, double x, double y)
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysPass::UpdateSun(vtkRenderer* renderer)
+vtkGodRaysSunPlacer* vtkGodRaysPass::GetSunPlacer()
 {
-  if (this->SunPlacement == SUN_BY_HAND)
-  {
-    return;
-  }
+  return this->Internal->Placer;
+}
+
+//------------------------------------------------------------------------------
+// Whether a sun is to be placed in this frame, as there is none or it was asked for.
+bool vtkGodRaysPass::IsSunMissing() const
+{
+  const Internals& self = *this->Internal;
+  const bool isThere = self.PlacedSun &&
+    std::find(self.Lights.begin(), self.Lights.end(), self.PlacedSun) != self.Lights.end();
+  return isThere ? !self.SunIsKept : this->SunPlacement != SUN_BY_HAND;
+}
+
+//------------------------------------------------------------------------------
+// Whether the picture differs from the one whose coverage is known: by its view, or by its props. Pictures of
+// which the user drags the camera are not looked at, nor are tiles, which are parts.
+bool vtkGodRaysPass::SeesNewPicture(vtkRenderer* renderer)
+{
   Internals& self = *this->Internal;
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  int tiles[2];
+  window->GetTileScale(tiles);
+  if (std::max(tiles[0], tiles[1]) > 1 ||
+    (window->GetDesiredUpdateRate() >= 1.0 && !this->IsSunMissing()))
+  {
+    return false;
+  }
   vtkCamera* camera = renderer->GetActiveCamera();
-  std::array<double, 33> view;
-  std::copy_n(camera->GetViewTransformMatrix()->GetData(), 16, view.begin());
+  std::array<double, 34> picture;
+  std::copy_n(camera->GetViewTransformMatrix()->GetData(), 16, picture.begin());
   std::copy_n(
     camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)->GetData(), 16,
-    view.begin() + 16);
-  // Not the clipping range, which follows props that move.
-  view[16 + 10] = view[16 + 11] = 0.0;
-  view[32] = renderer->GetTiledAspectRatio();
-  const bool isThere = self.PlacedSun && self.SunIsKept &&
-    std::find(self.Lights.begin(), self.Lights.end(), self.PlacedSun) != self.Lights.end();
-  const bool isDragged = renderer->GetRenderWindow()->GetDesiredUpdateRate() >= 1.0;
-  if (isThere && (this->SunPlacement == SUN_ONCE || isDragged || view == self.SunView))
+    picture.begin() + 16);
+  // The clipping range is left out: it follows props that move.
+  picture[16 + 10] = picture[16 + 11] = 0.0;
+  picture[32] = renderer->GetTiledAspectRatio();
+  vtkMTimeType changed = 0;
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator iterator;
+  props->InitTraversal(iterator);
+  while (vtkProp* prop = props->GetNextProp(iterator))
   {
-    return;
+    changed = std::max(changed, prop->GetRedrawMTime());
   }
-  this->PlaceSun(renderer);
-  self.SunView = view;
+  picture[33] = static_cast<double>(changed) + props->GetNumberOfItems();
+  const bool isNew = picture != self.CoveredPicture;
+  self.CoveredPicture = picture;
+  return isNew;
+}
+
+//------------------------------------------------------------------------------
+// Put the sun where the placer finds the most shafts, unless it has a good place.
+void vtkGodRaysPass::MoveSun(vtkRenderer* renderer, bool isBlue)
+{
+  constexpr double goodPart = 0.8; // of the best score: nearer ones are not worth a jump
+  Internals& self = *this->Internal;
+  self.Placer->Find(renderer);
+  const double* place = self.Placer->GetPlace();
+  if (!this->IsSunMissing())
+  {
+    double now[2];
+    if (vtkGodRaysSunPlacer::FindPlace(renderer, self.PlacedSun, now) &&
+      self.Placer->GetScoreAt(now[0], now[1]) >= goodPart * self.Placer->GetScore())
+    {
+      return;
+    }
+  }
+  const bool hasOwnColor = self.PlacedSun &&
+    !IsColor(self.PlacedSun, WarmSun) && !IsColor(self.PlacedSun, CoolSun);
+  if (this->PlaceSun(renderer, place[0], place[1]))
+  {
+    self.SunIsKept = self.Placer->GetCoverage() > 0.0;
+    const double* color = isBlue ? CoolSun : WarmSun;
+    if (!hasOwnColor && !IsColor(self.PlacedSun, color))
+    {
+      self.PlacedSun->SetDiffuseColor(color[0], color[1], color[2]);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

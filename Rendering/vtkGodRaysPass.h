@@ -51,6 +51,7 @@ class vtkGodRaysCompositor;
 class vtkGodRaysIntegrator;
 class vtkGodRaysModel;
 class vtkGodRaysSun;
+class vtkGodRaysSunPlacer;
 class vtkImageData;
 class vtkInformationIntegerKey;
 class vtkLight;
@@ -121,18 +122,19 @@ public:
   {
     SUN_BY_HAND = 0,   ///< who adds lights, or calls PlaceSun()
     SUN_ONCE = 1,      ///< the first frame that has something to see
-    SUN_EVERY_VIEW = 2 ///< each still frame with a new view
+    SUN_EVERY_VIEW = 2 ///< as SUN_ONCE, and again in still frames in which its place has become poor
   };
 
   ///@{
   /**
-   * Put a sun behind the scene: where it makes the most shafts in the renderer's present view, see
-   * vtkGodRaysSunPlacer, or at a place of the picture, from (0, 0) at the lower left to (1, 1). It is a
-   * directional vtkLight, or, in a parallel projection, which sees no sun but straight ahead, a lamp far
-   * behind the scene, of the diffuse colour (1, 0.9, 0.7) at first. It is this pass's alone: the renderer
-   * keeps the lights by which it shades the scene. It stays where it is in the world while the camera moves;
-   * a further call moves it. On several processes the place is (0.35, 0.75). Returns the light; null, after
-   * an error, without a renderer.
+   * Put a sun behind the scene: where it makes the most shafts, see vtkGodRaysSunPlacer, or at a place of
+   * the picture, from (0, 0) at the lower left to (1, 1). The former is found in the next frame, by what that
+   * covers of the picture; until then the sun stands at (0.35, 0.75). The sun is a directional vtkLight, or,
+   * in a parallel projection, which sees no sun but straight ahead, a lamp far behind the scene. Its diffuse
+   * colour is warm, (1, 0.85, 0.62), or, before a blue background that is not dark, a cool (0.81, 0.91, 1);
+   * a colour that is set by hand stays. It is this pass's alone: the renderer keeps the lights by which it
+   * shades the scene. It stays where it is in the world while the camera moves; a further call moves it.
+   * Returns the light; null, after an error, without a renderer.
    */
   vtkLight* PlaceSun(vtkRenderer* renderer);
   vtkLight* PlaceSun(vtkRenderer* renderer, double x, double y);
@@ -140,13 +142,17 @@ public:
 
   ///@{
   /**
-   * Set/Get who places a sun, one of SunPlacementType. Default is SUN_BY_HAND. SUN_ONCE and
-   * SUN_EVERY_VIEW call PlaceSun() before a frame is drawn; the second does so again for each view that is
-   * drawn while no camera is dragged.
+   * Set/Get who places a sun, one of SunPlacementType. Default is SUN_BY_HAND. With SUN_EVERY_VIEW, the sun
+   * stays while its score is 0.8 of the best one or more in the new view, and while the camera is dragged.
    */
   vtkSetClampMacro(SunPlacement, int, SUN_BY_HAND, SUN_EVERY_VIEW);
   vtkGetMacro(SunPlacement, int);
   ///@}
+
+  /**
+   * What finds the place of the sun: its settings, and what it found when the sun was last looked for.
+   */
+  vtkGodRaysSunPlacer* GetSunPlacer();
 
   ///@{
   /**
@@ -315,7 +321,7 @@ public:
    * Set/Get the radiance of the open background about a light, as a fraction of the light's own
    * [no unit]. The open background is where no prop is drawn; its glow makes shafts also while the
    * light itself is hidden or outside the picture. 0 switches it off. Valid range: [0, 1].
-   * Default is 0.6.
+   * Default is 1.
    */
   void SetBackgroundGlow(double glow);
   vtkGetMacro(BackgroundGlow, double);
@@ -326,7 +332,7 @@ public:
    * Set/Get the angle about the light over which the glow is full, and the further angle over
    * which it falls smoothly to 0 [degrees, seen from the eye]. In a parallel projection, which
    * has no angles about a positional light, the picture's height counts as 30 degrees.
-   * Valid range: [0, 180] each. Defaults are 2 and 6.
+   * Valid range: [0, 180] each. Defaults are 0.75 and 3.6.
    */
   void SetBackgroundGlowRadius(double degrees);
   vtkGetMacro(BackgroundGlowRadius, double);
@@ -539,8 +545,10 @@ private:
   void FindLights(
     vtkRenderer* renderer, const vtkGodRaysView& view, std::vector<vtkGodRaysLight>& lights);
   void RenderScene(const vtkRenderState* s);
-  bool RenderRays(const vtkRenderState* s, const vtkGodRaysView& view,
-    const std::vector<vtkGodRaysLight>& lights);
+  bool RenderRays(
+    const vtkRenderState* s, const vtkGodRaysView& view, std::vector<vtkGodRaysLight>& lights);
+  bool LookAtPicture(
+    const vtkRenderState* s, const vtkGodRaysView& view, std::vector<vtkGodRaysLight>& lights);
   bool FindOccluders(const vtkRenderState* s, const vtkGodRaysView& view,
     const vtkGodRaysFramebuffer& bound, const int viewport[4]);
   bool DrawLights(const vtkRenderState* s, const vtkGodRaysView& view,
@@ -555,7 +563,9 @@ private:
   void FindConcerns();
   void DescribeStages(bool screen);
   std::string DescribeErrors() const;
-  void UpdateSun(vtkRenderer* renderer);
+  bool IsSunMissing() const;
+  bool SeesNewPicture(vtkRenderer* renderer);
+  void MoveSun(vtkRenderer* renderer, bool isBlue);
   void Complain(const std::string& complaint);
 
   struct Internals;
@@ -572,9 +582,9 @@ private:
   double InteractiveErrorTolerance = 0.01;
   bool UntaggedPropsOcclude = true;
   double SourceRadius = 0.0;
-  double BackgroundGlow = 0.6;
-  double BackgroundGlowRadius = 2.0;
-  double BackgroundGlowFalloff = 6.0;
+  double BackgroundGlow = 1.0;
+  double BackgroundGlowRadius = 0.75;
+  double BackgroundGlowFalloff = 3.6;
   double LayerMargin = 0.0;
   int Blend = MODEL_BLEND;
   int DisplayTransfer = AUTOMATIC_TRANSFER;

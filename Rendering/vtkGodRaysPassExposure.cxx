@@ -6,6 +6,7 @@
 #include "vtkGodRaysPassInternals.h"
 
 #include "vtkCamera.h"
+#include "vtkRenderState.h"
 #include "vtkRenderer.h"
 
 //------------------------------------------------------------------------------
@@ -15,6 +16,47 @@ bool vtkGodRaysPass::MetersPicture() const
   return this->Output == COMPOSITE &&
     (this->AutomaticExposure || this->DarkenLightBackground || this->DataFirst) &&
     this->Internal->Transfer != vtkGodRaysTransfer::NONE;
+}
+
+//------------------------------------------------------------------------------
+// Find what a new picture covers, and put the sun where that makes shafts, if it is this pass's.
+bool vtkGodRaysPass::LookAtPicture(
+  const vtkRenderState* s, const vtkGodRaysView& view, std::vector<vtkGodRaysLight>& lights)
+{
+  Internals& self = *this->Internal;
+  if (!self.IsNewPicture)
+  {
+    return true;
+  }
+  vtkRenderer* renderer = s->GetRenderer();
+  vtkGodRaysBlendPass::Request request;
+  request.Window = self.Window;
+  request.Scene = self.Scene.GetColor();
+  request.Depth = self.Margin == 0.0 ? self.Occlusion->GetDepth() : self.Scene.GetDepth();
+  request.Coverage = request.Depth == self.Scene.GetDepth() ? self.Coverage : nullptr;
+  request.Opacity = self.Occlusion->FindOpacity();
+  request.Transfer = self.Transfer;
+  request.Bytes = true;
+  vtkNew<vtkImageData> coverage;
+  double ground[3] = {};
+  if (!self.Meter.ReadCoverage(self.Blending, request, coverage, ground))
+  {
+    return false;
+  }
+  if (self.Compositor && self.Compositor->IsDistributed())
+  {
+    self.Compositor->Reduce(static_cast<float*>(coverage->GetScalarPointer()),
+      static_cast<std::size_t>(coverage->GetNumberOfPoints()), vtkGodRaysCompositor::GREATEST);
+  }
+  self.Placer->SetCoverage(coverage);
+  if (this->IsSunMissing() || (self.PlacedSun && this->SunPlacement == SUN_EVERY_VIEW))
+  {
+    constexpr double leastLightness = 12.0; // [L*]
+    constexpr double blue = -6.0;           // b*
+    this->MoveSun(renderer, ground[0] > leastLightness && ground[2] < blue);
+    this->FindLights(renderer, view, lights);
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -69,6 +111,8 @@ bool vtkGodRaysPass::Internals::FindExposure(
     if (pass.DarkenLightBackground && request.SparesData)
     {
       this->Surround = this->Meter.FindSurround(pass.GetExposure());
+      this->Exposure.OverData *= this->Surround.Rays; // before white, light over data is a veil
+      this->Exposure.OverDark *= this->Surround.Rays;
     }
   }
   request.AlphaShowsData = this->Meter.AlphaShowsData();
@@ -76,6 +120,7 @@ bool vtkGodRaysPass::Internals::FindExposure(
   request.DataExposure = this->Exposure.OverData;
   request.DarkExposure = this->Exposure.OverDark;
   request.DataGain = this->Exposure.DataGain;
+  request.CapsData = pass.AutomaticExposure && request.SparesData;
   request.SurroundPart = this->Surround.Part;
   request.SurroundLight = this->Surround.Light;
   request.SurroundRays = this->Surround.Rays;

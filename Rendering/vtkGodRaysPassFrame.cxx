@@ -56,6 +56,21 @@ void FindBeyond(vtkRenderer* renderer, double margin, int beyond[4])
   }
 }
 
+/// The whole picture, where one tile of it has the corners (0, 0) and (1, 1): its corner and its size.
+void FindPicture(vtkRenderer* renderer, double picture[4])
+{
+  int size[2];
+  int beyond[4];
+  int origin[2];
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  FindBeyond(renderer, 0.0, beyond);
+  for (int i = 0; i < 2; ++i)
+  {
+    picture[i] = -static_cast<double>(beyond[2 * i]) / size[i];
+    picture[i + 2] = 1.0 + static_cast<double>(beyond[2 * i] + beyond[2 * i + 1]) / size[i];
+  }
+}
+
 bool IsDisabledByEnvironment()
 {
   const char* value = std::getenv("GODRAYS_DISABLE");
@@ -102,14 +117,14 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
       this->Complain(": " + fault);
       reason = fault;
     }
-    else if (lights.empty() && !this->DimsScene())
+    else if (lights.empty() && !this->DimsScene() && !self.IsNewPicture)
     {
       reason = "no light reaches the picture";
     }
   }
-  self.NumberOfLights = static_cast<int>(lights.size());
   if (!reason.empty())
   {
+    self.NumberOfLights = 0;
     self.StagePlan = "rays: none, " + reason + "\nscene: drawn straight through\n";
     this->RenderScene(s);
     if (hasLayers && this->Output != COMPOSITE)
@@ -216,7 +231,9 @@ std::string vtkGodRaysPass::FindFault(vtkRenderer* renderer, const vtkGodRaysVie
   {
     return fault;
   }
-  this->UpdateSun(renderer);
+  const bool movesSun = this->IsSunMissing() ||
+    (self.PlacedSun && this->SunPlacement == SUN_EVERY_VIEW);
+  self.IsNewPicture = (movesSun || self.Effect->UsesCoverage()) && this->SeesNewPicture(renderer);
   this->FindLights(renderer, view, lights);
   for (const std::string& faultOfLight : self.Finder.GetFaults())
   {
@@ -293,7 +310,7 @@ void vtkGodRaysPass::FindLights(
 
 //------------------------------------------------------------------------------
 bool vtkGodRaysPass::RenderRays(
-  const vtkRenderState* s, const vtkGodRaysView& view, const std::vector<vtkGodRaysLight>& lights)
+  const vtkRenderState* s, const vtkGodRaysView& view, std::vector<vtkGodRaysLight>& lights)
 {
   Internals& self = *this->Internal;
   const vtkGodRaysStateKeeper keeper(self.Window->GetState());
@@ -302,7 +319,8 @@ bool vtkGodRaysPass::RenderRays(
   vtkGodRaysScene::GetViewport(s, viewport);
   const vtkGodRaysFramebuffer bound;
   const bool done = bound.Formats.Color && bound.Formats.Depth &&
-    this->FindOccluders(s, view, bound, viewport) && this->DrawLights(s, view, lights) &&
+    this->FindOccluders(s, view, bound, viewport) && this->LookAtPicture(s, view, lights) &&
+    this->DrawLights(s, view, lights) &&
     this->DrawOutput(s, bound, viewport);
   self.HasRays = self.HasRays && done; // else layers may lack lights
   self.Effect->End();
@@ -338,8 +356,9 @@ bool vtkGodRaysPass::FindOccluders(const vtkRenderState* s, const vtkGodRaysView
 
   const bool depthServes = self.Occlusion->SceneDepthServes(occlusion);
   const unsigned int buffers = (this->Output == COMPOSITE ? GL_COLOR_BUFFER_BIT : 0) |
-    (depthServes || self.Effect->ReadsSceneDepth() || this->MetersPicture() ? GL_DEPTH_BUFFER_BIT
-                                                                            : 0);
+    (depthServes || self.Effect->ReadsSceneDepth() || this->MetersPicture() || self.IsNewPicture
+        ? GL_DEPTH_BUFFER_BIT
+        : 0);
   if (!self.Scene.Copy(self.Window, bound, viewport, buffers))
   {
     return false;
@@ -379,7 +398,7 @@ bool vtkGodRaysPass::DrawLights(
   frame.Timers = &self.Timers;
   frame.Light = &self.Scattering;
   frame.Format = this->GetLayerFormat();
-  frame.NumberOfLights = static_cast<int>(lights.size());
+  frame.NumberOfLights = self.NumberOfLights = static_cast<int>(lights.size());
   frame.Interactive = self.Window->GetDesiredUpdateRate() >= 1.0;
   frame.ErrorTolerance = frame.Interactive
     ? std::max(this->ErrorTolerance, this->InteractiveErrorTolerance)
@@ -389,6 +408,9 @@ bool vtkGodRaysPass::DrawLights(
   {
     frame.ErrorTolerance *= 0.5;
   }
+  frame.Placer = self.IsNewPicture ? self.Placer.Get() : nullptr;
+  frame.InventsStreaks = !this->DataFirst;
+  FindPicture(s->GetRenderer(), frame.Picture);
   frame.KeepsLayers = this->Output == OCCLUSION || self.KeepAllLayers;
   frame.Scatters = this->Output != OCCLUSION;
   const int width = static_cast<int>(frame.SceneDepth->GetWidth());
@@ -436,6 +458,7 @@ bool vtkGodRaysPass::DrawOutput(
     request.Backdrop = self.HasBackdrop ? self.Backdrop.GetColor() : nullptr;
     request.Rays = light->GetTexture();
     request.Tint = light->GetTint();
+    request.Response = light->GetResponse();
     request.Transfer = self.Transfer;
     request.ShowRays = this->Output != COMPOSITE;
     request.Depth = request.Depth ? request.Depth : self.Scene.GetDepth();

@@ -23,6 +23,7 @@
 #include "vtkGodRaysSceneCopy.h"
 #include "vtkGodRaysSum.h"
 #include "vtkGodRaysSun.h"
+#include "vtkGodRaysSunPlacer.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysTimers.h"
 #include "vtkGodRaysTransfer.h"
@@ -46,8 +47,10 @@ struct vtkGodRaysPass::Internals
   vtkGodRaysLightFinder Finder;
   std::vector<vtkGodRaysLight> FormerLights; // empty: memory for those of a frame
   vtkSmartPointer<vtkLight> PlacedSun;       // by PlaceSun()
-  bool SunIsKept = false;                    // it was placed by something to see
-  std::array<double, 33> SunView = {};       // for which view
+  bool SunIsKept = false;                    // it has a place that was found or given
+  vtkNew<vtkGodRaysSunPlacer> Placer;
+  std::array<double, 34> CoveredPicture = {}; // of the placer's coverage: view and props
+  bool IsNewPicture = false;                  // the coverage is to be found in this frame
   vtkSmartPointer<vtkGodRaysSun> Sun = vtkSmartPointer<vtkGodRaysSun>::New();
   vtkSmartPointer<vtkGodRaysModel> Model;
   std::unique_ptr<vtkGodRaysEffect> Effect; // the model's

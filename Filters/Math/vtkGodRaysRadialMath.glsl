@@ -178,3 +178,33 @@ LAYER_TEMPLATE Vec3 MeanAlongMarch(
   }
   return sum;
 }
+
+// The response of a look: how its sum is shown.
+
+// Streaks of a light: a fixed pattern of the angle about it, of mean 0 and variance 1, as dust that is not
+// even makes them. Formula: sum_i n_i^-0.35 cos(n_i a + p_i), normalized, n = 5, 9, 14, 22, 35. [no unit]
+FUNCTION Real StreakPattern(IN(Real) angle)
+{
+  return 0.8512 * cos(5.0 * angle + 0.7) + 0.6929 * cos(9.0 * angle + 2.9) +
+    0.5936 * cos(14.0 * angle + 4.4) + 0.5068 * cos(22.0 * angle + 1.3) +
+    0.4308 * cos(35.0 * angle + 5.6);
+}
+
+// The factor on a sum at some offset from its light. Rays fade with the distance by which they are farther
+// from the light than the picture's nearest point; reach 0 leaves that out. Streaks have an amplitude of their
+// pattern, and begin 0.12 from the light.
+// Formula: exp(-(r - nearest)/reach) max(1 + streaks smoothstep(r/0.12) pattern, 0). [no unit], lengths in
+// heights of the picture
+FUNCTION Real RadialResponse(IN(Vec2) offset, IN(Real) nearest, IN(Real) reach, IN(Real) streaks)
+{
+  GODRAYS_EXPECT(nearest >= 0.0 && reach >= 0.0 && streaks >= 0.0);
+  Real r = length(offset);
+  Real fade = reach > 0.0 ? exp(-max(r - nearest, Real(0.0)) / reach) : 1.0;
+  if (streaks <= 0.0 || r <= 0.0)
+  {
+    return fade;
+  }
+  Real t = clamp(r / 0.12, Real(0.0), Real(1.0));
+  Real pattern = StreakPattern(atan(offset.y, offset.x));
+  return fade * max(1.0 + streaks * t * t * (3.0 - 2.0 * t) * pattern, Real(0.0));
+}

@@ -7,6 +7,7 @@ in vec2 texCoord;
 
 //VTK::GodRays::Colour
 //VTK::GodRays::Medium
+//VTK::GodRays::Radial
 
 uniform sampler2D scene;
 uniform sampler2D rays;
@@ -15,6 +16,8 @@ uniform float sceneGain;
 uniform sampler2D veil;     // what media of data leave of what is behind them
 uniform sampler2D backdrop; // of a scene that is over black, put under it later
 uniform vec3 tint;        // of rays of one channel
+uniform vec4 responsePlace;   // of the light, and the size of the picture in heights
+uniform vec3 responseNumbers; // nearest, reach and streaks of RadialResponse()
 uniform float viewScale;  // fraction of the rays' size that is shown, if they are resized
 uniform sampler2D depth;  // window depth of what is seen
 uniform vec4 depthTerms;  // see vtkGodRaysView::Pinhole
@@ -66,6 +69,9 @@ uniform vec2 cells;          // of the pictures that a meter reads
 // lightnessAlone: whether data keep hue and chroma
 // hasOpacity: whether opacity, rather than the scene's alpha, says what leaves no depth
 // hasCoverage: whether coverage, rather than one depth, says how much of a pixel has a depth
+// responds: whether the rays have a response
+// dithered: whether noise of half a level hides that colours are rounded
+// capsData: whether rays over data have a cap
 // metered: whether a few pixels are drawn for a vtkGodRaysLightMeter, rather than the picture
 
 // What the medium lets through between the eye and what is seen.
@@ -174,6 +180,11 @@ void main()
   {
     vec4 ray = resized ? texture(rays, 0.5 + (uv - 0.5) * viewScale) : texelFetch(rays, pixel, 0);
     light = intensity * (oneChannel ? ray.r * tint : ray.rgb);
+    if (responds)
+    {
+      light *= RadialResponse((uv - responsePlace.xy) * responsePlace.zw, responseNumbers.x, responseNumbers.y,
+        responseNumbers.z);
+    }
   }
   if (showRays)
   {
@@ -215,7 +226,8 @@ void main()
   }
   if (sparesData)
   {
-    light *= mix(1.0, mix(darkExposure, dataExposure, SeenPart(before)), DataPart(pixel, shownOver.a));
+    vec3 over = mix(darkExposure, dataExposure, SeenPart(before)) * (capsData ? CapLight(light) : light);
+    light = mix(light, over, DataPart(pixel, shownOver.a));
   }
   vec3 sum = Join(base, light);
   if (surround)
@@ -228,6 +240,11 @@ void main()
     sum = mix(sum, BlendLightness(before, sum, mostLightness), DataPart(pixel, shownOver.a));
   }
   // what is darker than the backdrop has to cover it
+  vec3 shownSum = Encode(sum);
+  if (dithered)
+  {
+    shownSum += OrderedNoise(gl_FragCoord.xy) / 255.0;
+  }
   gl_FragData[0] =
-    vec4(Encode(sum) - (dimmed || surround ? vec3(0.0) : under), 1.0);
+    vec4(shownSum - (dimmed || surround ? vec3(0.0) : under), 1.0);
 }

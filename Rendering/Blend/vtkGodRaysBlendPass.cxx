@@ -6,6 +6,7 @@
 #include "vtkGodRaysMedium.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysQuad.h"
+#include "vtkGodRaysResponse.h"
 #include "vtkGodRaysView.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -83,7 +84,8 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
       static_cast<int>(request.Rays->GetHeight()) != request.Viewport[3]);
   const bool metered = request.Cells[0] > 0;
   const bool sparesData =
-    std::min(request.DataExposure, request.DarkExposure) < 1.0 && !request.ShowRays && !metered;
+    (request.CapsData || std::min(request.DataExposure, request.DarkExposure) < 1.0) &&
+    !request.ShowRays && !metered;
   const bool gainsData = request.Medium && request.DataGain > 1.0 && !request.ShowRays && !metered;
   const bool surround = request.SurroundPart > 0.0 && !request.ShowRays && !metered;
   const bool lightnessAlone = request.MostLightness >= 0.0 && !request.ShowRays && !metered;
@@ -103,7 +105,10 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
       { "grey", request.Medium && request.Medium->IsGrey() },
       { "shoulder", request.Shoulder && !request.Screen }, { "lightnessAlone", lightnessAlone },
       { "surround", surround }, { "sparesData", sparesData }, { "gainsData", gainsData },
-      { "hasOpacity", hasOpacity }, { "hasCoverage", hasCoverage }, { "metered", metered } });
+      { "responds", request.Rays && request.Response != nullptr },
+      { "dithered",
+        request.Bytes && request.Transfer != vtkGodRaysTransfer::NONE && !request.ShowRays },
+      { "capsData", request.CapsData }, { "hasOpacity", hasOpacity }, { "hasCoverage", hasCoverage }, { "metered", metered } });
   if (!program)
   {
     return false;
@@ -139,6 +144,16 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
   if (request.Rays)
   {
     this->Internal->Quad.SetTexture("rays", request.Rays);
+  }
+  if (request.Rays && request.Response)
+  {
+    const vtkGodRaysResponse& response = *request.Response;
+    const float place[4] = { static_cast<float>(response.Light[0]),
+      static_cast<float>(response.Light[1]), static_cast<float>(response.Heights[0]),
+      static_cast<float>(response.Heights[1]) };
+    program->SetUniform4f("responsePlace", place);
+    const double numbers[3] = { response.Nearest, response.Reach, response.Streaks };
+    vtkGodRaysQuad::SetVector(program, "responseNumbers", numbers);
   }
   if (request.Medium)
   {

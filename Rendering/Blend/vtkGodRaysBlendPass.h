@@ -26,6 +26,7 @@ class vtkOpenGLRenderWindow;
 class vtkTextureObject;
 class vtkWindow;
 struct vtkGodRaysMedium;
+struct vtkGodRaysResponse;
 struct vtkGodRaysView;
 
 class VTKGODRAYSRENDERING_EXPORT vtkGodRaysBlendPass : public vtkObject
@@ -43,6 +44,7 @@ public:
     vtkTextureObject* Scene = nullptr; ///< colours of the viewport; not read when ShowRays
     vtkTextureObject* Rays = nullptr;  ///< null for none, with a Medium only
     const double* Tint = nullptr;      ///< if the rays have one channel: their colour where it is 1
+    const vtkGodRaysResponse* Response = nullptr; ///< of the rays; null for none
     double ViewScale = 1.0; ///< fraction of the rays' size that is shown; 1 unless ShowRays
     vtkTextureObject* Backdrop = nullptr; ///< background that is put under the result later
     double Intensity = 1.0;
@@ -53,11 +55,12 @@ public:
     bool Screen = false;
     bool Bytes = false;          ///< whether the scene's and the framebuffer's values are of 8 bits
     bool Shoulder = false;       ///< keep sums below white, unless Screen
-    double SurroundPart = 0.0;   ///< by which a light background is darker where rays are absent
+    double SurroundPart = 0.0;   ///< of the way to grey that a light background goes without rays
     double SurroundLight = 1.0;  ///< luminance of rays that leave it as it is
     double SurroundRays = 1.0;   ///< part of the rays that is added before it, too
     double DataExposure = 1.0;   ///< factor on rays over data that are seen
     double DarkExposure = 1.0;   ///< factor on rays over data that are dark
+    bool CapsData = false;       ///< rays over data have a cap, see CapLight() in the formulas
     double DataGain = 1.0;       ///< on data, at most as much as the medium takes of their light
     double MostLightness = -1.0; ///< by which data change, in L*, if only that may; else below 0
     bool AlphaShowsData = false; ///< it is 0 where nothing is drawn

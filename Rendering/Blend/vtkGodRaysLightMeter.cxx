@@ -5,13 +5,16 @@
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysRole.h"
+#include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
+#include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace
 {
@@ -193,8 +196,9 @@ public:
     Sum sum;
     for (const Colors& each : this->Data)
     {
-      const double over = glm::mix(1.0, glm::mix(overDark, overLit, each.Lit), each.Part);
-      const Vec3 rays = exposure * over * each.Rays;
+      const double over = glm::mix(overDark, overLit, each.Lit);
+      const Vec3 full = exposure * each.Rays;
+      const Vec3 rays = glm::mix(full, over * (this->LimitsTint ? vtkGodRays::CapLight(full) : full), each.Part);
       const Vec3 after = ToLab(this->Shoulder ? vtkGodRays::BlendShoulder(each.Base, rays)
                                               : vtkGodRays::BlendAdd(each.Base, rays));
       sum.Add(each.Part * (kind == LIT ? each.Lit : 1.0), glm::length(after - each.Before),
@@ -247,32 +251,87 @@ vtkGodRaysLightMeter::vtkGodRaysLightMeter()
 vtkGodRaysLightMeter::~vtkGodRaysLightMeter() = default;
 
 //------------------------------------------------------------------------------
-bool vtkGodRaysLightMeter::Read(
-  vtkGodRaysBlendPass* blending, const vtkGodRaysBlendPass::Request& request)
+// Draw three pictures of a request, and read them into Pixels.
+bool vtkGodRaysLightMeter::Draw(
+  vtkGodRaysBlendPass* blending, const vtkGodRaysBlendPass::Request& request, int columns, int rows)
 {
   vtkOpenGLState* state = request.Window->GetState();
   state->PushFramebufferBindings();
-  this->Target.Prepare(request.Window, Columns, 3 * Rows, { GL_RGBA32F, 0 });
+  this->Target.Prepare(request.Window, columns, 3 * rows, { GL_RGBA32F, 0 });
   bool done = this->Target.Bind();
   if (done)
   {
     vtkGodRaysBlendPass::Request metered = request;
-    metered.Cells[0] = Columns;
-    metered.Cells[1] = Rows;
+    metered.Cells[0] = columns;
+    metered.Cells[1] = rows;
     metered.Intensity = 1.0;
-    const int whole[4] = { 0, 0, Columns, 3 * Rows };
+    const int whole[4] = { 0, 0, columns, 3 * rows };
     std::copy_n(whole, 4, metered.Viewport);
     done = blending->Draw(metered);
   }
   state->PopFramebufferBindings();
-  if (!done)
+  if (done)
+  {
+    this->Pixels.resize(12 * static_cast<std::size_t>(columns) * rows);
+    this->Target.Read(GL_RGBA, GL_FLOAT, this->Pixels.data(), 0);
+  }
+  return done;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysLightMeter::ReadCoverage(vtkGodRaysBlendPass* blending,
+  const vtkGodRaysBlendPass::Request& request, vtkImageData* coverage, double ground[3])
+{
+  constexpr double usualRows = 60.0;
+  constexpr double mostCells = 480.0; // along the longer side
+  constexpr int across = 3;           // pixels that are read of a cell
+  const double width = request.Scene->GetWidth();
+  const double height = request.Scene->GetHeight();
+  const double cell = std::max(height / usualRows, std::max(width, height) / mostCells);
+  const int columns = std::max(8, static_cast<int>(std::lround(width / cell)));
+  const int rows = std::max(8, static_cast<int>(std::lround(height / cell)));
+  if (!this->Draw(blending, request, across * columns, across * rows))
+  {
+    return false;
+  }
+  coverage->SetDimensions(columns, rows, 1);
+  coverage->AllocateScalars(VTK_FLOAT, 1);
+  auto covered = static_cast<float*>(coverage->GetScalarPointer());
+  std::fill_n(covered, static_cast<std::size_t>(columns) * rows, 0.0f);
+  const std::size_t count = static_cast<std::size_t>(across) * across * columns * rows;
+  Vec3 light(0.0);
+  double open = 0.0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const float* picture[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      picture[k] = this->Pixels.data() + 4 * (k * count + i);
+    }
+    const std::size_t x = i % (across * columns) / across;
+    const std::size_t y = i / (across * columns) / across;
+    const float part =
+      picture[1][3] + (1.0f - picture[1][3]) * std::clamp(picture[2][3], 0.0f, 1.0f);
+    covered[y * columns + x] += part / (across * across);
+    light += (1.0 - part) * Vec3(picture[0][0], picture[0][1], picture[0][2]);
+    open += 1.0 - part;
+  }
+  const Vec3 lab = ToLab(light / std::max(open, 1.0));
+  std::copy_n(&lab.x, 3, ground);
+  this->Samples.clear();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysLightMeter::Read(
+  vtkGodRaysBlendPass* blending, const vtkGodRaysBlendPass::Request& request)
+{
+  if (!this->Draw(blending, request, Columns, Rows))
   {
     return false;
   }
   const std::size_t count = static_cast<std::size_t>(Columns) * Rows;
-  this->Pixels.resize(12 * count);
-  float* pixels = this->Pixels.data();
-  this->Target.Read(GL_RGBA, GL_FLOAT, pixels, 0);
+  const float* pixels = this->Pixels.data();
   const float* picture[3] = { pixels, pixels + 4 * count, pixels + 8 * count };
   this->HasAlpha = false;
   for (std::size_t i = 0; i < count; ++i)
@@ -349,9 +408,10 @@ vtkGodRaysLightMeter::Exposure vtkGodRaysLightMeter::FindExposure(
   }
   const auto rank = brightest.begin() + static_cast<std::ptrdiff_t>(0.99 * (brightest.size() - 1));
   std::nth_element(brightest.begin(), rank, brightest.end());
-  result.Everywhere = std::min(largest, MostMean / mean);
+  const int kind = sparesData ? 0 : 1;
+  result.Everywhere = std::min(largest, MostMean[kind] / mean);
   result.Everywhere =
-    *rank > 0.0 ? std::min(result.Everywhere, MostBrightest / *rank) : result.Everywhere;
+    *rank > 0.0 ? std::min(result.Everywhere, MostBrightest[kind] / *rank) : result.Everywhere;
 
   result.DataGain = sparesData ? 1.0 : FindDataGain(samples);
   Fidelity& fidelity = *this->Data;
@@ -403,7 +463,7 @@ vtkGodRaysLightMeter::Surround vtkGodRaysLightMeter::FindSurround(double exposur
   {
     lightness /= static_cast<double>(light.size());
     result.Light = *rank;
-    result.Part = MostSurroundPart * glm::smoothstep(65.0, 85.0, lightness);
+    result.Part = glm::smoothstep(65.0, 85.0, lightness);
     result.Rays = 1.0 - glm::smoothstep(75.0, 90.0, lightness);
   }
   return result;

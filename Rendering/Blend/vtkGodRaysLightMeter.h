@@ -25,6 +25,7 @@
 #include <memory>
 #include <vector>
 
+class vtkImageData;
 class vtkRenderer;
 class vtkWindow;
 
@@ -41,14 +42,17 @@ public:
   };
 
   ///@{
-  /// What is promised, 10 and 0.9, with something to spare for the pixels that are not read.
-  static constexpr double MostDifference = 8.0; ///< mean distance in CIE 1976 L*a*b*
+  /// What is promised, 9 and 0.9, with something to spare for the pixels that are not read.
+  static constexpr double MostDifference = 7.0; ///< mean distance in CIE 1976 L*a*b*
   static constexpr double LeastChroma = 0.92;   ///< fraction of the mean chroma
   static constexpr double MostTint = 2.0;       ///< chroma that grey data may gain, just visible
   ///@}
-  static constexpr double MostBrightest =
-    1.0; ///< 99th percentile of the rays [linear light, 1 is white]
-  static constexpr double MostMean = 0.12; ///< mean of the rays [linear light, 1 is white]
+
+  ///@{
+  /// Of the rays of a look, which is dark between its shafts, and of a medium [linear light, 1 is white].
+  static constexpr double MostBrightest[2] = { 1.2, 1.0 }; ///< 99th percentile
+  static constexpr double MostMean[2] = { 0.065, 0.12 };    ///< mean
+  ///@}
 
   vtkGodRaysLightMeter();
   ~vtkGodRaysLightMeter();
@@ -60,6 +64,14 @@ public:
    * if that failed; the framebuffer that was bound is bound again.
    */
   bool Read(vtkGodRaysBlendPass* blending, const vtkGodRaysBlendPass::Request& request);
+
+  /**
+   * Read which part of the picture of a request is covered, into one float a cell, of 60 rows where the picture
+   * is not very wide or tall; and the mean colour of the rest [CIE 1976 L*a*b*], as far as the request has
+   * scene's colours. Returns as Read().
+   */
+  bool ReadCoverage(vtkGodRaysBlendPass* blending, const vtkGodRaysBlendPass::Request& request,
+    vtkImageData* coverage, double ground[3]);
 
   /**
    * The AlphaLayers of a request, for the props of a renderer: how translucent ones are drawn decides it.
@@ -96,11 +108,9 @@ public:
     double Rays = 1.0; ///< part of the rays that is added, too
   };
 
-  static constexpr double MostSurroundPart = 0.6;
-
   /**
    * The surround for the samples, whose rays have this factor: from none, where the lightness of the
-   * background is 65 [L*] on average, to MostSurroundPart, from 85 on. Rays leave it as it is from the 90th
+   * background is 65 [L*] on average, to all of it, from 85 on. Rays leave it as it is from the 90th
    * percentile of theirs before it. All of them are added up to a lightness of 75, none from 90 on.
    */
   Surround FindSurround(double exposure);
@@ -120,6 +130,9 @@ public:
 
 private:
   class Fidelity;
+
+  bool Draw(vtkGodRaysBlendPass* blending, const vtkGodRaysBlendPass::Request& request, int columns,
+    int rows);
 
   vtkGodRaysTarget Target;
   std::vector<Sample> Samples;

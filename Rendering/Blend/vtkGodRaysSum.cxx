@@ -3,6 +3,7 @@
 #include "vtkGodRaysSum.h"
 
 #include "vtkGodRaysBlendPass.h"
+#include "vtkGodRaysFramebuffer.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -28,6 +29,7 @@ void vtkGodRaysSum::Begin(vtkOpenGLRenderWindow* window, int width, int height, 
   this->Format = format;
   this->Drawn = false;
   this->Lent = nullptr;
+  this->Response = {};
 }
 
 //------------------------------------------------------------------------------
@@ -37,6 +39,20 @@ bool vtkGodRaysSum::BindToAdd()
   {
     return false;
   }
+  if (!this->Response.IsLinear())
+  {
+    this->Staging.Prepare(this->Window, this->Width, this->Height, { this->Format, 0 });
+    this->Window->GetState()->vtkglDisable(GL_BLEND);
+    const bool bound = this->Staging.Bind();
+    const double white[3] = { 1.0, 1.0, 1.0 };
+    return this->Lend(this->Staging, white, 1.0) && bound;
+  }
+  return this->BindTarget();
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSum::BindTarget()
+{
   this->Target.Prepare(this->Window, this->Width, this->Height, { this->Format, 0 });
   vtkOpenGLState* state = this->Window->GetState();
   if (this->Drawn)
@@ -55,11 +71,16 @@ bool vtkGodRaysSum::BindToAdd()
 //------------------------------------------------------------------------------
 bool vtkGodRaysSum::Lend(vtkGodRaysTarget& colors, const double tint[3], double viewScale)
 {
-  if (!this->IsEmpty() || viewScale < 1.0)
+  if ((!this->IsEmpty() && this->Response.IsLinear()) || viewScale < 1.0)
   {
     return this->Add(colors, tint, viewScale);
   }
+  if (!this->Settle())
+  {
+    return false;
+  }
   this->Lent = &colors;
+  this->LentResponse = this->Response;
   this->LentVersion = colors.GetVersion();
   std::copy_n(tint, 3, this->Tint);
   return true;
@@ -68,16 +89,20 @@ bool vtkGodRaysSum::Lend(vtkGodRaysTarget& colors, const double tint[3], double 
 //------------------------------------------------------------------------------
 bool vtkGodRaysSum::Add(vtkGodRaysTarget& colors, const double tint[3], double viewScale)
 {
+  return this->Settle() && this->Draw(colors, tint, viewScale, this->Response);
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSum::Draw(vtkGodRaysTarget& colors, const double tint[3], double viewScale,
+  const vtkGodRaysResponse& response)
+{
   vtkGodRaysBlendPass::Request request;
-  if (!this->Settle())
-  {
-    return false;
-  }
   request.Accumulate = this->Drawn;
-  if (!this->BindToAdd())
+  if (!this->BindTarget())
   {
     return false;
   }
+  request.Response = response.IsLinear() ? nullptr : &response;
   request.Window = this->Window;
   request.Viewport[2] = this->Width;
   request.Viewport[3] = this->Height;
@@ -94,7 +119,7 @@ bool vtkGodRaysSum::Settle()
 {
   vtkGodRaysTarget* lent = this->Lent;
   this->Lent = nullptr;
-  return !lent || this->Add(*lent, this->Tint, 1.0);
+  return !lent || this->Draw(*lent, this->Tint, 1.0, this->LentResponse);
 }
 
 //------------------------------------------------------------------------------
@@ -110,7 +135,27 @@ const double* vtkGodRaysSum::GetTint() const
 }
 
 //------------------------------------------------------------------------------
+const vtkGodRaysResponse* vtkGodRaysSum::GetResponse() const
+{
+  return this->Lent && !this->LentResponse.IsLinear() ? &this->LentResponse : nullptr;
+}
+
+//------------------------------------------------------------------------------
 bool vtkGodRaysSum::Download(vtkImageData* image)
+{
+  if (this->GetResponse() && this->Lent->GetVersion() == this->LentVersion)
+  {
+    const vtkGodRaysStateKeeper keeper(this->Window->GetState());
+    if (!this->Settle())
+    {
+      return false;
+    }
+  }
+  return this->DownloadLinear(image);
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysSum::DownloadLinear(vtkImageData* image)
 {
   if (this->IsEmpty() || (this->Lent && this->Lent->GetVersion() != this->LentVersion))
   {
@@ -130,6 +175,7 @@ bool vtkGodRaysSum::Download(vtkImageData* image)
 void vtkGodRaysSum::Release(vtkWindow* window)
 {
   this->Target.Release(window);
+  this->Staging.Release(window);
   this->Adding->ReleaseGraphicsResources(window);
   this->Drawn = false;
   this->Lent = nullptr;

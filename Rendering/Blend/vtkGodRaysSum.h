@@ -6,11 +6,14 @@
  *
  * Integrators draw into it (BindToAdd()), or hand over a texture that they filled themselves (Lend()).
  * The one texture of a single light is used as it is, without another copy of the picture.
+ *
+ * A light may have a response. The sum of one light is then shown with it, and added with it to that of others.
  */
 
 #ifndef vtkGodRaysSum_h
 #define vtkGodRaysSum_h
 
+#include "vtkGodRaysResponse.h"
 #include "vtkGodRaysTarget.h"
 
 class vtkGodRaysBlendPass;
@@ -30,6 +33,12 @@ public:
    * Start a frame with no light: width and height of the picture [pixels], GL_RGBA16F or GL_RGBA32F.
    */
   void Begin(vtkOpenGLRenderWindow* window, int width, int height, unsigned int format);
+
+  /**
+   * Set the response of the lights that are added from now on, until Begin(). Default is a linear one.
+   */
+  void SetResponse(const vtkGodRaysResponse& response) { this->Response = response; }
+  bool IsLinear() const { return this->Response.IsLinear(); }
 
   /**
    * Make the sum the framebuffer drawn into, with blending set so that what is drawn over the whole
@@ -64,14 +73,27 @@ public:
   ///@}
 
   /**
-   * Copy it into an image of three 32-bit floats a pixel; waits for the drawing. False, and the image
-   * is left alone, without light, and if what was lent is not there any more.
+   * The response with which the texture is to be shown; null if there is none.
+   */
+  const vtkGodRaysResponse* GetResponse() const;
+
+  ///@{
+  /**
+   * Copy it, or the light that was added last, without its response, into an image of three 32-bit floats a
+   * pixel; waits for the drawing. Lights without a response cannot be told apart: then the second copies all.
+   * False, and the image is left alone, without light, and if what was lent is not there any more.
    */
   bool Download(vtkImageData* image);
+  bool DownloadLinear(vtkImageData* image);
+  ///@}
 
   void Release(vtkWindow* window);
 
 private:
+  bool BindTarget();
+  bool Draw(vtkGodRaysTarget& colors, const double tint[3], double viewScale,
+    const vtkGodRaysResponse& response);
+
   vtkGodRaysTarget Target;
   vtkSmartPointer<vtkGodRaysBlendPass> Adding;
   vtkOpenGLRenderWindow* Window = nullptr;
@@ -79,6 +101,9 @@ private:
   int Height = 0;
   unsigned int Format = 0;
   bool Drawn = false;
+  vtkGodRaysTarget Staging; // of one light with a response, which is drawn rather than lent
+  vtkGodRaysResponse Response;
+  vtkGodRaysResponse LentResponse;
   vtkGodRaysTarget* Lent = nullptr;
   unsigned int LentVersion = 0;
   double Tint[3] = { 1.0, 1.0, 1.0 };

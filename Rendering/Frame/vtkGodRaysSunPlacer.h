@@ -4,16 +4,13 @@
  * @class   vtkGodRaysSunPlacer
  * @brief   where in a picture a sun behind the scene makes the most shafts
  *
- * What props cover of the picture is drawn on a grid of 128 rows, by the processor: no window and no
- * OpenGL are needed. A place is good if the light that leaves it changes much with direction, from edge to
- * gap, where the picture has open room for the shafts; if little of what is covered lies in its glare; and
- * if it is off the middle, a third of the picture from its sides. Places in the open, or behind something
- * wide, are not taken.
+ * A place is judged by the shafts that a light would make there. The light's glow is followed along 160
+ * directions past the coverage of the picture, and the lightness of the rays is compared on three rings about
+ * the place. Each local maximum of lightness by angle counts by its prominence, at most 25 L*, so that many
+ * shafts count more than one strong wedge. The sum is lowered for places in the open, places deep behind the
+ * data, places below the data, and places near the edge of the picture.
  *
- * Polygons, lines and points count as they are, other data sets by their surface, splats by their scale,
- * up to 100,000 glyphs of a mapper by their sources' boxes and more by their points, molecules as balls and
- * sticks, volumes where their opacity is above 0.1. Props tagged LIGHT or IGNORED do not count, nor do
- * invisible ones.
+ * The coverage is an image, such as the one that vtkGodRaysPass makes of its first frame. No OpenGL is needed.
  *
  * @sa vtkGodRaysPass
  */
@@ -23,11 +20,13 @@
 
 #include "vtkGodRaysRenderingModule.h" // For export macro
 #include "vtkObject.h"
+#include "vtkWrappingHints.h" // For VTK_SIZEHINT
+
+#include <memory> // For std::unique_ptr
 
 class vtkCamera;
-class vtkGodRaysCompositor;
-class vtkGodRaysSilhouette;
-class vtkPropCollection;
+class vtkImageData;
+class vtkLight;
 class vtkRenderer;
 
 class VTKGODRAYSRENDERING_EXPORT vtkGodRaysSunPlacer : public vtkObject
@@ -40,7 +39,7 @@ public:
   ///@{
   /**
    * Set/Get the lowest place that may be taken [fraction of the picture's height, from its lower edge].
-   * Valid range: [0, 1]. Default is 0.25.
+   * Valid range: [0, 1]. Default is 0.
    */
   vtkSetClampMacro(Lowest, double, 0.0, 1.0);
   vtkGetMacro(Lowest, double);
@@ -48,22 +47,32 @@ public:
 
   ///@{
   /**
-   * Look at a renderer's props with its camera, or at props with a camera in a picture of this ratio of
-   * width to height. A renderer whose camera was never set is seen as VTK would set it. With a compositor,
-   * the props are those of all processes, each of which makes this call, with the same camera and ratio.
-   * Returns whether there is a place that is partly covered; if not, Place is the default, or, where
-   * something hides that, the place of all the picture that is least hidden. No renderer, or a ratio that is
-   * not above 0, is an error.
+   * Set the coverage, and find the best place for it. coverage: one 32-bit float a cell, the fraction of it that is covered, in [0, 1];
+   * rows from the picture's lower edge; cells are square. 50 to 70 rows are enough. SetCoverage()
+   * returns false, after an error, and changes nothing for any other image. Find() returns whether there is a
+   * place that makes shafts; if not, Place is the most open one, or the usual one if nothing is covered. With a
+   * renderer, places below the far edge of its ground are left out, where a sun would stand under it: that of a
+   * flat box of visible props that is seen from above.
    */
-  bool Find(vtkRenderer* renderer, vtkGodRaysCompositor* compositor = nullptr);
-  bool Find(vtkPropCollection* props, vtkCamera* camera, double aspect);
+  bool SetCoverage(vtkImageData* coverage);
+  bool Find(vtkRenderer* renderer = nullptr);
   ///@}
 
   ///@{
   /**
-   * What was found: a place, from (0, 0) at the picture's lower left to (1, 1), by default (0.35, 0.75);
-   * how good it is, 0 if there is none, some 3 at best; the fraction of the picture that is covered; the
-   * box of what is covered, its left, right, lower and upper edge, the whole picture if nothing is.
+   * The score of one place of the coverage, 0 if it is more than 0.08 outside the picture; and the prominence of its shafts alone
+   * [CIE 1976 L*, summed over the shafts, mean of the three rings].
+   */
+  double GetScoreAt(double x, double y) const;
+  double GetShaftsAt(double x, double y) const;
+  ///@}
+
+  ///@{
+  /**
+   * The result: a place, from (0, 0) at the picture's lower left to (1, 1), by default (0.35, 0.75), up to 0.08
+   * outside; its score [L*], 0 if there is none and some 80 at best; the fraction of the picture that is
+   * covered; the box of what is covered, its left, right, lower and upper edge, the whole picture if nothing
+   * is.
    */
   vtkGetVector2Macro(Place, double);
   vtkGetMacro(Score, double);
@@ -88,17 +97,29 @@ public:
    */
   static bool GetPosition(vtkRenderer* renderer, double x, double y, double position[3]);
 
+  /**
+   * Where a light that shines from afar, or a lamp, is seen in a renderer's picture. Returns false, and leaves
+   * the place alone, if it is behind the camera.
+   */
+  static bool FindPlace(vtkRenderer* renderer, vtkLight* light, double place[2]);
+
+  /**
+   * The place for a sun where nothing says a better one: (0.35, 0.75).
+   */
+  static const double* GetUsualPlace() VTK_SIZEHINT(2);
+
 protected:
-  vtkGodRaysSunPlacer() = default;
-  ~vtkGodRaysSunPlacer() override = default;
+  vtkGodRaysSunPlacer();
+  ~vtkGodRaysSunPlacer() override;
 
 private:
-  bool Find(const vtkGodRaysSilhouette& silhouette);
-
   vtkGodRaysSunPlacer(const vtkGodRaysSunPlacer&) = delete;
   void operator=(const vtkGodRaysSunPlacer&) = delete;
 
-  double Lowest = 0.25;
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+
+  double Lowest = 0.0;
   double Place[2] = { 0.35, 0.75 };
   double Score = 0.0;
   double Coverage = 0.0;

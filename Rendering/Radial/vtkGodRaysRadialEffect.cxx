@@ -8,6 +8,7 @@
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysRadialModel.h"
 #include "vtkGodRaysRadialSumModel.h"
+#include "vtkGodRaysSunPlacer.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysTimers.h"
 #include "vtkGodRaysVerification.h"
@@ -16,6 +17,7 @@
 #include "vtkNew.h"
 
 #include <algorithm>
+#include <cmath>
 #include <array>
 #include <vector>
 
@@ -36,6 +38,12 @@ std::string vtkGodRaysRadialEffect::FindObstacle(
 bool vtkGodRaysRadialEffect::SumsShownValues() const
 {
   return !this->Model->GetLinearLight();
+}
+
+//------------------------------------------------------------------------------
+bool vtkGodRaysRadialEffect::UsesCoverage() const
+{
+  return this->Model->GetStreaks() > 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -60,6 +68,8 @@ void vtkGodRaysRadialEffect::Begin(const Frame& frame)
 {
   frame.Integrator->BeginVerification(!frame.Interactive);
   this->Composed = 0;
+  this->Drawn = 0;
+  this->Streaks.resize(frame.NumberOfLights, 0.0);
   this->KeepsAll = frame.NumberOfLights == 1 || frame.KeepsLayers;
 }
 
@@ -84,6 +94,7 @@ bool vtkGodRaysRadialEffect::DrawLight(const Frame& frame, const vtkGodRaysLight
   request.ViewScale = frame.View->ViewScale;
   request.ErrorTolerance = frame.ErrorTolerance;
   request.Result = frame.Light;
+  frame.Light->SetResponse(this->GetResponse(frame, light));
   vtkGodRaysVerification verification(frame.Integrator, *frame.Light);
   frame.Timers->Start(vtkGodRaysTimers::SCATTERING);
   const bool done = vtkGodRaysRadialIntegrator::SafeDownCast(frame.Integrator)->Integrate(request);
@@ -93,6 +104,44 @@ bool vtkGodRaysRadialEffect::DrawLight(const Frame& frame, const vtkGodRaysLight
     this->Verify(request, verification);
   }
   return done;
+}
+
+//------------------------------------------------------------------------------
+/**
+ * The response of a light. Streaks are as strong as the model has them where the data make few shafts, and
+ * fade where the data make many of their own: prominences of 20 to 70 L* in all.
+ */
+vtkGodRaysResponse vtkGodRaysRadialEffect::GetResponse(
+  const Frame& frame, const vtkGodRaysLight& light)
+{
+  constexpr double farthest = 1e3; // [heights] as good as infinitely far
+  vtkGodRaysResponse response;
+  const double* picture = frame.Picture;
+  response.Heights[1] = 1.0 / picture[3];
+  response.Heights[0] = response.Heights[1] * frame.View->Aspect;
+  response.Reach = this->Model->GetReach();
+  double outside = 0.0;
+  for (int i = 0; i < 2; ++i)
+  {
+    const double most = farthest * std::max(std::abs(light.Clip[2]), 1e-30);
+    const double clip = light.Clip[2] < 0.0 ? -light.Clip[i] : light.Clip[i];
+    const double place =
+      std::clamp(clip, -most, most) / std::max(std::abs(light.Clip[2]), 1e-30) / frame.View->ViewScale;
+    response.Light[i] = 0.5 + 0.5 * place;
+    const double beyond = std::max({ picture[i] - response.Light[i],
+      response.Light[i] - picture[i] - picture[i + 2], 0.0 });
+    outside = std::hypot(outside, beyond * response.Heights[i]);
+  }
+  response.Nearest = outside;
+  double& streaks = this->Streaks[this->Drawn++];
+  if (frame.Placer)
+  {
+    const double shafts = frame.Placer->GetShaftsAt((response.Light[0] - picture[0]) / picture[2],
+      (response.Light[1] - picture[1]) / picture[3]);
+    streaks = std::clamp((70.0 - shafts) / 50.0, 0.0, 1.0);
+  }
+  response.Streaks = frame.InventsStreaks ? this->Model->GetStreaks() * streaks : 0.0;
+  return response;
 }
 
 //------------------------------------------------------------------------------
@@ -148,6 +197,8 @@ bool vtkGodRaysRadialEffect::ComposeLayer(const Frame& frame, const vtkGodRaysLi
 //------------------------------------------------------------------------------
 void vtkGodRaysRadialEffect::Join(vtkGodRaysBlendPass::Request& request) const
 {
+  constexpr double largest = 4.0; // two stops of a camera
+  request.LargestExposure = vtkGodRaysRadialModel::SafeDownCast(this->Model) ? largest : 1.0;
   request.SceneGain = this->Model->GetSceneGain();
   request.Screen = this->Model->GetBlend() == vtkGodRaysRadialSumModel::SCREEN;
 }

@@ -10,7 +10,10 @@
 
 #include "vtkGodRaysEffect.h"
 #include "vtkGodRaysRadialIntegrator.h" // For Request
+#include "vtkGodRaysResponse.h"
 #include "vtkGodRaysSum.h"
+
+#include <vector>
 
 class vtkGodRaysRadialSumModel;
 class vtkGodRaysVerification;
@@ -26,6 +29,7 @@ public:
   bool SumsShownValues() const override;
   bool DimsScene() const override { return false; }
   bool ReadsSceneDepth() const override { return false; }
+  bool UsesCoverage() const override;
   void SetUp(vtkGodRaysLightFinder& finder) const override;
   void SetUp(
     vtkGodRaysOcclusionPass::Request& request, vtkGodRaysIntegrator* integrator) const override;
@@ -39,6 +43,7 @@ public:
 
 private:
   bool ComposeLayer(const Frame& frame, const vtkGodRaysLight& light);
+  vtkGodRaysResponse GetResponse(const Frame& frame, const vtkGodRaysLight& light);
   void Verify(
     const vtkGodRaysRadialIntegrator::Request& request, vtkGodRaysVerification& verification) const;
 
@@ -46,6 +51,8 @@ private:
   vtkGodRaysSum Layers; // of all lights; of several only if they are asked for
   int Composed = 0;     // layers of this frame
   bool KeepsAll = false;
+  int Drawn = 0;                // lights of this frame
+  std::vector<double> Streaks; // of each light; kept while the picture's coverage is
 };
 
 #endif

@@ -4,12 +4,15 @@
 
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysPresetTable.h"
+#include "vtkGodRaysSetGet.h"
 #include "vtkObjectFactory.h"
 
 #include <cmath>
 #include <iterator>
 
 vtkStandardNewMacro(vtkGodRaysRadialModel);
+vtkGodRaysSetFiniteMacro(vtkGodRaysRadialModel, Reach, 0.0, 100.0);
+vtkGodRaysSetFiniteMacro(vtkGodRaysRadialModel, Streaks, 0.0, 0.5);
 
 namespace
 {
@@ -22,16 +25,18 @@ struct Preset
   double Weight;
   double Exposure;
   int NumberOfSamples;
+  double Reach;
+  double Streaks;
 };
 
 const Preset Presets[] = {
-  { "default", "Balanced shafts, for any scene", 0.97, 0.98, 0.03, 1.0, 100 },
-  { "low-sun", "Strong, long shafts of a sun near the horizon", 0.98, 0.99, 0.028, 1.0, 100 },
+  { "default", "Crisp shafts, for any scene", 1.0, 1.0, 0.013, 1.0, 100, 0.6, 0.22 },
+  { "low-sun", "Strong, long shafts of a sun near the horizon", 0.98, 0.99, 0.028, 1.0, 100, 1.2, 0.3 },
   { "long-shafts", "Even light, and shafts to the edges of the picture", 1.0, 1.015, 0.0028, 1.0,
-    100 },
-  { "cathedral", "Broad beams that cross a tall room", 1.2, 0.985, 0.016, 1.0, 100 },
-  { "soft-haze", "Short shafts that melt into a haze", 0.85, 0.97, 0.041, 1.0, 100 },
-  { "halo", "A glow about the light, with short shafts in it", 0.7, 0.96, 0.09, 1.0, 100 },
+    100, 0.0, 0.22 },
+  { "cathedral", "Broad beams that cross a tall room", 1.2, 0.985, 0.016, 1.0, 100, 0.9, 0.1 },
+  { "soft-haze", "Short shafts that melt into a haze", 0.85, 0.97, 0.041, 1.0, 100, 0.6, 0.0 },
+  { "halo", "A glow about the light, with short shafts in it", 0.7, 0.96, 0.09, 1.0, 100, 0.3, 0.0 },
 };
 }
 
@@ -39,6 +44,8 @@ const Preset Presets[] = {
 void vtkGodRaysRadialModel::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Reach: " << this->Reach << "\n";
+  os << indent << "Streaks: " << this->Streaks << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -49,6 +56,8 @@ bool vtkGodRaysRadialModel::ApplyPreset(const char* name)
   {
     this->SetParameters(
       preset->Density, preset->Decay, preset->Weight, preset->Exposure, preset->NumberOfSamples);
+    this->SetReach(preset->Reach);
+    this->SetStreaks(preset->Streaks);
   }
   return preset != nullptr;
 }

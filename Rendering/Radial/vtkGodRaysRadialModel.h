@@ -37,6 +37,28 @@ public:
 
   ///@{
   /**
+   * Set/Get the distance from the light over which rays fade to 1/e, besides the fall of the sum itself
+   * [heights of the picture]. It keeps the picture dark between shafts, as a vignette does. 0 leaves it out.
+   * Valid range: [0, 100]. Default is 0.6.
+   */
+  void SetReach(double reach);
+  double GetReach() const override { return this->Reach; }
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the largest amplitude of streaks: a fixed pattern of the angle about the light by which rays are
+   * stronger and weaker, as in dust that is not even [fraction of the rays]. Nobody measured that dust: it is
+   * there for looks, so that a thing with a smooth outline shows shafts, too. It fades to nothing where the
+   * data make shafts of their own, and is left out with vtkGodRaysPass::DataFirst. Below 0.1 it is hardly
+   * seen. 0 leaves it out. Valid range: [0, 0.5]. Default is 0.22.
+   */
+  void SetStreaks(double streaks);
+  double GetStreaks() const override { return this->Streaks; }
+  ///@}
+
+  ///@{
+  /**
    * Set all parameters to a named look: "default", "low-sun", "long-shafts", "cathedral", "soft-haze" or
    * "halo". Returns false, with an error that lists the names, for any other name, and changes nothing.
    * In scenes under the default exposure, any two of them differ by what is just noticeable, 2.3 in CIE
@@ -54,6 +76,9 @@ public:
 protected:
   vtkGodRaysRadialModel() = default;
   ~vtkGodRaysRadialModel() override = default;
+
+  double Reach = 0.6;
+  double Streaks = 0.22;
 
 private:
   vtkGodRaysRadialModel(const vtkGodRaysRadialModel&) = delete;

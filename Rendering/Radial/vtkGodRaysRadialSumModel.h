@@ -40,8 +40,7 @@ public:
   ///@{
   /**
    * Set/Get how far towards the light the march goes [fraction of the way]. Above 1 it goes past
-   * the light. 0 means no rays. Valid range: [0, 2]. Default is 0.97, of a vtkGodRaysPublishedModel
-   * 0.8.
+   * the light. 0 means no rays. Valid range: [0, 2]. Default is 1, of a vtkGodRaysPublishedModel 0.8.
    */
   void SetDensity(double density);
   vtkGetMacro(Density, double);
@@ -51,7 +50,7 @@ public:
   /**
    * Set/Get the factor from one of the NumberOfSamples samples to the next one towards the light
    * [no unit]. Above 1 the samples near the light count most. Valid range: [0, 1.05].
-   * Default is 0.98, of a vtkGodRaysPublishedModel 0.99.
+   * Default is 1, of a vtkGodRaysPublishedModel 0.99.
    */
   void SetDecay(double decay);
   vtkGetMacro(Decay, double);
@@ -60,7 +59,7 @@ public:
   ///@{
   /**
    * Set/Get the factor on each of the NumberOfSamples samples [no unit]. 0 means no rays.
-   * Valid range: [0, 100]. Default is 0.03, of a vtkGodRaysPublishedModel 0.8.
+   * Valid range: [0, 100]. Default is 0.013, of a vtkGodRaysPublishedModel 0.8.
    */
   void SetWeight(double weight);
   vtkGetMacro(Weight, double);
@@ -153,6 +152,15 @@ public:
    */
   virtual int GetBlend() const { return ADD; }
 
+  ///@{
+  /**
+   * The response of the sum: the distance from the light over which rays fade to 1/e [heights of the picture],
+   * 0 if they do not; the largest amplitude of streaks [no unit].
+   */
+  virtual double GetReach() const { return 0.0; }
+  virtual double GetStreaks() const { return 0.0; }
+  ///@}
+
   /**
    * The factor on the scene's own colours when rays are added [no unit].
    */
@@ -177,9 +185,9 @@ protected:
    */
   std::string DescribeParameters() const;
 
-  double Density = 0.97;
-  double Decay = 0.98;
-  double Weight = 0.03;
+  double Density = 1.0;
+  double Decay = 1.0;
+  double Weight = 0.013;
   double Exposure = 1.0;
   int NumberOfSamples = 100;
 

@@ -37,7 +37,7 @@ vtkGodRaysVerification::vtkGodRaysVerification(vtkGodRaysIntegrator* integrator,
   : Integrator(integrator)
   , Sum(sum)
 {
-  if (this->IsWanted() && !sum.IsEmpty())
+  if (this->IsWanted() && !sum.IsEmpty() && sum.IsLinear())
   {
     sum.Download(this->Before);
   }
@@ -57,7 +57,7 @@ void vtkGodRaysVerification::Measure(
   const std::function<std::array<double, 3>(int x, int y)>& exact)
 {
   vtkNew<vtkImageData> after;
-  if (!this->Sum.Download(after))
+  if (!this->Sum.DownloadLinear(after))
   {
     return;
   }

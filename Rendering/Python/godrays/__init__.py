@@ -129,6 +129,8 @@ def enable(
     # of looks: "radial" and "published"
     density: float | None = None,
     decay: float | None = None,
+    reach: float | None = None,
+    streaks: float | None = None,
     weight: float | None = None,
     exposure: float | None = None,
     number_of_samples: int | None = None,
@@ -173,8 +175,9 @@ def enable(
     light: what shines. A vtkLight; a prop, which shines in the colours in which it is drawn; three
         numbers, the direction from which sunlight comes, such as sun() gives; or a list of these. None
         takes the props tagged "light", or else the renderer's own lights that stand in the scene, or
-        else places a sun behind it, where it makes the most shafts in the first picture; the scene is
-        lit as before. See vtkGodRaysPass.PlaceSun().
+        else places a sun behind it, where it makes the most shafts; it moves when its place becomes poor in
+        another view, but for sun_placement="once". The scene is lit as before. See
+        vtkGodRaysPass.PlaceSun().
     occluders, ignored: props to tag. Props without a tag block light unless
         untagged_props_occlude=False.
     medium: volumes whose data scatter light, as smoke does, in place of being drawn by their mappers. They
@@ -229,8 +232,8 @@ def enable(
         sun_at = _to_numbers("sun_at", sun_at, (2,), "a place in the picture, such as (0.7, 0.8)")
     elif not lights and not tagged and rays.GetNumberOfLights() == 0:
         lights = [each for each in renderer.GetLights() if each.LightTypeIsSceneLight()]
-        by_hand, once = vtkGodRaysPass.SUN_BY_HAND, vtkGodRaysPass.SUN_ONCE
-        settings.setdefault("SunPlacement", by_hand if lights else once)
+        by_hand, placed = vtkGodRaysPass.SUN_BY_HAND, vtkGodRaysPass.SUN_EVERY_VIEW
+        settings.setdefault("SunPlacement", by_hand if lights else placed)
 
     if known and (light is not None or sun_at is not None):
         rays.SetSunPlacement(vtkGodRaysPass.SUN_BY_HAND)
