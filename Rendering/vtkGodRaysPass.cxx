@@ -187,7 +187,7 @@ bool vtkGodRaysPass::SeesNewPicture(vtkRenderer* renderer)
     changed = std::max(changed, prop->GetRedrawMTime());
   }
   picture[33] = static_cast<double>(changed) + props->GetNumberOfItems();
-  const bool isNew = picture != self.CoveredPicture;
+  const bool isNew = picture != self.CoveredPicture || this->IsSunMissing();
   self.CoveredPicture = picture;
   return isNew;
 }
@@ -219,6 +219,7 @@ void vtkGodRaysPass::MoveSun(vtkRenderer* renderer, bool isBlue)
     {
       self.PlacedSun->SetDiffuseColor(color[0], color[1], color[2]);
     }
+    this->InvokeEvent(SunPlacedEvent);
   }
 }
 

@@ -39,6 +39,7 @@
 #ifndef vtkGodRaysPass_h
 #define vtkGodRaysPass_h
 
+#include "vtkCommand.h"                // For UserEvent
 #include "vtkGodRaysRenderingModule.h" // For export macro
 #include "vtkImageProcessingPass.h"
 #include "vtkWrappingHints.h" // For VTK_SIZEHINT
@@ -139,6 +140,12 @@ public:
   vtkLight* PlaceSun(vtkRenderer* renderer);
   vtkLight* PlaceSun(vtkRenderer* renderer, double x, double y);
   ///@}
+
+  /// Events of the pass.
+  enum Events
+  {
+    SunPlacedEvent = vtkCommand::UserEvent + 1 ///< in a frame that moved the sun; lights may be changed
+  };
 
   ///@{
   /**

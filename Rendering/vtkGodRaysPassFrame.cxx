@@ -120,6 +120,12 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
     else if (lights.empty() && !this->DimsScene() && !self.IsNewPicture)
     {
       reason = "no light reaches the picture";
+      if (self.PlacedSun && this->SunPlacement != SUN_EVERY_VIEW && self.Lights.size() == 1 &&
+        self.Lights.front() == self.PlacedSun)
+      {
+        self.Concerns.push_back("the sun left the picture. Set SunPlacement to SUN_EVERY_VIEW, so that it "
+                                "follows still views, or call PlaceSun() again");
+      }
     }
   }
   if (!reason.empty())
@@ -233,7 +239,12 @@ std::string vtkGodRaysPass::FindFault(vtkRenderer* renderer, const vtkGodRaysVie
   }
   const bool movesSun = this->IsSunMissing() ||
     (self.PlacedSun && this->SunPlacement == SUN_EVERY_VIEW);
-  self.IsNewPicture = (movesSun || self.Effect->UsesCoverage()) && this->SeesNewPicture(renderer);
+  self.IsNewPicture = (movesSun || self.Effect->UsesCoverage()) &&
+    vtkGodRaysCompositor::Any(self.Compositor, this->SeesNewPicture(renderer));
+  if (!self.IsNewPicture && this->IsSunMissing()) // in a tile, which does not show all that there is
+  {
+    this->PlaceSun(renderer);
+  }
   this->FindLights(renderer, view, lights);
   for (const std::string& faultOfLight : self.Finder.GetFaults())
   {

@@ -34,7 +34,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -78,10 +77,6 @@ public:
 
   void Render(const vtkRenderState* s) override
   {
-    if (this->Prepare)
-    {
-      this->Prepare(s->GetRenderer());
-    }
     vtkRenderPass* scene = this->UsesDelegate ? this->DelegatePass : nullptr;
     for (vtkImageProcessingPass* pass : this->Passes)
     {
@@ -102,8 +97,7 @@ public:
   }
 
   std::vector<vtkSmartPointer<vtkImageProcessingPass>> Passes; // each draws over the one before
-  std::function<void(vtkRenderer*)> Prepare; // with the camera of this frame, on all processes
-  bool UsesDelegate = true;                  // or the first pass draws the scene by itself
+  bool UsesDelegate = true; // or the first pass draws the scene by itself
 };
 vtkStandardNewMacro(PassChain);
 }
@@ -247,6 +241,10 @@ void vtkGodRaysRenderView::UpdatePasses()
   self.Pass->SetDisplayTransfer(transfer);
   self.Pass->SetCompositor(self.Compositor);
   self.Pass->SetSun(self.Sun);
+  self.Pass->GetSunPlacer()->SetLowest(0.52); // above the horizon, should a sky be switched on
+  self.Pass->RemoveObservers(vtkGodRaysPass::SunPlacedEvent);
+  self.Pass->AddObserver(
+    vtkGodRaysPass::SunPlacedEvent, this, &vtkGodRaysRenderView::TakePlacedSun);
   self.Sky->SetDisplayTransfer(transfer);
   self.Sky->SetCompositor(self.Compositor);
   self.Sky->SetSun(self.Sun);
@@ -289,33 +287,27 @@ void vtkGodRaysRenderView::SetPlaceSun(bool place)
 }
 
 //------------------------------------------------------------------------------
-void vtkGodRaysRenderView::PlaceSunOnce(vtkRenderer* renderer)
+void vtkGodRaysRenderView::TakePlacedSun()
 {
-  vtkCamera* camera = renderer->GetActiveCamera();
-  if (camera->GetParallelProjection())
-  {
-    return;
-  }
-  vtkNew<vtkGodRaysSunPlacer> placer;
-  placer->SetLowest(0.55); // above the horizon, should a sky be switched on
-  placer->Find(renderer, this->Internals->Compositor);
+  vtkInternals& self = *this->Internals;
+  vtkCamera* camera = this->GetRenderer()->GetActiveCamera();
+  vtkGodRaysSunPlacer* placer = self.Pass->GetSunPlacer();
   const double* place = placer->GetPlace(); // the usual one if none is good
   double direction[3];
-  if (!(placer->GetCoverage() > 0.0) ||
-    !placer->GetDirection(renderer, place[0], place[1], direction) ||
-    !this->Internals->Sun->MoveTo(camera, direction))
+  if (placer->GetCoverage() > 0.0 &&
+    placer->GetDirection(this->GetRenderer(), place[0], place[1], direction) &&
+    self.Sun->MoveTo(camera, direction))
   {
-    return;
+    // As they stand in the panel and in state files.
+    self.Sun->SetAzimuth(std::round(10.0 * self.Sun->GetAzimuth()) / 10.0);
+    self.Sun->SetElevation(std::round(10.0 * self.Sun->GetElevation()) / 10.0);
+    this->PlacedSun[0] = self.Sun->GetAzimuth();
+    this->PlacedSun[1] = self.Sun->GetElevation();
+    this->PlacedSun[2] = 1.0;
+    this->PlaceSun = false;
+    self.Pass->SetSunPlacement(vtkGodRaysPass::SUN_BY_HAND);
   }
-  // As they stand in the panel and in state files.
-  vtkGodRaysSun* sun = this->Internals->Sun;
-  sun->SetAzimuth(std::round(10.0 * sun->GetAzimuth()) / 10.0);
-  sun->SetElevation(std::round(10.0 * sun->GetElevation()) / 10.0);
-  this->PlacedSun[0] = sun->GetAzimuth();
-  this->PlacedSun[1] = sun->GetElevation();
-  this->PlacedSun[2] = 1.0;
-  this->PlaceSun = false;
-  this->UpdateLights();
+  this->UpdateLights(); // instead of the pass's own
 }
 
 //------------------------------------------------------------------------------
@@ -482,17 +474,10 @@ void vtkGodRaysRenderView::AboutToRenderOnLocalProcess(bool interactive)
 
   this->UpdateRoles();
   this->UpdateLights();
-  this->Internals->Chain->Prepare = nullptr;
-  if (this->PlaceSun && this->LightSource == SUN && !interactive)
-  {
-    this->Internals->Chain->Prepare = [this](vtkRenderer* renderer)
-    {
-      if (this->PlaceSun)
-      {
-        this->PlaceSunOnce(renderer);
-      }
-    };
-  }
+  const bool placesSun = this->PlaceSun && this->LightSource == SUN && !interactive &&
+    !this->GetRenderer()->GetActiveCamera()->GetParallelProjection();
+  this->Internals->Pass->SetSunPlacement(
+    placesSun ? vtkGodRaysPass::SUN_ONCE : vtkGodRaysPass::SUN_BY_HAND);
 }
 
 //------------------------------------------------------------------------------

@@ -151,7 +151,7 @@ private:
   void UpdatePasses();
   bool UpdateSun();
   void UpdateLights();
-  void PlaceSunOnce(vtkRenderer* renderer);
+  void TakePlacedSun();
   void UpdateRayTracing();
   void UpdateRoles();
 

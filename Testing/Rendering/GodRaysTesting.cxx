@@ -149,6 +149,11 @@ void AddPlainly(vtkGodRaysPass* rays)
   rays->SetAutomaticExposure(false);
   rays->SetHighlightShoulder(false);
   rays->SetDarkenLightBackground(false);
+  if (auto* look = vtkGodRaysRadialModel::SafeDownCast(rays->GetModel()))
+  {
+    look->SetReach(0.0);
+    look->SetStreaks(0.0);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -167,8 +172,13 @@ Stage::Stage(int width, int height)
   camera->SetViewAngle(40.0);
   camera->SetClippingRange(1.0, 100.0);
   AddPlainly(this->Rays);
+  auto* look = vtkGodRaysRadialModel::SafeDownCast(this->Rays->GetModel());
+  look->SetDensity(0.97); // a sum whose taps weigh differently
+  look->SetDecay(0.98);
+  look->SetWeight(0.03);
   // a glow that fills much of the picture
   this->Rays->SetBackgroundGlow(0.5);
+  this->Rays->SetBackgroundGlowRadius(2.0);
   this->Rays->SetBackgroundGlowFalloff(25.0);
 }
 
