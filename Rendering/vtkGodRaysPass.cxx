@@ -25,6 +25,7 @@ namespace
 // Linear (1, 0.69, 0.34) and (0.62, 0.80, 1): warm light over blue passes grey, which looks like mud.
 const double WarmSun[3] = { 1.0, 0.85, 0.62 };
 const double CoolSun[3] = { 0.81, 0.91, 1.0 };
+const double PaleSun[3] = { 1.0, 0.93, 0.82 }; // of media: warm light in haze is brown
 
 bool IsColor(vtkLight* light, const double color[3])
 {
@@ -210,11 +211,12 @@ void vtkGodRaysPass::MoveSun(vtkRenderer* renderer, bool isBlue)
     }
   }
   const bool hasOwnColor = self.PlacedSun &&
-    !IsColor(self.PlacedSun, WarmSun) && !IsColor(self.PlacedSun, CoolSun);
+    !IsColor(self.PlacedSun, WarmSun) && !IsColor(self.PlacedSun, CoolSun) &&
+    !IsColor(self.PlacedSun, PaleSun);
   if (this->PlaceSun(renderer, place[0], place[1]))
   {
     self.SunIsKept = self.Placer->GetCoverage() > 0.0;
-    const double* color = isBlue ? CoolSun : WarmSun;
+    const double* color = self.Effect->DimsScene() ? PaleSun : isBlue ? CoolSun : WarmSun;
     if (!hasOwnColor && !IsColor(self.PlacedSun, color))
     {
       self.PlacedSun->SetDiffuseColor(color[0], color[1], color[2]);

@@ -108,7 +108,7 @@ bool vtkGodRaysPass::Internals::FindExposure(
       }
     }
     this->Surround = {};
-    if (pass.DarkenLightBackground && request.SparesData)
+    if (pass.DarkenLightBackground)
     {
       this->Surround = this->Meter.FindSurround(pass.GetExposure());
       this->Exposure.OverData *= this->Surround.Rays; // before white, light over data is a veil
@@ -120,7 +120,7 @@ bool vtkGodRaysPass::Internals::FindExposure(
   request.DataExposure = this->Exposure.OverData;
   request.DarkExposure = this->Exposure.OverDark;
   request.DataGain = this->Exposure.DataGain;
-  request.CapsData = pass.AutomaticExposure && request.SparesData;
+  request.CapsData = pass.AutomaticExposure;
   request.SurroundPart = this->Surround.Part;
   request.SurroundLight = this->Surround.Light;
   request.SurroundRays = this->Surround.Rays;

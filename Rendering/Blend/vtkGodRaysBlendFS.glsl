@@ -232,7 +232,8 @@ void main()
   vec3 sum = Join(base, light);
   if (surround)
   {
-    vec3 darker = BlendSurround(base, light, surroundLight, surroundPart);
+    vec3 ground = dimmed ? mix(base, before, surroundPart) : base; // a medium's own light makes up for it
+    vec3 darker = BlendSurround(ground, light, surroundLight, surroundPart);
     sum = mix(Join(darker, surroundRays * light), sum, DataPart(pixel, shownOver.a));
   }
   if (lightnessAlone)

@@ -47,7 +47,7 @@ const Preset Presets[] = {
     { 5.802e-6, 13.558e-6, 33.1e-6 }, { 0.0, 0.0, 0.0 }, vtkGodRaysMediumModel::RAYLEIGH, 0.0,
     0.15 },
   { "haze", "a visibility of 4 km", { 7.49e-4, 7.49e-4, 7.49e-4 }, { 0.0, 0.0, 0.0 },
-    vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.76, 0.3 },
+    vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.85, 0.3 },
   { "fog", "a visibility of 200 m", { 1.5e-2, 1.5e-2, 1.5e-2 }, { 0.0, 0.0, 0.0 },
     vtkGodRaysMediumModel::HENYEY_GREENSTEIN, 0.85, 0.45 },
   { "dust", "10 mg of coarse dust a cubic metre", { 5.64e-3, 5.28e-3, 4.56e-3 },

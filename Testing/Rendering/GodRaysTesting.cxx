@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GodRaysTesting.h"
 
+#include "vtkGodRaysRadialModel.h"
+
 #include "vtkGodRaysRadialSumModel.h"
 #include "vtkGodRaysTapsIntegrator.h"
 
