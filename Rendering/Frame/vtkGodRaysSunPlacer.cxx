@@ -109,7 +109,7 @@ struct vtkGodRaysSunPlacer::Internals
     int Column = 0;
     int Row = 0;
     double Score = 0.0;
-    double Shafts = 0.0;
+    double Shafts = 0.0; // how many, on average over the rings
     double Openness = 0.0; // mean part of the free light
   };
 
@@ -214,23 +214,23 @@ struct vtkGodRaysSunPlacer::Internals
     return place;
   }
 
-  /// Sums the prominences of the maxima of a closed profile that stand out by Threshold on both sides.
-  static double SumProminences(const std::vector<float>& profile)
+  /// Sums and counts the prominences of the maxima of a closed profile that stand out by Threshold on both sides.
+  static double SumProminences(const std::vector<float>& profile, int& count)
   {
     if (profile.empty())
     {
       return 0.0;
     }
-    const std::size_t count = profile.size();
+    const std::size_t size = profile.size();
     const std::size_t lowest = static_cast<std::size_t>(
       std::min_element(profile.begin(), profile.end()) - profile.begin());
     double sum = 0.0;
     double valley = profile[lowest]; // before the maximum
     double high = valley;
     double low = valley; // since the maximum
-    for (std::size_t i = 1; i <= count; ++i)
+    for (std::size_t i = 1; i <= size; ++i)
     {
-      const double value = profile[(lowest + i) % count];
+      const double value = profile[(lowest + i) % size];
       if (high < valley + Threshold) // no maximum yet
       {
         valley = std::min(valley, value);
@@ -243,8 +243,9 @@ struct vtkGodRaysSunPlacer::Internals
         continue;
       }
       low = std::min(low, value);
-      if (low <= high - Threshold && (value >= low + Threshold || i == count))
+      if (low <= high - Threshold && (value >= low + Threshold || i == size))
       {
+        ++count;
         sum += std::min(high - std::max(valley, low), MostProminence);
         valley = low;
         high = low = value;
@@ -306,13 +307,15 @@ struct vtkGodRaysSunPlacer::Internals
         }
       }
     }
-    place.Shafts = 0.0;
+    double prominence = 0.0;
+    int shafts = 0;
     for (int i = 0; i < 3; ++i)
     {
-      place.Shafts += SumProminences(rings[i]) / 3.0;
+      prominence += SumProminences(rings[i], shafts) / 3.0;
     }
+    place.Shafts = shafts / 3.0;
     place.Openness = openness / std::max(count, 1);
-    place.Score = place.Shafts * this->GetFactor(place, this->GetGlare(place));
+    place.Score = prominence * this->GetFactor(place, this->GetGlare(place));
   }
 
   /// The open part of the disc of 0.06 about a place.

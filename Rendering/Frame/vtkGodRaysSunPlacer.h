@@ -60,8 +60,8 @@ public:
 
   ///@{
   /**
-   * The score of one place of the coverage, 0 if it is more than 0.08 outside the picture; and the prominence of its shafts alone
-   * [CIE 1976 L*, summed over the shafts, mean of the three rings].
+   * The score of one place of the coverage, 0 if it is more than 0.08 outside the picture; and the number of
+   * shafts that the data make of a light there, on average over the three rings.
    */
   double GetScoreAt(double x, double y) const;
   double GetShaftsAt(double x, double y) const;

@@ -108,8 +108,8 @@ bool vtkGodRaysRadialEffect::DrawLight(const Frame& frame, const vtkGodRaysLight
 
 //------------------------------------------------------------------------------
 /**
- * The response of a light. Streaks are as strong as the model has them where the data make few shafts, and
- * fade where the data make many of their own: prominences of 20 to 70 L* in all.
+ * The response of a light. Streaks are as strong as the model has them where the data make at most 3 shafts,
+ * and fade where the data make more of their own, up to 8.
  */
 vtkGodRaysResponse vtkGodRaysRadialEffect::GetResponse(
   const Frame& frame, const vtkGodRaysLight& light)
@@ -138,7 +138,7 @@ vtkGodRaysResponse vtkGodRaysRadialEffect::GetResponse(
   {
     const double shafts = frame.Placer->GetShaftsAt((response.Light[0] - picture[0]) / picture[2],
       (response.Light[1] - picture[1]) / picture[3]);
-    streaks = std::clamp((70.0 - shafts) / 50.0, 0.0, 1.0);
+    streaks = std::clamp((8.0 - shafts) / 5.0, 0.0, 1.0);
   }
   response.Streaks = frame.InventsStreaks ? this->Model->GetStreaks() * streaks : 0.0;
   return response;

@@ -39,7 +39,7 @@ public:
   /**
    * Set/Get the distance from the light over which rays fade to 1/e, besides the fall of the sum itself
    * [heights of the picture]. It keeps the picture dark between shafts, as a vignette does. 0 leaves it out.
-   * Valid range: [0, 100]. Default is 0.6.
+   * Valid range: [0, 100]. Default is 0.75.
    */
   void SetReach(double reach);
   double GetReach() const override { return this->Reach; }
@@ -77,7 +77,7 @@ protected:
   vtkGodRaysRadialModel() = default;
   ~vtkGodRaysRadialModel() override = default;
 
-  double Reach = 0.6;
+  double Reach = 0.75;
   double Streaks = 0.22;
 
 private:
