@@ -327,7 +327,10 @@ def draw_look(name, background=None, make=default_scenes.make):
 
 
 def save(name, make, folder):
-    """Writes the volume of a scene, or its surfaces with their scalars, to a file. Returns its path."""
+    """Writes the volume of a scene, or its surfaces with their scalars, to a file. Returns its path.
+
+    Surfaces are turned so that Z is up, as the program expects of VTK's files.
+    """
     window, renderer = make(name, (100, 100))
     append, writer = vtk.vtkAppendPolyData(), vtk.vtkXMLPolyDataWriter()
     for prop in renderer.GetActors():
@@ -338,6 +341,9 @@ def save(name, make, folder):
         surface.SetInputData(prop.GetMapper().GetInput())
         transform = vtk.vtkTransform()
         transform.SetMatrix(prop.GetMatrix())
+        if renderer.GetActiveCamera().GetViewUp()[1] == 1:
+            transform.PostMultiply()
+            transform.RotateX(90)
         place = vtk.vtkTransformFilter()
         place.SetTransform(transform)
         append.AddInputConnection(default_scenes.through(surface, place).GetOutputPort())

@@ -35,6 +35,8 @@ def main(folder, program, *names):
     files = {os.path.basename(path): path for path in FILES} | dict.fromkeys(SAVED)
     scenes = [name for name in unseen_scenes.SCENES if not names or name in names]
     files = {name: path for name, path in files.items() if not names or name in names}
+    if missing := [path for path in files.values() if path and not os.path.exists(path)]:
+        sys.exit(f"unseen.py: missing {', '.join(missing)}; see unseen_scenes.py for the packages")
     found = defaults.measure_all(scenes, program, os.path.join(folder, "unseen"), unseen_scenes.make, files)
     print("\n" + defaults.make_means(found))
     if names:
