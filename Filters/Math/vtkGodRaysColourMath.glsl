@@ -148,7 +148,7 @@ FUNCTION Vec3 CapLight(IN(Vec3) light)
 // column and row. [levels] [Jimenez2014]
 FUNCTION Real OrderedNoise(IN(Vec2) pixel)
 {
-  return 0.999 * (fract(52.9829189 * fract(dot(pixel, Vec2(0.06711056, 0.00583715)))) - 0.5);
+  return 0.98 * (fract(52.9829189 * fract(dot(pixel, Vec2(0.06711056, 0.00583715)))) - 0.5);
 }
 
 // A light background with rays before it, which have no room to make it lighter: it keeps its colour where

@@ -495,6 +495,11 @@ bool PlanSweep(SweepPlan& plan, const char*& reason)
   plan.NumberOfWedges = 0;
   FindLight(plan);
   const double k = plan.March.K;
+  constexpr double rounding = 1e-9; // of a density of 1 times the march's scale
+  if (plan.Density > 1.0 && plan.Density < 1.0 + rounding)
+  {
+    plan.Density = 1.0;
+  }
   if (plan.Density > 1.0)
   {
     reason = "the march goes past the light";

@@ -40,7 +40,8 @@ public:
   ///@{
   /**
    * Set/Get how far towards the light the march goes [fraction of the way]. Above 1 it goes past
-   * the light. 0 means no rays. Valid range: [0, 2]. Default is 1, of a vtkGodRaysPublishedModel 0.8.
+   * the light. 0 means no rays. Valid range: [0, 2]. Default is 0.97, of a vtkGodRaysPublishedModel
+   * 0.8.
    */
   void SetDensity(double density);
   vtkGetMacro(Density, double);
@@ -185,7 +186,7 @@ protected:
    */
   std::string DescribeParameters() const;
 
-  double Density = 1.0;
+  double Density = 0.97;
   double Decay = 1.0;
   double Weight = 0.013;
   double Exposure = 1.0;

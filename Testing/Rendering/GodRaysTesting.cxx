@@ -146,16 +146,22 @@ vtkSmartPointer<vtkLight> MakeLamplight(std::array<double, 3> position, std::arr
 }
 
 //------------------------------------------------------------------------------
-void AddPlainly(vtkGodRaysPass* rays)
+void SetLinear(vtkGodRaysPass* rays)
 {
-  rays->SetAutomaticExposure(false);
-  rays->SetHighlightShoulder(false);
-  rays->SetDarkenLightBackground(false);
   if (auto* look = vtkGodRaysRadialModel::SafeDownCast(rays->GetModel()))
   {
     look->SetReach(0.0);
     look->SetStreaks(0.0);
   }
+}
+
+//------------------------------------------------------------------------------
+void AddPlainly(vtkGodRaysPass* rays)
+{
+  rays->SetAutomaticExposure(false);
+  rays->SetHighlightShoulder(false);
+  rays->SetDarkenLightBackground(false);
+  SetLinear(rays);
 }
 
 //------------------------------------------------------------------------------

@@ -57,6 +57,9 @@ vtkSmartPointer<vtkLight> MakeSun(
 vtkSmartPointer<vtkLight> MakeLamplight(
   std::array<double, 3> position, std::array<double, 3> color = { 1.0, 1.0, 1.0 });
 
+/// Show sums as they are: no fall with distance, no streaks.
+void SetLinear(vtkGodRaysPass* rays);
+
 /// Have the pass add its plain sum, whatever the picture shows; see TestGodRaysExposure for the rest.
 void AddPlainly(vtkGodRaysPass* rays);
 

@@ -119,13 +119,13 @@ TEST(Exposure, DataKeepTheirColours)
   {
     stage.SetStrength(strength);
     const auto change = stage.Compare(GetPixels(stage.Window));
-    EXPECT_LE(change.Difference, 10.0) << strength;
+    EXPECT_LE(change.Difference, 9.0) << strength;
     EXPECT_GE(change.Chroma, 0.9) << strength;
     EXPECT_LE(change.Clipped, 0.005) << strength;
     EXPECT_GT(change.Difference, 2.0) << strength; // rays are seen
   }
   EXPECT_TRUE(Says(stage.Rays->GetPlan(), "by the picture"));
-  EXPECT_LT(stage.Rays->GetDataExposure(), 1.0);
+  EXPECT_LE(stage.Rays->GetDataExposure(), 1.0);
 
   // not by themselves
   stage.Rays->SetAutomaticExposure(false);
@@ -276,19 +276,18 @@ TEST(Exposure, PictureIsTheFormula)
   const double exposure = stage.Rays->GetExposure();
   const double overData = stage.Rays->GetDataExposure();
   const double overDark = stage.Rays->GetDarkDataExposure();
-  EXPECT_LT(overData, 0.9);
   int largest = 0;
   int plain = 0;
   for (int i = 0; i < Width * Height; ++i)
   {
     const Vec3 scene = ColorStage::Get(stage.Without, i);
-    const Vec3 rays(GetValue(light, i % Width, i / Width, 0),
+    const Vec3 rays = exposure * Vec3(GetValue(light, i % Width, i / Width, 0),
       GetValue(light, i % Width, i / Width, 1), GetValue(light, i % Width, i / Width, 2));
-    const double part =
-      stage.IsData(i) ? glm::mix(overDark, overData, vtkGodRays::SeenPart(scene)) : 1.0;
+    const Vec3 over =
+      glm::mix(overDark, overData, vtkGodRays::SeenPart(scene)) * vtkGodRays::CapLight(rays);
     const Vec3 sum =
-      vtkGodRays::EncodeDisplay(vtkGodRays::BlendShoulder(scene, exposure * part * rays));
-    const Vec3 added = vtkGodRays::EncodeDisplay(scene + exposure * rays);
+      vtkGodRays::EncodeDisplay(vtkGodRays::BlendShoulder(scene, stage.IsData(i) ? over : rays));
+    const Vec3 added = vtkGodRays::EncodeDisplay(scene + rays);
     for (int c = 0; c < 3; ++c)
     {
       largest = std::max(
@@ -302,13 +301,13 @@ TEST(Exposure, PictureIsTheFormula)
 }
 
 //------------------------------------------------------------------------------
-TEST(Exposure, LooksAreNotStrengthenedMediaAre)
+TEST(Exposure, WeakOnesAreStrengthenedByTwoStops)
 {
   Messages messages;
   ColorStage stage;
-  stage.SetStrength(0.05);
+  stage.SetStrength(0.01);
   stage.Window->Render();
-  EXPECT_EQ(stage.Rays->GetExposure(), 1.0);
+  EXPECT_EQ(stage.Rays->GetExposure(), 4.0);
   EXPECT_EQ(stage.Rays->GetDataExposure(), 1.0);
 
   vtkNew<vtkGodRaysHomogeneousModel> medium;
@@ -337,28 +336,28 @@ TEST(Exposure, ChangesGraduallyWhileTheCameraIsDragged)
   ColorStage stage;
   stage.SetStrength(0.2);
   stage.Window->Render();
-  const double weak = stage.Rays->GetDataExposure();
+  const double weak = stage.Rays->GetExposure();
   stage.SetStrength(8.0);
   stage.Window->Render();
-  const double strong = stage.Rays->GetDataExposure();
+  const double strong = stage.Rays->GetExposure();
   ASSERT_LT(strong, 0.85 * weak);
 
   stage.Window->SetDesiredUpdateRate(15.0);
   stage.SetStrength(0.2);
   stage.Window->Render();
-  EXPECT_NEAR(stage.Rays->GetDataExposure(), strong + 0.25 * (weak - strong), 0.02 * weak);
+  EXPECT_NEAR(stage.Rays->GetExposure(), strong + 0.25 * (weak - strong), 0.02 * weak);
   for (int i = 0; i < 30; ++i)
   {
     stage.Window->Render();
   }
-  EXPECT_NEAR(stage.Rays->GetDataExposure(), weak, 0.02 * weak);
+  EXPECT_NEAR(stage.Rays->GetExposure(), weak, 0.02 * weak);
 
   // a still picture does not depend on what was before
   stage.SetStrength(8.0);
   stage.Window->Render();
   stage.Window->SetDesiredUpdateRate(0.001);
   stage.Window->Render();
-  EXPECT_EQ(stage.Rays->GetDataExposure(), strong);
+  EXPECT_EQ(stage.Rays->GetExposure(), strong);
 }
 
 //------------------------------------------------------------------------------
@@ -406,17 +405,21 @@ TEST(LightBackground, IsDarkerInShadows)
   {
     if (!stage.IsData(i))
     {
-      const double value = vtkGodRays::EncodeDisplay(
-        1.0 - 0.6 * (1.0 - std::cbrt(std::min(luminance[i] / reference, 1.0))));
-      worst = std::max(worst, std::abs(static_cast<int>(std::lround(255.0 * value)) - with[4 * i]));
-      EXPECT_EQ(with[4 * i], with[4 * i + 1]);
+      const double shadow = 1.0 - std::cbrt(std::min(luminance[i] / reference, 1.0));
+      const double parts[3] = { 0.555, 0.491, 0.369 }; // a cool grey: sRGB's (178, 189, 208) in full shadow
+      for (int c = 0; c < 3; ++c)
+      {
+        const double value = vtkGodRays::EncodeDisplay(1.0 - parts[c] * shadow);
+        worst =
+          std::max(worst, std::abs(static_cast<int>(std::lround(255.0 * value)) - with[4 * i + c]));
+      }
       darker += with[4 * i] < 245 ? 1 : 0;
     }
   }
   EXPECT_LE(worst, 3); // the reference is found in some of the pixels
   EXPECT_GT(darker, Width * Height / 20);
   EXPECT_TRUE(Says(stage.Rays->GetPlan(), "darken the background"));
-  EXPECT_LE(stage.Compare(with).Difference, 10.0);
+  EXPECT_LE(stage.Compare(with).Difference, 1.0); // no veil over data
 
   stage.Rays->SetDarkenLightBackground(false);
   const auto off = GetPixels(stage.Window);
@@ -468,7 +471,7 @@ TEST(LightBackground, ShaftsAreSeenBeforeEachGrey)
   messages.Take(); // that nothing can be seen before white
 }
 
-// A medium takes light as well, and so its shadows are seen before white.
+// What a medium takes of white is made up for; its shadows are seen all the same.
 TEST(LightBackground, IsSeenThroughAMedium)
 {
   Messages messages;
@@ -489,7 +492,8 @@ TEST(LightBackground, IsSeenThroughAMedium)
     }
   }
   EXPECT_GT(lightest, darkest + 10);
-  EXPECT_FALSE(Says(stage.Rays->GetPlan(), "darken the background"));
+  EXPECT_EQ(lightest, 255);
+  EXPECT_TRUE(Says(stage.Rays->GetPlan(), "darken the background"));
 }
 
 //------------------------------------------------------------------------------

@@ -128,9 +128,9 @@ TEST(GodRaysPassParameters, AreClampedAndRefuseNaN)
   CHECK(ErrorTolerance, 1e-6, 0.1, 1.0 / 255.0);
   CHECK(InteractiveErrorTolerance, 1e-6, 0.1, 0.01);
   CHECK(SourceRadius, 0.0, 1e30, 0.0);
-  CHECK(BackgroundGlow, 0.0, 1.0, 0.6);
-  CHECK(BackgroundGlowRadius, 0.0, 180.0, 2.0);
-  CHECK(BackgroundGlowFalloff, 0.0, 180.0, 6.0);
+  CHECK(BackgroundGlow, 0.0, 1.0, 1.0);
+  CHECK(BackgroundGlowRadius, 0.0, 180.0, 0.75);
+  CHECK(BackgroundGlowFalloff, 0.0, 180.0, 3.6);
   CHECK(LayerMargin, 0.0, 1.0, 0.0);
 #undef CHECK
   check(

@@ -487,6 +487,7 @@ TEST_F(GodRaysTapsInScenes, PublishedFormulationsAreExactInScenesToo)
   {
     const char* name = vtkGodRaysPresets::GetPresetName(i);
     ASSERT_TRUE(this->Rays->ApplyPreset(name));
+    SetLinear(this->Rays);
     if (!vtkGodRaysRadialSumModel::SafeDownCast(this->Rays->GetModel()))
     {
       continue; // a medium
