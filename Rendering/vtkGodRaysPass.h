@@ -206,17 +206,15 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the strength of the rays is chosen by the picture, before Intensity, so that data stay
-   * readable: on average, data that are lit, and, where most are, all, change by at most 10 in CIE 1976
-   * L*a*b* and keep 90 % of their chroma, to which a look adds 10 % at most or, where data are nearly grey,
-   * 2. The rays' mean is at most 0.12, their 99th percentile at most 1 [linear light, 1 is white]. A look is
-   * weaker over data alone, over lit and dark ones each as they ask for it, and never stronger than its
-   * parameters say. Light in a medium, whose unit is that of the lights, is up to fourfold, and over data
-   * down to half as strong as beside them, or less where they would lose their colours; what the medium
-   * takes of the data's light on average is made up for, up to twofold, as if their lamps were as much
-   * brighter. While the user drags the camera, the strength changes gradually.
-   * Published sums of shown values are as published. Off, Intensity and the model's parameters are the
-   * strength, and a medium dims data by all that it takes. Default is on.
+   * Set/Get whether the strength of the rays is chosen by the picture, before Intensity, so that shafts are seen
+   * and data stay readable. The rays are up to four times as strong as their parameters say: until their mean is
+   * 0.08, or their 99th percentile 1.2; in a medium 0.18 and 1.5 [linear light, 1 is white]. Over data, each
+   * pixel has at most 0.1 of them; and on average, data that are lit, and, where most are, all, change by at
+   * most 9 in CIE 1976 L*a*b* and keep 90 % of their chroma, to which a look adds 10 % at most or, where data
+   * are nearly grey, 2. What a medium takes of the data's light on average is made up for, up to twofold.
+   * While the user drags the camera, the strength changes gradually. Published sums of shown values are as
+   * published. Off, Intensity and the model's parameters are the strength, and a medium dims data by all that
+   * it takes. Default is on.
    */
   vtkSetMacro(AutomaticExposure, bool);
   vtkGetMacro(AutomaticExposure, bool);
@@ -248,10 +246,10 @@ public:
 
   ///@{
   /**
-   * Set/Get whether a look darkens a light background in shadows, by up to 60 % of its linear light: from a
-   * lightness of 65 to 85 on [CIE 1976 L*, white is 100]. From 75 to 90 on, rays themselves fade, so
-   * that it keeps its colour where they are strong. Off, rays are hardly seen there. A medium, which takes
-   * light, too, needs none of it, nor do published sums of shown values. Default is on.
+   * Set/Get whether shadows darken a light background, to a cool grey, sRGB's (178, 189, 208) of white: from a
+   * lightness of 60 on, all of it from 80 on [CIE 1976 L*, white is 100]. From 75 to 90 on, rays themselves
+   * fade, over data, too, so that these keep their colours. Off, rays are hardly seen there. Published sums of
+   * shown values do without. Default is on.
    */
   vtkSetMacro(DarkenLightBackground, bool);
   vtkGetMacro(DarkenLightBackground, bool);

@@ -34,7 +34,7 @@ bool vtkGodRaysPass::LookAtPicture(
   request.Scene = self.Scene.GetColor();
   request.Depth = self.Margin == 0.0 ? self.Occlusion->GetDepth() : self.Scene.GetDepth();
   request.Coverage = request.Depth == self.Scene.GetDepth() ? self.Coverage : nullptr;
-  request.Opacity = self.Occlusion->FindOpacity();
+  request.Opacity = self.Occlusion->GetDimming();
   request.Transfer = self.Transfer;
   request.Bytes = true;
   vtkNew<vtkImageData> coverage;

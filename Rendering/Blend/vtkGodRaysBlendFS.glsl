@@ -244,7 +244,9 @@ void main()
   vec3 shownSum = Encode(sum);
   if (dithered)
   {
-    shownSum += OrderedNoise(gl_FragCoord.xy) / 255.0;
+    vec3 change = abs(shownSum - shown); // colours that stay keep their bytes
+    float amplitude = min(255.0 * max(change.x, max(change.y, change.z)), 1.0);
+    shownSum += amplitude * OrderedNoise(gl_FragCoord.xy) / 255.0;
   }
   gl_FragData[0] =
     vec4(shownSum - (dimmed || surround ? vec3(0.0) : under), 1.0);

@@ -110,7 +110,7 @@ public:
 
   /**
    * The surround for the samples, whose rays have this factor: from none, where the lightness of the
-   * background is 65 [L*] on average, to all of it, from 85 on. Rays leave it as it is from the 90th
+   * background is 60 [L*] on average, to all of it, from 80 on. Rays leave it as it is from the 90th
    * percentile of theirs before it. All of them are added up to a lightness of 75, none from 90 on.
    */
   Surround FindSurround(double exposure);

@@ -422,7 +422,7 @@ struct vtkGodRaysSunPlacer::Internals
       });
   }
 
-  /// Looks at a grid of 17 x 12 places, then about the three best. A finer grid finds less than that does.
+  /// Looks at a grid of 17 x 12 places, then about the best. A finer grid finds less than that does.
   Place FindBest(double lowest) const
   {
     constexpr int across = 17;
@@ -440,18 +440,25 @@ struct vtkGodRaysSunPlacer::Internals
     }
     this->JudgeAll(places);
     const auto isBetter = [](const Place& a, const Place& b) { return a.Score > b.Score; };
-    std::partial_sort(places.begin(), places.begin() + 3, places.end(), isBetter);
-    std::vector<Place> near;
-    for (int i = 0; i < 9 * 3; ++i)
+    const auto lookAbout = [&](std::size_t count, double part)
     {
-      const Place& about = places[i / 9];
-      const double x = (about.Column + 0.5) / this->Columns + 0.4 * step[0] * (i % 3 - 1);
-      const double y = (about.Row + 0.5) / this->Rows + 0.4 * step[1] * (i / 3 % 3 - 1);
-      near.push_back(this->At(x, std::max(y, low)));
-    }
-    this->JudgeAll(near);
-    near.push_back(places.front());
-    const Place best = *std::min_element(near.begin(), near.end(), isBetter);
+      std::partial_sort(places.begin(), places.begin() + count, places.end(), isBetter);
+      std::vector<Place> near;
+      for (std::size_t i = 0; i < 9 * count; ++i)
+      {
+        const Place& about = places[i / 9];
+        const double x =
+          (about.Column + 0.5) / this->Columns + part * step[0] * (static_cast<int>(i % 3) - 1);
+        const double y =
+          (about.Row + 0.5) / this->Rows + part * step[1] * (static_cast<int>(i / 3 % 3) - 1);
+        near.push_back(this->At(x, std::max(y, low)));
+      }
+      this->JudgeAll(near);
+      places.insert(places.end(), near.begin(), near.end());
+    };
+    lookAbout(5, 0.4);
+    lookAbout(2, 0.2);
+    const Place best = *std::min_element(places.begin(), places.end(), isBetter);
     return best.Score > 0.0
       ? best
       : *std::max_element(places.begin(), places.end(),
@@ -525,7 +532,8 @@ bool vtkGodRaysSunPlacer::Find(vtkRenderer* renderer)
   this->Place[0] = UsualPlace[0];
   this->Place[1] = std::max(UsualPlace[1], lowest);
   this->Score = 0.0;
-  if (this->Coverage > 0.0)
+  constexpr double all = 0.999;
+  if (this->Coverage > 0.0 && this->Coverage < all)
   {
     const Internals::Place best = self.FindBest(lowest);
     this->Place[0] = (best.Column + 0.5) / self.Columns;

@@ -554,6 +554,12 @@ void vtkGodRaysOcclusionPass::JoinEmitter()
 }
 
 //------------------------------------------------------------------------------
+vtkTextureObject* vtkGodRaysOcclusionPass::GetDimming()
+{
+  return this->Internal->Dimmed ? this->Internal->Dimming.GetColor() : nullptr;
+}
+
+//------------------------------------------------------------------------------
 vtkGodRaysTarget* vtkGodRaysOcclusionPass::GetLayer()
 {
   return this->Internal->Composed;

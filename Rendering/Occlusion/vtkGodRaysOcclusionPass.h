@@ -101,6 +101,12 @@ public:
   VTK_WRAPEXCLUDE vtkTextureObject* FindOpacity();
 
   /**
+   * How much of the light translucent props and volumes that block it take, in alpha, of the layer's size; null
+   * if there are none. It is there from Begin() on.
+   */
+  VTK_WRAPEXCLUDE vtkTextureObject* GetDimming();
+
+  /**
    * The layer last composed; null if there is none.
    */
   VTK_WRAPEXCLUDE vtkGodRaysTarget* GetLayer();
