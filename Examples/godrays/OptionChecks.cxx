@@ -104,12 +104,12 @@ void CheckTogether(const Options& options)
   {
     throw Failure("--sky has a sun, and --light is a lamp; leave out one of them");
   }
-  if (options.Background != "sky" && !options.Sky.empty())
+  if (options.Background != Options().Background && !options.Sky.empty())
   {
     throw Failure("--sky is drawn over --background; leave out one of them");
   }
   if (!options.Hdri.empty() &&
-    (options.Background != "sky" || !options.Sky.empty() || options.Transparent))
+    (options.Background != Options().Background || !options.Sky.empty() || options.Transparent))
   {
     throw Failure("--hdri is the background; leave out --background, --sky and --transparent");
   }

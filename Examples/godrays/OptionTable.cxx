@@ -146,7 +146,7 @@ void AddRayOptions(Parser& parser, Options& options)
     "Weight of each sample; with it or --exposure, the picture chooses no strength");
   parser.Add("--exposure", options.Exposure, 0.0, 100.0, "Factor on the sum of the samples");
   parser.Add("--glow", options.Glow, 0.0, 1.0,
-    "Radiance of the open background about the light, as a fraction of the light's (0.6)");
+    "Radiance of the open background about the light, as a fraction of the light's (1)");
   parser.Add("--glow-angle", options.GlowAngle, 0.0, 180.0,
     "Angle from the light over which that glow falls to 0, in degrees (5, of a lamp 14)");
   parser.Add("--optical-depth", options.OpticalDepth, 1e-6, 100.0,
@@ -211,12 +211,12 @@ void AddLookOptions(Parser& parser, Options& options)
 {
   parser.Group = "Look";
   parser.AddCall("--background", "COLOR",
-    "sky, a colour, or two with a colon between them, bottom:top. Colours are r,g,b, #rrggbb or "
-    "names",
+    "A colour, or two with a colon between them, bottom:top. Colours are r,g,b, #rrggbb or "
+    "names (#040508:#0e1118)",
     [&options](const std::string& text)
     {
       options.Background = text;
-      for (std::size_t begin = 0; text != "sky" && begin <= text.size();)
+      for (std::size_t begin = 0; begin <= text.size();)
       {
         const auto end = std::min(text.find(':', begin), text.size());
         ParseColor("--background", text.substr(begin, end - begin));

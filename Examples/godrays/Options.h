@@ -45,7 +45,7 @@ struct Options
   bool Parallel = false;
 
   // Look.
-  std::string Background = "sky";
+  std::string Background = "#040508:#0e1118"; // bottom and top
   std::string Sky;  ///< the atmosphere of a physical sky instead; empty for none
   std::string Hdri; ///< an environment picture instead; empty for none
   std::string Scalars;

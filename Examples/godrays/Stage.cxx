@@ -3,6 +3,7 @@
 #include "Stage.h"
 
 #include "Environment.h"
+#include "Values.h"
 
 #include "vtkCamera.h"
 #include "vtkGodRaysAtmosphere.h"
@@ -24,11 +25,6 @@ namespace
 {
 // [degrees] a look: larger than the real sun, which vtkGodRaysSun and the sky of --sky have, to be seen
 constexpr double SunRadius = 0.6;
-// narrower than the pass has it: shafts with more contrast
-constexpr double Glow = 0.6;
-constexpr double GlowRadius = 1.0;
-constexpr double SunGlowAngle = 5.0;
-constexpr double LampGlowAngle = 14.0;
 constexpr double SkyExposure = 2.5; // a white wall in the sun is about as bright as can be shown
 constexpr double AboveSun = 5.0;    // [degrees] where the sky is not to be brighter than white
 
@@ -106,7 +102,7 @@ void AddSky(vtkRenderer* renderer, const Scene& scene, const Options& options)
 }
 
 //------------------------------------------------------------------------------
-void SetLook(vtkGodRaysPass* rays, const Viewpoint& view, const Options& options)
+void SetLook(vtkGodRaysPass* rays, const Options& options)
 {
   auto* model = vtkGodRaysRadialSumModel::SafeDownCast(rays->GetModel());
   model->SetDensity(options.Density.value_or(model->GetDensity()));
@@ -115,10 +111,8 @@ void SetLook(vtkGodRaysPass* rays, const Viewpoint& view, const Options& options
   model->SetExposure(options.Exposure.value_or(model->GetExposure()));
   rays->SetAutomaticExposure(!options.Exposure && !options.Weight);
   rays->SetLayerMargin(0.0);
-  rays->SetBackgroundGlow(options.Glow.value_or(Glow));
-  rays->SetBackgroundGlowRadius(GlowRadius);
-  rays->SetBackgroundGlowFalloff(
-    options.GlowAngle.value_or(view.LightIsLamp ? LampGlowAngle : SunGlowAngle));
+  rays->SetBackgroundGlow(options.Glow.value_or(rays->GetBackgroundGlow()));
+  rays->SetBackgroundGlowFalloff(options.GlowAngle.value_or(rays->GetBackgroundGlowFalloff()));
 }
 
 //------------------------------------------------------------------------------
@@ -138,8 +132,7 @@ void SetMedium(vtkGodRaysPass* rays, const Options& options)
 }
 
 //------------------------------------------------------------------------------
-void SetPreset(
-  vtkGodRaysPass* rays, const Preset& preset, const Viewpoint& view, const Options& options)
+void SetPreset(vtkGodRaysPass* rays, const Preset& preset, const Options& options)
 {
   if (options.VolumeMedium && options.Preset.empty())
   {
@@ -157,14 +150,14 @@ void SetPreset(
   }
   else
   {
-    SetLook(rays, view, options);
+    SetLook(rays, options);
   }
 }
 
 //------------------------------------------------------------------------------
 void SetRays(vtkGodRaysPass* rays, const Viewpoint& view, const Options& options)
 {
-  SetPreset(rays, GetPreset(options), view, options);
+  SetPreset(rays, GetPreset(options), options);
   rays->SetIntensity(options.Intensity.value_or(1.0));
   rays->SetDataFirst(options.DataFirst);
   rays->SetErrorTolerance(options.Tolerance.value_or(rays->GetErrorTolerance()));
@@ -249,16 +242,14 @@ void Stage::SetPreset(const ::Preset& preset)
   }
   this->Look = preset;
   this->Settings.Preset = preset.Name;
-  ::SetPreset(this->Rays, preset, this->View, this->Settings);
+  ::SetPreset(this->Rays, preset, this->Settings);
 }
 
 //------------------------------------------------------------------------------
 void Stage::SetBackground(const std::string& background)
 {
   this->Settings.Background = background;
-  this->Background.reset();
-  this->Renderer->TexturedBackgroundOff();
-  this->Renderer->SetBackgroundTexture(nullptr);
+  this->Renderer->GradientBackgroundOff();
   if (this->Settings.Transparent)
   {
     this->Renderer->SetBackground(0.0, 0.0, 0.0);
@@ -270,8 +261,14 @@ void Stage::SetBackground(const std::string& background)
   }
   else if (this->Settings.Sky.empty())
   {
-    this->Background.emplace(this->Renderer, this->Data, this->View,
-      this->Settings.LightSize.value_or(SunRadius), this->Settings);
+    const std::string& colors = this->Settings.Background;
+    const auto colon = std::min(colors.find(':'), colors.size());
+    const Vector3 bottom = ParseColor("--background", colors.substr(0, colon));
+    const Vector3 top =
+      colon < colors.size() ? ParseColor("--background", colors.substr(colon + 1)) : bottom;
+    this->Renderer->SetGradientBackground(colon < colors.size());
+    this->Renderer->SetBackground(bottom.data());
+    this->Renderer->SetBackground2(top.data());
   }
   else
   {
@@ -285,11 +282,7 @@ void Stage::MoveLight(const Vector3& place)
   (this->View.LightIsLamp ? this->View.LightPosition : this->View.LightDirection) = place;
   this->View.LightWasChosen = false;
   PlaceLight(this->Light, this->View);
-  if (this->Background)
-  {
-    this->Background->SetView(this->View);
-  }
-  else if (!this->Settings.Sky.empty())
+  if (!this->Settings.Sky.empty())
   {
     this->MoveSkySun();
   }
@@ -361,7 +354,7 @@ void Stage::SetParameter(const std::string& name, double value)
   }
   else
   {
-    SetLook(this->Rays, this->View, this->Settings);
+    SetLook(this->Rays, this->Settings);
   }
 }
 
@@ -428,7 +421,7 @@ std::string Stage::GetOptions() const
       text << " --" << option << " " << *number;
     }
   }
-  if (this->Settings.Background != "sky")
+  if (this->Settings.Background != Options().Background)
   {
     text << " --background '" << this->Settings.Background << "'"; // # begins a comment of shells
   }

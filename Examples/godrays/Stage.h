@@ -10,7 +10,6 @@
 #include "Options.h"
 #include "Presets.h"
 #include "Scene.h"
-#include "Sky.h"
 #include "Viewpoint.h"
 
 #include "vtkGodRaysPass.h" // For vtkGodRaysPass
@@ -18,7 +17,6 @@
 #include "vtkNew.h"         // For vtkNew
 #include "vtkRenderer.h"    // For vtkRenderer
 
-#include <optional> // For std::optional
 #include <string>   // For std::string
 #include <vector>   // For std::vector
 
@@ -95,7 +93,6 @@ private:
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkLight> Light;
   vtkNew<vtkGodRaysPass> Rays;
-  std::optional<Sky> Background; ///< none where there is a physical one
   double ExposureFactor = 1.0;   ///< on that of the physical one
   bool HasRays = false;
 };

@@ -198,7 +198,7 @@ void Viewer::OnDragLight(double x, double y)
 //------------------------------------------------------------------------------
 void Viewer::TakeBackground()
 {
-  static const char* const backgrounds[] = { "sky", "black", "#101820:#405070", "#808890",
+  static const char* const backgrounds[] = { "#040508:#0e1118", "black", "#808890",
     "white" };
   if (!this->Settings.Sky.empty() || !this->Settings.Hdri.empty())
   {

@@ -5,14 +5,17 @@
 #include "CameraMaker.h"
 
 #include "vtkCamera.h"
+#include "vtkGodRaysPass.h"
 #include "vtkGodRaysSunPlacer.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
-#include "vtkPropCollection.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace
 {
@@ -37,6 +40,53 @@ constexpr double MostOfHeight = 0.8;
 constexpr double LeastMargin = 0.07; // of half its width or height
 
 //------------------------------------------------------------------------------
+/**
+ * Small pictures of the scene, by which cameras and places for the sun are compared.
+ */
+class Probe
+{
+public:
+  Probe(const Scene& scene, double aspect)
+  {
+    constexpr int rows = 180; // three for each that the sun's placer looks at
+    this->Window->SetOffScreenRendering(true);
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(std::max(8, static_cast<int>(rows * aspect)), rows);
+    this->Window->AddRenderer(this->Renderer);
+    for (const auto& prop : scene.Props)
+    {
+      this->Renderer->AddViewProp(prop);
+    }
+    this->Rays->SetOutput(vtkGodRaysPass::OCCLUSION);
+    this->Rays->SetSunPlacement(vtkGodRaysPass::SUN_ONCE);
+    this->Rays->Attach(this->Renderer);
+  }
+
+  ~Probe()
+  {
+    this->Rays->Detach(this->Renderer);
+    this->Renderer->RemoveAllViewProps();
+  }
+
+  Probe(const Probe&) = delete;
+  void operator=(const Probe&) = delete;
+
+  vtkGodRaysSunPlacer* FindSun(vtkCamera* camera, double lowest)
+  {
+    this->Renderer->SetActiveCamera(camera);
+    this->Rays->RemoveAllLights();
+    this->Rays->GetSunPlacer()->SetLowest(lowest);
+    this->Window->Render();
+    return this->Rays->GetSunPlacer();
+  }
+
+private:
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkGodRaysPass> Rays;
+};
+
+//------------------------------------------------------------------------------
 class ViewpointMaker
 {
 public:
@@ -44,6 +94,7 @@ public:
     : Data(scene)
     , Settings(options)
     , Cameras(scene, options)
+    , Pictures(scene, Cameras.Aspect)
   {
   }
 
@@ -93,6 +144,49 @@ private:
     else
     {
       this->ChooseLook();
+    }
+    if (!this->Settings.CameraPosition && !this->Settings.FocalPoint && !this->Settings.ViewUp &&
+      !this->Settings.Sun && !this->Settings.Light && !this->Data.IsTerrain() && !this->IsFlat())
+    {
+      this->ChooseSide();
+    }
+  }
+
+  //----------------------------------------------------------------------------
+  /**
+   * Of some views of a thing, take the one with the most shafts; not one that shows little of it, as of a plate
+   * from its edge.
+   */
+  void ChooseSide()
+  {
+    constexpr double enough = 0.6; // of the largest part of the picture that a view covers
+    struct View
+    {
+      vtkSmartPointer<vtkCamera> Camera;
+      double Score;
+      double Coverage;
+    };
+    std::vector<View> views;
+    double largest = 0.0;
+    for (const double turn : { 0.0, 50.0, -50.0, 100.0, -100.0, 180.0 })
+    {
+      for (const double tilt : { 0.0, -18.0 })
+      {
+        auto camera = this->Cameras.Make(this->GetLookAzimuth() + turn, this->GetPitch() + tilt);
+        const auto* placer = this->FindSun(camera, this->FindLowest(camera));
+        views.push_back({ camera, placer->GetScore(), placer->GetCoverage() });
+        largest = std::max(largest, placer->GetCoverage());
+      }
+    }
+    double best = 0.0;
+    for (const View& view : views)
+    {
+      const double score = view.Score * std::min(1.0, view.Coverage / (enough * largest));
+      if (largest > 0.0 && score > best)
+      {
+        best = score;
+        this->Result.Camera = view.Camera;
+      }
     }
   }
 
@@ -215,17 +309,20 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  vtkSmartPointer<vtkGodRaysSunPlacer> FindSun(vtkCamera* camera, double lowest) const
+  vtkGodRaysSunPlacer* FindSun(vtkCamera* camera, double lowest) const
   {
-    vtkNew<vtkPropCollection> props;
-    for (const auto& prop : this->Data.Props)
-    {
-      props->AddItem(prop);
-    }
-    auto placer = vtkSmartPointer<vtkGodRaysSunPlacer>::New();
-    placer->SetLowest(lowest);
-    placer->Find(props, camera, this->Cameras.Aspect);
-    return placer;
+    return this->Pictures.FindSun(camera, lowest);
+  }
+
+  //----------------------------------------------------------------------------
+  /**
+   * The lowest place in the picture for a sun, from 0 to 1: the horizon, where there is one to be seen.
+   */
+  double FindLowest(vtkCamera* camera) const
+  {
+    const bool hasHorizon = this->Data.IsTerrain() || !this->Settings.Sky.empty();
+    const double horizon = hasHorizon ? this->FindHeightInPicture(camera, LowestSun) : -1.0;
+    return horizon < HighestHorizon ? 0.5 * (horizon + 1.0) : 0.0;
   }
 
   //----------------------------------------------------------------------------
@@ -372,19 +469,17 @@ private:
    */
   double ChooseLight(vtkCamera* camera, bool use)
   {
-    const bool hasHorizon = this->Data.IsTerrain() || !this->Settings.Parallel;
-    const double horizon = hasHorizon ? this->FindHeightInPicture(camera, LowestSun) : -1.0;
-    const double lowest = horizon < HighestHorizon ? horizon : -1.0;
-    const auto placer = this->FindSun(camera, 0.5 * (lowest + 1.0));
+    const double lowest = this->FindLowest(camera);
+    const auto placer = this->FindSun(camera, lowest);
     if (use)
     {
       const double x = 2.0 * placer->GetPlace()[0] - 1.0;
       const double y = 2.0 * placer->GetPlace()[1] - 1.0;
-      this->PlaceLight(camera, x, std::clamp(std::max(y, lowest), -0.9, 0.9));
+      this->PlaceLight(camera, x, std::clamp(std::max(y, 2.0 * lowest - 1.0), -0.9, 0.9));
       this->Result.LightWasChosen = true;
     }
     // The data should neither fill the picture nor be a strip at its foot.
-    return placer->GetScore() - std::abs(placer->GetCoverage() - 0.6);
+    return placer->GetScore() * (1.0 - std::abs(placer->GetCoverage() - 0.6));
   }
 
   //----------------------------------------------------------------------------
@@ -439,6 +534,7 @@ private:
   const Scene& Data;
   const Options& Settings;
   CameraMaker Cameras;
+  mutable Probe Pictures;
   Viewpoint Result;
 };
 }
