@@ -148,7 +148,7 @@ void AddRayOptions(Parser& parser, Options& options)
   parser.Add("--glow", options.Glow, 0.0, 1.0,
     "Radiance of the open background about the light, as a fraction of the light's (1)");
   parser.Add("--glow-angle", options.GlowAngle, 0.0, 180.0,
-    "Angle from the light over which that glow falls to 0, in degrees (5, of a lamp 14)");
+    "Angle from the light over which that glow falls to 0, in degrees (3.6)");
   parser.Add("--optical-depth", options.OpticalDepth, 1e-6, 100.0,
     "How thick a medium is across the scene, in green: 1 lets a third of the light through (0.15 "
     "to 0.45)");

@@ -173,7 +173,7 @@ private:
       for (const double tilt : { 0.0, -18.0 })
       {
         auto camera = this->Cameras.Make(this->GetLookAzimuth() + turn, this->GetPitch() + tilt);
-        const auto* placer = this->FindSun(camera, this->FindLowest(camera));
+        vtkGodRaysSunPlacer* placer = this->FindSun(camera, this->FindLowest(camera));
         views.push_back({ camera, placer->GetScore(), placer->GetCoverage() });
         largest = std::max(largest, placer->GetCoverage());
       }
