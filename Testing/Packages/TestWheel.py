@@ -51,11 +51,13 @@ class Wheel(unittest.TestCase):
             self.assertTrue(any(re.fullmatch(pattern, name) for name in names), pattern)
 
         run(*pip, "install", "--no-index", wheel)
-        code = ("import importlib.metadata, godrays; from vtkmodules.vtkFiltersSources import vtkConeSource\n"
+        code = ("import importlib.metadata, os, sys, godrays; from vtkmodules.vtkFiltersSources import vtkConeSource\n"
             "picture = godrays.render(vtkConeSource(), (80, 60))\n"
-            "maps = {line.split()[-1] for line in open('/proc/self/maps') if 'GodRays' in line}\n"
+            "maps = [os.fsdecode(line).split(maxsplit=5) for line in open('/proc/self/maps', 'rb').read().splitlines()]\n"
+            "files = {fields[5] for fields in maps if len(fields) == 6}\n"
+            "ours = [each for each in files if 'GodRays' in os.path.basename(each)]\n"
             "print(godrays.__file__, importlib.metadata.version('godrays'), picture.shape, picture.std() > 5,\n"
-            "    all(each.startswith(__import__('sys').prefix) for each in maps), len(maps) >= 5)")
+            "    all(each.startswith(sys.prefix) for each in ours), len(ours) >= 5)")
         self.assertRegex(run(python, "-c", code), rf"{re.escape(str(FOLDER))}\S* [\d.]+ \(60, 80, 3\) True True True")
         if any(name == "godrays/godrays" for name in names):
             for program in ((python, "-m", "godrays"), (FOLDER / "bin" / "godrays",)):
