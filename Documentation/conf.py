@@ -9,6 +9,7 @@ to the sources: GODRAYS_SOURCES in the environment says where these are shown; e
 """
 
 import os
+import pathlib
 import re
 import sys
 
@@ -60,7 +61,7 @@ def add_reference(app, docname, source):
 
 def name_sources(app, pagename, templatename, context, doctree):
     if "body" in context:
-        sources = os.environ.get("GODRAYS_SOURCES", f"file://{app.srcdir}").rstrip("/") + "/"
+        sources = os.environ.get("GODRAYS_SOURCES", pathlib.Path(app.srcdir).as_uri()).rstrip("/") + "/"
         context["body"] = context["body"].replace(PLACE, sources)
 
 

@@ -9,7 +9,9 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import types
 import unittest
+import unittest.mock
 import urllib.parse
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -34,6 +36,17 @@ class Page(html.parser.HTMLParser):
 
 
 class Site(unittest.TestCase):
+    def test_links_to_sources_of_a_tree_in_any_folder(self):
+        """Without GODRAYS_SOURCES they are URLs of files, so a blank and a letter beyond ASCII are encoded."""
+        spec = importlib.util.spec_from_file_location("conf", ROOT / "Documentation" / "conf.py")
+        conf = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(conf)
+        context = {"body": f'<a href="{conf.PLACE}Testing">'}
+        with unittest.mock.patch.dict(os.environ):
+            os.environ.pop("GODRAYS_SOURCES", None)
+            conf.name_sources(types.SimpleNamespace(srcdir="/a b/\u00fc/vtkGodRays"), "", "", context, None)
+        self.assertEqual(context["body"], '<a href="file:///a%20b/%C3%BC/vtkGodRays/Testing">')
+
     def test_links(self):
         with tempfile.TemporaryDirectory() as folder:
             result = subprocess.run(
