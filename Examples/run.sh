@@ -103,7 +103,7 @@ The pictures are in $PWD/$out. Beside those of godrays, a .txt file each says wh
 Heights are exaggerated: Jacksboro's fivefold (chosen by godrays), those of topobathy tenfold.
 
 To look around in a window, run a command above in a desktop session as it stands, in this folder:
-  cd $PWD
+  cd $(printf %q "$PWD")
   export PYTHONPATH=build/lib/python3/dist-packages
   build/bin/godrays $out/data/jacksboro.vti
 END
