@@ -27,13 +27,13 @@ unshare --mount true || die "mounts cannot be made here. In a container: start i
 
 . CMake/packages.sh
 
-folder=$PWD/build-$1
+mkdir -p "build-$1"
+folder=$(cd "build-$1" && pwd -P) # a link in the copy of the tree that .ci/run makes
 root=$folder/root
 made=$root/etc/godrays-root # written when debootstrap has finished
 other=$1
 shift
 
-mkdir -p "$folder"
 exec 9>"$folder/root.lock"
 flock --nonblock 9 || die "another run is using $root. Wait for its end."
 
@@ -47,10 +47,21 @@ find_mirror()
     awk '/^http/ && !found { print; found = 1 } END { exit !found }'
 }
 
+# Whether something is mounted below the root. A blank in a path is \040 in /proc/self/mounts.
+has_mounts()
+{
+  local target
+  while read -r _ target _; do
+    printf -v target %b "$target"
+    [[ $target != "$root"/* ]] || return 0
+  done </proc/self/mounts
+  return 1
+}
+
 make_root()
 {
   if [ -e "$root" ]; then
-    ! grep -qF " $root/" /proc/self/mounts ||
+    ! has_mounts ||
       die "something is mounted in $root, which is to be made anew. Unmount it; findmnt lists it."
     echo "== $root is unfinished, and is made anew"
     rm -rf --one-file-system "$root"
@@ -62,8 +73,15 @@ make_root()
   local script=() # an older debootstrap does not know the names of later suites
   [ -e "/usr/share/debootstrap/scripts/$other" ] || script=(sid)
   echo "== Making $root"
-  unshare --mount debootstrap --variant=minbase "$other" "$root" "$mirror" "${script[@]}" \
-    >"$folder/debootstrap.log" 2>&1 || die "debootstrap failed: see $folder/debootstrap.log"
+  # debootstrap leaves dependencies out if the path has a blank. It gets another path of the same folder.
+  local plain succeeded=true
+  mkdir "$root"
+  plain=$(mktemp -d /tmp/debian-root.XXXXXX)
+  unshare --mount bash -c 'mount --bind "$1" "$2" && exec "${@:3}"' debian-root.sh "$root" "$plain" \
+    debootstrap --variant=minbase "$other" "$plain" "$mirror" "${script[@]}" \
+    >"$folder/debootstrap.log" 2>&1 || succeeded=false
+  rmdir "$plain"
+  $succeeded || die "debootstrap failed: see $folder/debootstrap.log"
 
   # apt's ways to the mirror are those of this system. What dpkg writes need not survive a power cut.
   apt-config dump | grep -E '^Acquire::(Check-Date|Check-Valid-Until|Retries|[^ ]*Proxy[^ ]*) ' \
