@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysPass.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkGodRaysPassInternals.h"
 #include "vtkGodRaysPresets.h"
@@ -10,6 +11,7 @@
 #include "vtkGodRaysSetGet.h"
 #include "vtkGodRaysSunPlacer.h"
 #include "vtkImageData.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkProp.h"
@@ -194,6 +196,32 @@ bool vtkGodRaysPass::SeesNewPicture(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
+// Have the first light on the data, too, as LightData asks for.
+void vtkGodRaysPass::LightTheData(vtkRenderer* renderer)
+{
+  Internals& self = *this->Internal;
+  if (!this->LightData || self.Lights.empty())
+  {
+    self.DataLights.Remove();
+    return;
+  }
+  vtkLight* light = self.Lights.front();
+  double from[3] = { 0.0, 0.0, 0.0 };
+  double bounds[6];
+  light->GetTransformedFocalPoint(from);
+  if (light->GetPositional())
+  {
+    renderer->ComputeVisiblePropBounds(bounds);
+    vtkBoundingBox(bounds).GetCenter(from);
+  }
+  double direction[3];
+  light->GetTransformedPosition(direction);
+  vtkMath::Subtract(direction, from, direction);
+  vtkMath::Normalize(direction);
+  self.DataLights.Update(renderer, direction);
+}
+
+//------------------------------------------------------------------------------
 // Put the sun where the placer finds the most shafts, unless it has a good place.
 void vtkGodRaysPass::MoveSun(vtkRenderer* renderer, bool isBlue)
 {
@@ -221,6 +249,7 @@ void vtkGodRaysPass::MoveSun(vtkRenderer* renderer, bool isBlue)
     {
       self.PlacedSun->SetDiffuseColor(color[0], color[1], color[2]);
     }
+    self.SunMoved = true;
     this->InvokeEvent(SunPlacedEvent);
   }
 }
@@ -419,6 +448,7 @@ void vtkGodRaysPass::Detach(vtkRenderer* renderer)
     self.Window->MakeCurrent();
     self.Release(self.Window);
   }
+  self.DataLights.Remove();
   self.Attachment.Detach(this, renderer);
 }
 

@@ -128,6 +128,8 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
       }
     }
   }
+  self.SunMoved = false;
+  this->LightTheData(renderer);
   if (!reason.empty())
   {
     self.NumberOfLights = 0;
@@ -151,17 +153,29 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
 
   vtkGodRaysOverlays overlays(s);
   const int failures = vtkGodRaysQuad::GetNumberOfFailures();
-  self.Timers.Start(vtkGodRaysTimers::SCENE);
+  const auto drawScene = [&]
   {
-    const vtkGodRaysHiddenProps hidden(s, self.Effect->GetOwnProps());
-    this->RenderScene(s);
+    self.Timers.Start(vtkGodRaysTimers::SCENE);
+    {
+      const vtkGodRaysHiddenProps hidden(s, self.Effect->GetOwnProps());
+      this->RenderScene(s);
+    }
+    self.Timers.Stop();
+  };
+  drawScene();
+  bool done = !self.IsOwnDelegate && this->RenderRays(s, view, lights);
+  if (done && this->LightData && self.SunMoved)
+  {
+    self.IsNewPicture = false; // the scene once more, in the light from where the sun stands now
+    this->LightTheData(renderer);
+    drawScene();
+    done = this->RenderRays(s, view, lights);
   }
-  self.Timers.Stop();
   if (self.IsOwnDelegate)
   {
     self.StagePlan = "rays: none, the delegate leads back to this pass\n";
   }
-  else if (!this->RenderRays(s, view, lights))
+  else if (!done)
   {
     if (vtkGodRaysQuad::GetNumberOfFailures() == failures)
     {

@@ -11,6 +11,7 @@
 #include "vtkGodRaysAttachment.h"
 #include "vtkGodRaysBlendPass.h"
 #include "vtkGodRaysCompositor.h"
+#include "vtkGodRaysDataLights.h"
 #include "vtkGodRaysEffect.h"
 #include "vtkGodRaysIntegrator.h"
 #include "vtkGodRaysLight.h"
@@ -48,7 +49,9 @@ struct vtkGodRaysPass::Internals
   std::vector<vtkGodRaysLight> FormerLights; // empty: memory for those of a frame
   vtkSmartPointer<vtkLight> PlacedSun;       // by PlaceSun()
   bool SunIsKept = false;                    // it has a place that was found or given
+  vtkGodRaysDataLights DataLights;
   vtkNew<vtkGodRaysSunPlacer> Placer;
+  bool SunMoved = false; // in this frame
   std::array<double, 34> CoveredPicture = {}; // of the placer's coverage: view and props
   bool IsNewPicture = false;                  // the coverage is to be found in this frame
   vtkSmartPointer<vtkGodRaysSun> Sun = vtkSmartPointer<vtkGodRaysSun>::New();

@@ -26,7 +26,7 @@ struct Options
   std::optional<Vector3> Light;
   Vector3 LightColor = { 1.0, 0.85, 0.62 };
   std::optional<double> LightSize;
-  double Fill = 0.5;
+  std::optional<double> Fill;
 
   // Rays: what is not given stays as the preset has it.
   bool Rays = true;

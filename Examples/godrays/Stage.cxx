@@ -5,6 +5,7 @@
 #include "Environment.h"
 #include "Values.h"
 
+#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysHomogeneousModel.h"
@@ -13,7 +14,10 @@
 #include "vtkGodRaysSkyPass.h"
 #include "vtkGodRaysVolumeModel.h"
 #include "vtkLight.h"
+#include "vtkMapper.h"
 #include "vtkMath.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -26,6 +30,10 @@ namespace
 // [degrees] a look: larger than the real sun, which vtkGodRaysSun and the sky of --sky have, to be seen
 constexpr double SunRadius = 0.6;
 constexpr double SkyExposure = 2.5; // a white wall in the sun is about as bright as can be shown
+// of a light from the eye; 1 is VTK's headlight, which shows colours as they are without rays
+constexpr double FillBesideSun = 0.5;
+constexpr double FillOfPlain = 0.85;
+constexpr double FillOfColors = 1.0;
 constexpr double AboveSun = 5.0;    // [degrees] where the sky is not to be brighter than white
 
 //------------------------------------------------------------------------------
@@ -46,19 +54,53 @@ void PlaceLight(vtkLight* light, const Viewpoint& view)
 
 //------------------------------------------------------------------------------
 /**
- * Light from the sky and from the eye, so that sides away from the sun keep their colours.
+ * Whether the sun itself lights the data. Elsewhere it only makes the rays: it stands behind the data, which
+ * would be dark.
  */
-void AddFill(vtkRenderer* renderer, const Scene& scene, double fill)
+bool SunLightsData(const Options& options)
 {
-  vtkNew<vtkLight> sky;
-  sky->SetPosition(scene.Up.data());
-  sky->SetFocalPoint(0.0, 0.0, 0.0);
-  sky->SetColor(0.70, 0.82, 1.0);
-  sky->SetIntensity(fill);
-  renderer->AddLight(sky);
+  return !options.Sky.empty() || !options.Hdri.empty() || options.Place.has_value();
+}
+
+//------------------------------------------------------------------------------
+bool IsColored(const vtkSmartPointer<vtkProp3D>& prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+  int ofCells = 0;
+  return !mapper || actor->GetTexture() || actor->GetProperty()->GetNumberOfTextures() > 0 ||
+    (mapper->GetScalarVisibility() &&
+      vtkAbstractMapper::GetScalars(mapper->GetInput(), mapper->GetScalarMode(),
+        mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), ofCells));
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Light from the sky and from the eye, so that sides away from the sun keep their colours; from the eye
+ * alone where the sun lights nothing.
+ */
+void AddFill(vtkRenderer* renderer, const Scene& scene, const Options& options)
+{
+  const bool isPhysical = SunLightsData(options);
+  const bool isColored = std::any_of(scene.Props.begin(), scene.Props.end(), IsColored);
+  const double fill = options.Fill.value_or(isPhysical ? FillBesideSun
+      : isColored                                      ? FillOfColors
+                                                       : FillOfPlain);
+  if (isPhysical)
+  {
+    vtkNew<vtkLight> sky;
+    sky->SetPosition(scene.Up.data());
+    sky->SetFocalPoint(0.0, 0.0, 0.0);
+    sky->SetColor(0.70, 0.82, 1.0);
+    sky->SetIntensity(fill);
+    renderer->AddLight(sky);
+  }
   vtkNew<vtkLight> eye;
   eye->SetLightTypeToHeadlight();
-  eye->SetColor(0.85, 0.90, 1.0);
+  if (isPhysical)
+  {
+    eye->SetColor(0.85, 0.90, 1.0);
+  }
   eye->SetIntensity(fill);
   renderer->AddLight(eye);
 }
@@ -191,10 +233,13 @@ Stage::Stage(Scene scene, const Viewpoint& view, const Options& options)
   }
   PlaceLight(this->Light, view);
   this->Light->SetColor(options.LightColor.data());
-  this->Renderer->AddLight(this->Light);
+  if (SunLightsData(options))
+  {
+    this->Renderer->AddLight(this->Light);
+  }
   if (options.Hdri.empty())
   {
-    AddFill(this->Renderer, this->Data, options.Fill);
+    AddFill(this->Renderer, this->Data, options);
   }
   else
   {
@@ -207,6 +252,7 @@ Stage::Stage(Scene scene, const Viewpoint& view, const Options& options)
   this->SetBackground(options.Background);
   ::SetRays(this->Rays, view, options);
   this->Rays->AddLight(this->Light);
+  this->Rays->SetLightData(!SunLightsData(options));
   this->Rays->SetMeasureTimes(options.Stats);
   this->SetRays(options.Rays);
 }

@@ -109,6 +109,7 @@ def enable(
     highlight_shoulder: bool | None = None,
     darken_light_background: bool | None = None,
     data_first: bool | None = None,
+    light_data: bool | None = None,
     most_data_lightness: float | None = None,
     error_tolerance: float | None = None,
     interactive_error_tolerance: float | None = None,
