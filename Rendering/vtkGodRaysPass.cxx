@@ -35,7 +35,6 @@ bool IsColor(vtkLight* light, const double color[3])
 }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysPass::vtkGodRaysPass()
   : Internal(new Internals)
 {
@@ -43,10 +42,8 @@ vtkGodRaysPass::vtkGodRaysPass()
   this->SetIntegrator(nullptr);
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysPass::~vtkGodRaysPass() = default;
 
-//------------------------------------------------------------------------------
 void vtkGodRaysPass::SetRole(vtkProp* prop, int role)
 {
   if (!prop || role < AUTOMATIC || role > MEDIUM)
@@ -60,19 +57,16 @@ void vtkGodRaysPass::SetRole(vtkProp* prop, int role)
   vtkGodRaysSetRole(prop, static_cast<vtkGodRaysRole>(role));
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysPass::GetRole(vtkProp* prop)
 {
   return static_cast<int>(vtkGodRaysGetRole(prop));
 }
 
-//------------------------------------------------------------------------------
 vtkInformationIntegerKey* vtkGodRaysPass::ROLE()
 {
   return vtkGodRaysGetRoleKey();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysPass::AddLight(vtkLight* light)
 {
   auto& lights = this->Internal->Lights;
@@ -83,7 +77,6 @@ void vtkGodRaysPass::AddLight(vtkLight* light)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysPass::RemoveLight(vtkLight* light)
 {
   auto& lights = this->Internal->Lights;
@@ -95,7 +88,6 @@ void vtkGodRaysPass::RemoveLight(vtkLight* light)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysPass::RemoveAllLights()
 {
   if (!this->Internal->Lights.empty())
@@ -105,7 +97,6 @@ void vtkGodRaysPass::RemoveAllLights()
   }
 }
 
-//------------------------------------------------------------------------------
 vtkLight* vtkGodRaysPass::PlaceSun(vtkRenderer* renderer)
 {
   const double* usual = vtkGodRaysSunPlacer::GetUsualPlace();
@@ -114,7 +105,6 @@ vtkLight* vtkGodRaysPass::PlaceSun(vtkRenderer* renderer)
   return sun;
 }
 
-//------------------------------------------------------------------------------
 vtkLight* vtkGodRaysPass::PlaceSun(vtkRenderer* renderer, double x, double y)
 {
   const bool isLamp = renderer && renderer->GetActiveCamera()->GetParallelProjection();
@@ -142,13 +132,11 @@ vtkLight* vtkGodRaysPass::PlaceSun(vtkRenderer* renderer, double x, double y)
   return self.PlacedSun;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSunPlacer* vtkGodRaysPass::GetSunPlacer()
 {
   return this->Internal->Placer;
 }
 
-//------------------------------------------------------------------------------
 // Whether a sun is to be placed in this frame, as there is none or it was asked for.
 bool vtkGodRaysPass::IsSunMissing() const
 {
@@ -158,7 +146,6 @@ bool vtkGodRaysPass::IsSunMissing() const
   return isThere ? !self.SunIsKept : this->SunPlacement != SUN_BY_HAND;
 }
 
-//------------------------------------------------------------------------------
 // Whether the picture differs from the one whose coverage is known: by its view, or by its props. Pictures of
 // which the user drags the camera are not looked at, nor are tiles, which are parts.
 bool vtkGodRaysPass::SeesNewPicture(vtkRenderer* renderer)
@@ -195,7 +182,6 @@ bool vtkGodRaysPass::SeesNewPicture(vtkRenderer* renderer)
   return isNew;
 }
 
-//------------------------------------------------------------------------------
 // Have the first light on the data, too, as LightData asks for.
 void vtkGodRaysPass::LightTheData(vtkRenderer* renderer)
 {
@@ -221,7 +207,6 @@ void vtkGodRaysPass::LightTheData(vtkRenderer* renderer)
   self.DataLights.Update(renderer, direction);
 }
 
-//------------------------------------------------------------------------------
 // Put the sun where the placer finds the most shafts, unless it has a good place.
 void vtkGodRaysPass::MoveSun(vtkRenderer* renderer, bool isBlue)
 {
@@ -238,9 +223,8 @@ void vtkGodRaysPass::MoveSun(vtkRenderer* renderer, bool isBlue)
       return;
     }
   }
-  const bool hasOwnColor = self.PlacedSun &&
-    !IsColor(self.PlacedSun, WarmSun) && !IsColor(self.PlacedSun, CoolSun) &&
-    !IsColor(self.PlacedSun, PaleSun);
+  const bool hasOwnColor = self.PlacedSun && !IsColor(self.PlacedSun, WarmSun) &&
+    !IsColor(self.PlacedSun, CoolSun) && !IsColor(self.PlacedSun, PaleSun);
   if (this->PlaceSun(renderer, place[0], place[1]))
   {
     self.SunIsKept = self.Placer->GetCoverage() > 0.0;
@@ -254,20 +238,17 @@ void vtkGodRaysPass::MoveSun(vtkRenderer* renderer, bool isBlue)
   }
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysPass::GetNumberOfLights()
 {
   return static_cast<int>(this->Internal->Lights.size());
 }
 
-//------------------------------------------------------------------------------
 vtkLight* vtkGodRaysPass::GetLight(int index)
 {
   const auto& lights = this->Internal->Lights;
   return index >= 0 && index < static_cast<int>(lights.size()) ? lights[index].Get() : nullptr;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysPass::SetSun(vtkGodRaysSun* sun)
 {
   if (!sun || sun != this->Internal->Sun)
@@ -281,25 +262,21 @@ void vtkGodRaysPass::SetSun(vtkGodRaysSun* sun)
   }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSun* vtkGodRaysPass::GetSun()
 {
   return this->Internal->Sun;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysPass::SetSunAngularRadius(double degrees)
 {
   this->Internal->Sun->SetAngularRadius(degrees);
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysPass::GetSunAngularRadius()
 {
   return this->Internal->Sun->GetAngularRadius();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysPass::SetModel(vtkGodRaysModel* model)
 {
   if (model && model == this->Internal->Model)
@@ -326,13 +303,11 @@ void vtkGodRaysPass::SetModel(vtkGodRaysModel* model)
   this->Modified();
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysModel* vtkGodRaysPass::GetModel()
 {
   return this->Internal->Model;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysPass::SetIntegrator(vtkGodRaysIntegrator* integrator)
 {
   Internals& self = *this->Internal;
@@ -355,13 +330,11 @@ void vtkGodRaysPass::SetIntegrator(vtkGodRaysIntegrator* integrator)
   this->Modified();
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysIntegrator* vtkGodRaysPass::GetIntegrator()
 {
   return this->Internal->Integrator;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysPass::SetCompositor(vtkGodRaysCompositor* compositor)
 {
   if (this->Internal->Compositor != compositor)
@@ -371,13 +344,11 @@ void vtkGodRaysPass::SetCompositor(vtkGodRaysCompositor* compositor)
   }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysCompositor* vtkGodRaysPass::GetCompositor()
 {
   return this->Internal->Compositor;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysPass::ApplyPreset(const char* name)
 {
   if (vtkGodRaysPresets::ApplyTo(this->GetModel(), name))
@@ -395,7 +366,6 @@ bool vtkGodRaysPass::ApplyPreset(const char* name)
   return true;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, Intensity, 0.0, 1e4);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, MostDataLightness, 0.0, 100.0);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, ErrorTolerance, 1e-6, 0.1);
@@ -410,7 +380,6 @@ vtkGodRaysSetModeMacro(vtkGodRaysPass, DisplayTransfer, POWER_TRANSFER);
 vtkGodRaysSetModeMacro(vtkGodRaysPass, Output, SCATTERING);
 vtkGodRaysSetModeMacro(vtkGodRaysPass, Precision, SINGLE);
 
-//------------------------------------------------------------------------------
 void vtkGodRaysPass::Attach(vtkRenderer* renderer)
 {
   if (!renderer)
@@ -428,13 +397,11 @@ void vtkGodRaysPass::Attach(vtkRenderer* renderer)
   self.Attachment.Attach(this, renderer);
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysPass* vtkGodRaysPass::Find(vtkRenderer* renderer)
 {
   return renderer ? vtkGodRaysAttachment::Find<vtkGodRaysPass>(renderer) : nullptr;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysPass::Detach(vtkRenderer* renderer)
 {
   Internals& self = *this->Internal;
@@ -452,7 +419,6 @@ void vtkGodRaysPass::Detach(vtkRenderer* renderer)
   self.Attachment.Detach(this, renderer);
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysPass::GetOcclusionImage(vtkImageData* image)
 {
   Internals& self = *this->Internal;
@@ -468,20 +434,17 @@ bool vtkGodRaysPass::GetOcclusionImage(vtkImageData* image)
   return self.Download(self.HasRays ? self.Effect->GetLayers() : nullptr, image);
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysPass::GetScatteringImage(vtkImageData* image)
 {
   Internals& self = *this->Internal;
   return self.Download(self.HasScattering ? &self.Scattering : nullptr, image);
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysPass::GetMediumImage(vtkImageData* image)
 {
   return this->Internal->ReadNumbers(nullptr, this->ErrorTolerance, image);
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysPass::GetMediumImage(vtkImageData* image, const double irradiance[3])
 {
   for (int c = 0; c < 3; ++c)
@@ -500,7 +463,6 @@ bool vtkGodRaysPass::GetMediumImage(vtkImageData* image, const double irradiance
   return this->Internal->ReadNumbers(irradiance, this->ErrorTolerance, image);
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysPass::GetAdvice() const
 {
   std::string lines;
@@ -511,37 +473,31 @@ std::string vtkGodRaysPass::GetAdvice() const
   return lines;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysPass::GetPlan() const
 {
   return this->Internal->Finder.GetPlan() + this->Internal->StagePlan;
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysPass::GetExposure()
 {
   return this->Intensity * (this->Internal->IsMetered ? this->Internal->Exposure.Everywhere : 1.0);
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysPass::GetDataExposure()
 {
   return this->Internal->IsMetered ? this->Internal->Exposure.OverData : 1.0;
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysPass::GetDarkDataExposure()
 {
   return this->Internal->IsMetered ? this->Internal->Exposure.OverDark : 1.0;
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysPass::GetDataGain()
 {
   return this->Internal->IsMetered ? this->Internal->Exposure.DataGain : 1.0;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysPass::GetStageTimes(double seconds[4])
 {
   Internals& self = *this->Internal;
@@ -552,7 +508,6 @@ void vtkGodRaysPass::GetStageTimes(double seconds[4])
   self.Timers.GetTimes(seconds);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   Internals& self = *this->Internal;
@@ -567,7 +522,6 @@ void vtkGodRaysPass::ReleaseGraphicsResources(vtkWindow* window)
   self.Releases = false;
 }
 
-//------------------------------------------------------------------------------
 vtkMTimeType vtkGodRaysPass::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
@@ -581,7 +535,6 @@ vtkMTimeType vtkGodRaysPass::GetMTime()
   return time;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -121,9 +121,10 @@ public:
   /// Who says where a sun stands.
   enum SunPlacementType
   {
-    SUN_BY_HAND = 0,   ///< who adds lights, or calls PlaceSun()
-    SUN_ONCE = 1,      ///< the first frame that has something to see
-    SUN_EVERY_VIEW = 2 ///< as SUN_ONCE, and again in still frames in which its place has become poor
+    SUN_BY_HAND = 0, ///< who adds lights, or calls PlaceSun()
+    SUN_ONCE = 1,    ///< the first frame that has something to see
+    SUN_EVERY_VIEW =
+      2 ///< as SUN_ONCE, and again in still frames in which its place has become poor
   };
 
   ///@{
@@ -145,7 +146,8 @@ public:
   /// Events of the pass.
   enum Events
   {
-    SunPlacedEvent = vtkCommand::UserEvent + 1 ///< in a frame that moved the sun; lights may be changed
+    SunPlacedEvent =
+      vtkCommand::UserEvent + 1 ///< in a frame that moved the sun; lights may be changed
   };
 
   ///@{
@@ -206,8 +208,10 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the strength of the rays is chosen by the picture, before Intensity, so that shafts are seen
-   * and data stay readable. The rays are up to four times as strong as their parameters say: until their mean is
+   * Set/Get whether the strength of the rays is chosen by the picture, before Intensity, so that shafts
+   * are seen
+   * and data stay readable. The rays are up to four times as strong as their parameters say: until their
+   * mean is
    * 0.08, or their 99th percentile 1.2; in a medium 0.18 and 1.5 [linear light, 1 is white]. Over data, each
    * pixel has at most 0.1 of them; and on average, data that are lit, and, where most are, all, change by at
    * most 9 in CIE 1976 L*a*b* and keep 90 % of their chroma, to which a look adds 10 % at most or, where data
@@ -246,10 +250,11 @@ public:
 
   ///@{
   /**
-   * Set/Get whether shadows darken a light background, to a cool grey, sRGB's (178, 189, 208) of white: from a
+   * Set/Get whether shadows darken a light background, to a cool grey, sRGB's (178, 189, 208) of white:
+   * from a
    * lightness of 60 on, all of it from 80 on [CIE 1976 L*, white is 100]. From 75 to 90 on, rays themselves
-   * fade, over data, too, so that these keep their colours. Off, rays are hardly seen there. Published sums of
-   * shown values do without. Default is on.
+   * fade, over data, too, so that these keep their colours. Off, rays are hardly seen there. Published
+   * sums of shown values do without. Default is on.
    */
   vtkSetMacro(DarkenLightBackground, bool);
   vtkGetMacro(DarkenLightBackground, bool);
@@ -272,7 +277,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the first light of the rays also lights the data: two lights are added to the renderer, a rim
+   * Set/Get whether the first light of the rays also lights the data: two lights are added to the
+   * renderer, a rim
    * light that grazes the data from the sun's side of the picture, and a soft key light from there. Where a
    * prop is coloured by data or by a texture, there is only a weak rim light, which changes these colours by
    * less than 4 in CIE 1976 L*a*b* on average. The renderer's other lights are left alone, and Detach() takes

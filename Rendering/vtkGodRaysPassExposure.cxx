@@ -9,7 +9,6 @@
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 
-//------------------------------------------------------------------------------
 // Whether the join depends on what the picture shows.
 bool vtkGodRaysPass::MetersPicture() const
 {
@@ -18,7 +17,6 @@ bool vtkGodRaysPass::MetersPicture() const
     this->Internal->Transfer != vtkGodRaysTransfer::NONE;
 }
 
-//------------------------------------------------------------------------------
 // Find what a new picture covers, and put the sun where that makes shafts, if it is this pass's.
 bool vtkGodRaysPass::LookAtPicture(
   const vtkRenderState* s, const vtkGodRaysView& view, std::vector<vtkGodRaysLight>& lights)
@@ -59,7 +57,6 @@ bool vtkGodRaysPass::LookAtPicture(
   return true;
 }
 
-//------------------------------------------------------------------------------
 // Choose how strong the rays are, and tell the request. Tiles and the second eye take what the first had.
 bool vtkGodRaysPass::Internals::FindExposure(
   vtkGodRaysPass& pass, vtkRenderer* renderer, bool isTile, vtkGodRaysBlendPass::Request& request)

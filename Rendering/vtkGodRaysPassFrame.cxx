@@ -78,7 +78,6 @@ bool IsDisabledByEnvironment()
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysPass::Render(const vtkRenderState* s)
 {
   Internals& self = *this->Internal;
@@ -123,8 +122,9 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
       if (self.PlacedSun && this->SunPlacement != SUN_EVERY_VIEW && self.Lights.size() == 1 &&
         self.Lights.front() == self.PlacedSun)
       {
-        self.Concerns.push_back("the sun left the picture. Set SunPlacement to SUN_EVERY_VIEW, so that it "
-                                "follows still views, or call PlaceSun() again");
+        self.Concerns.push_back(
+          "the sun left the picture. Set SunPlacement to SUN_EVERY_VIEW, so that it "
+          "follows still views, or call PlaceSun() again");
       }
     }
   }
@@ -191,7 +191,6 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   vtkOpenGLCheckErrorMacro("failed after Render");
 }
 
-//------------------------------------------------------------------------------
 const char* vtkGodRaysPass::FindReasonForNoRays(
   const vtkRenderState* s, vtkOpenGLRenderWindow* window)
 {
@@ -240,7 +239,6 @@ const char* vtkGodRaysPass::FindReasonForNoRays(
   return "";
 }
 
-//------------------------------------------------------------------------------
 // What of the frame cannot be computed with; lights of which that is so are left out.
 std::string vtkGodRaysPass::FindFault(vtkRenderer* renderer, const vtkGodRaysView& view,
   const int size[2], std::vector<vtkGodRaysLight>& lights)
@@ -251,11 +249,12 @@ std::string vtkGodRaysPass::FindFault(vtkRenderer* renderer, const vtkGodRaysVie
   {
     return fault;
   }
-  const bool movesSun = this->IsSunMissing() ||
-    (self.PlacedSun && this->SunPlacement == SUN_EVERY_VIEW);
+  const bool movesSun =
+    this->IsSunMissing() || (self.PlacedSun && this->SunPlacement == SUN_EVERY_VIEW);
   self.IsNewPicture = (movesSun || self.Effect->UsesCoverage()) &&
     vtkGodRaysCompositor::Any(self.Compositor, this->SeesNewPicture(renderer));
-  if (!self.IsNewPicture && this->IsSunMissing()) // in a tile, which does not show all that there is
+  if (!self.IsNewPicture &&
+    this->IsSunMissing()) // in a tile, which does not show all that there is
   {
     this->PlaceSun(renderer);
   }
@@ -269,7 +268,6 @@ std::string vtkGodRaysPass::FindFault(vtkRenderer* renderer, const vtkGodRaysVie
   return faultOfScene.empty() ? obstacle : faultOfScene;
 }
 
-//------------------------------------------------------------------------------
 // A large screenshot is drawn in tiles: what is on the others must cast into each as on one picture.
 double vtkGodRaysPass::FindMargin(vtkOpenGLRenderWindow* window, const int size[2]) const
 {
@@ -284,14 +282,12 @@ double vtkGodRaysPass::FindMargin(vtkOpenGLRenderWindow* window, const int size[
   return std::max(this->LayerMargin, std::min(wanted, possible));
 }
 
-//------------------------------------------------------------------------------
 // Whether the picture changes where no light is scattered.
 bool vtkGodRaysPass::DimsScene() const
 {
   return this->Internal->Effect->DimsScene() && this->Output == COMPOSITE;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysPass::RenderScene(const vtkRenderState* s)
 {
   vtkRenderPass* scene = this->DelegatePass;
@@ -314,7 +310,6 @@ void vtkGodRaysPass::RenderScene(const vtkRenderState* s)
   this->NumberOfRenderedProps = scene->GetNumberOfRenderedProps();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysPass::FindLights(
   vtkRenderer* renderer, const vtkGodRaysView& view, std::vector<vtkGodRaysLight>& lights)
 {
@@ -333,7 +328,6 @@ void vtkGodRaysPass::FindLights(
   finder.Find(view, self.Lights, lights);
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysPass::RenderRays(
   const vtkRenderState* s, const vtkGodRaysView& view, std::vector<vtkGodRaysLight>& lights)
 {
@@ -345,15 +339,13 @@ bool vtkGodRaysPass::RenderRays(
   const vtkGodRaysFramebuffer bound;
   const bool done = bound.Formats.Color && bound.Formats.Depth &&
     this->FindOccluders(s, view, bound, viewport) && this->LookAtPicture(s, view, lights) &&
-    this->DrawLights(s, view, lights) &&
-    this->DrawOutput(s, bound, viewport);
+    this->DrawLights(s, view, lights) && this->DrawOutput(s, bound, viewport);
   self.HasRays = self.HasRays && done; // else layers may lack lights
   self.Effect->End();
   self.Occlusion->End();
   return done;
 }
 
-//------------------------------------------------------------------------------
 // Keep what the framebuffer holds, and find the occluders.
 bool vtkGodRaysPass::FindOccluders(const vtkRenderState* s, const vtkGodRaysView& view,
   const vtkGodRaysFramebuffer& bound, const int viewport[4])
@@ -407,7 +399,6 @@ bool vtkGodRaysPass::FindOccluders(const vtkRenderState* s, const vtkGodRaysView
   return done;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysPass::DrawLights(
   const vtkRenderState* s, const vtkGodRaysView& view, const std::vector<vtkGodRaysLight>& lights)
 {
@@ -447,13 +438,11 @@ bool vtkGodRaysPass::DrawLights(
     [&](const vtkGodRaysLight& light) { return self.Effect->DrawLight(frame, light); });
 }
 
-//------------------------------------------------------------------------------
 unsigned int vtkGodRaysPass::GetLayerFormat() const
 {
   return this->Precision == SINGLE ? GL_RGBA32F : GL_RGBA16F;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysPass::DrawOutput(
   const vtkRenderState* s, const vtkGodRaysFramebuffer& bound, const int viewport[4])
 {
@@ -505,7 +494,6 @@ bool vtkGodRaysPass::DrawOutput(
   return drawn;
 }
 
-//------------------------------------------------------------------------------
 // What of a whole, still picture is probably not what was meant.
 void vtkGodRaysPass::FindConcerns()
 {
@@ -533,7 +521,6 @@ void vtkGodRaysPass::FindConcerns()
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysPass::ShowNoLight(const vtkRenderState* s, vtkOpenGLState* state)
 {
   vtkGodRaysStateKeeper keeper(state);
@@ -545,7 +532,6 @@ void vtkGodRaysPass::ShowNoLight(const vtkRenderState* s, vtkOpenGLState* state)
   state->vtkglClear(GL_COLOR_BUFFER_BIT);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysPass::DescribeStages(bool screen)
 {
   Internals& self = *this->Internal;
@@ -595,7 +581,6 @@ void vtkGodRaysPass::DescribeStages(bool screen)
   self.StagePlan = plan.str();
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysPass::DescribeErrors() const
 {
   const Internals& self = *this->Internal;
@@ -612,7 +597,6 @@ std::string vtkGodRaysPass::DescribeErrors() const
   return text.str();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysPass::Complain(const std::string& complaint)
 {
   if (this->Internal->Complaints.insert(complaint).second)

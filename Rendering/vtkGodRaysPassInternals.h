@@ -51,7 +51,7 @@ struct vtkGodRaysPass::Internals
   bool SunIsKept = false;                    // it has a place that was found or given
   vtkGodRaysDataLights DataLights;
   vtkNew<vtkGodRaysSunPlacer> Placer;
-  bool SunMoved = false; // in this frame
+  bool SunMoved = false;                      // in this frame
   std::array<double, 34> CoveredPicture = {}; // of the placer's coverage: view and props
   bool IsNewPicture = false;                  // the coverage is to be found in this frame
   vtkSmartPointer<vtkGodRaysSun> Sun = vtkSmartPointer<vtkGodRaysSun>::New();

@@ -57,25 +57,21 @@ const Preset* FindPreset(const char* name)
 }
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysPresets::GetNumberOfPresets()
 {
   return static_cast<int>(GetPresets().size());
 }
 
-//------------------------------------------------------------------------------
 const char* vtkGodRaysPresets::GetPresetName(int index)
 {
   return index >= 0 && index < GetNumberOfPresets() ? GetPresets()[index].Name.c_str() : nullptr;
 }
 
-//------------------------------------------------------------------------------
 const char* vtkGodRaysPresets::GetPresetDescription(int index)
 {
   return index >= 0 && index < GetNumberOfPresets() ? GetPresets()[index].Description : nullptr;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysPresets::ListNames()
 {
   std::string names;
@@ -86,7 +82,6 @@ std::string vtkGodRaysPresets::ListNames()
   return names;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysModel* vtkGodRaysPresets::NewModel(const char* name)
 {
   const Preset* preset = FindPreset(name);
@@ -98,14 +93,12 @@ vtkGodRaysModel* vtkGodRaysPresets::NewModel(const char* name)
   return model;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysPresets::ApplyTo(vtkGodRaysModel* model, const char* name)
 {
   const Preset* preset = FindPreset(name);
   return preset && preset->Fits(model) && model->ApplyPreset(preset->NameInModel);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysPresets::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -128,7 +128,8 @@ void AddLightOptions(Parser& parser, Options& options)
   parser.Add("--light-size", options.LightSize, 1e-6, 1e30,
     "Radius of the sun in degrees, or of the lamp in world units");
   parser.Add("--fill", options.Fill, 0.0, 10.0,
-    "Light from the eye on the data; 1 is VTK's headlight (0.85, or 1 where they are coloured by an "
+    "Light from the eye on the data; 1 is VTK's headlight (0.85, or 1 where they are coloured by "
+    "an "
     "array). With --sky or --date the sun lights the data, too, and this is also the sky's (0.5)");
 }
 

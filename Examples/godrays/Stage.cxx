@@ -34,7 +34,7 @@ constexpr double SkyExposure = 2.5; // a white wall in the sun is about as brigh
 constexpr double FillBesideSun = 0.5;
 constexpr double FillOfPlain = 0.85;
 constexpr double FillOfColors = 1.0;
-constexpr double AboveSun = 5.0;    // [degrees] where the sky is not to be brighter than white
+constexpr double AboveSun = 5.0; // [degrees] where the sky is not to be brighter than white
 
 //------------------------------------------------------------------------------
 void PlaceLight(vtkLight* light, const Viewpoint& view)
@@ -86,7 +86,8 @@ void AddFill(vtkRenderer* renderer, const Scene& scene, const Options& options)
   const double fill = options.Fill.value_or(isPhysical ? FillBesideSun
       : isColored                                      ? FillOfColors
                                                        : FillOfPlain);
-  if (isPhysical)
+  if (isPhysical ||
+    scene.IsTerrain()) // which is seen at a grazing angle, where a light from the eye is weak
   {
     vtkNew<vtkLight> sky;
     sky->SetPosition(scene.Up.data());

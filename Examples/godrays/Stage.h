@@ -17,8 +17,8 @@
 #include "vtkNew.h"         // For vtkNew
 #include "vtkRenderer.h"    // For vtkRenderer
 
-#include <string>   // For std::string
-#include <vector>   // For std::vector
+#include <string> // For std::string
+#include <vector> // For std::vector
 
 class Stage
 {
@@ -93,7 +93,7 @@ private:
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkLight> Light;
   vtkNew<vtkGodRaysPass> Rays;
-  double ExposureFactor = 1.0;   ///< on that of the physical one
+  double ExposureFactor = 1.0; ///< on that of the physical one
   bool HasRays = false;
 };
 

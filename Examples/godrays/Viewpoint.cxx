@@ -32,7 +32,7 @@ constexpr double SunBesideCenter = 11.0;
 constexpr double LowestSun = 0.5;        // above the horizon
 constexpr double HighestHorizon = 0.8;   // in the picture, if there is to be a sun above it
 constexpr double SunAbovePicture = 10.0; // elevation
-constexpr double TerrainPitch = -3.0;
+constexpr double TerrainPitch = -7.0;    // not edge-on
 constexpr double ParallelTerrainPitch = -15.0;
 constexpr double BestCoverage = 0.3; // of the picture by the data
 constexpr double MostOfWidth = 0.84; // of the picture
@@ -154,8 +154,8 @@ private:
 
   //----------------------------------------------------------------------------
   /**
-   * Of some views of a thing, take the one with the most shafts; not one that shows little of it, as of a plate
-   * from its edge.
+   * Of some views of a thing, take the one with the most shafts; not one that shows little of it, as of a
+   * plate from its edge.
    */
   void ChooseSide()
   {

@@ -19,7 +19,6 @@ namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-//------------------------------------------------------------------------------
 // first, first + 1 and so on, in at most 16 lanes; exact up to 2^24. Highway's Iota stores lane by lane
 // where a register has fewer than 16, and waits until all can be loaded.
 template <class Tag>

@@ -191,8 +191,8 @@ FUNCTION Real StreakPattern(IN(Real) angle)
 }
 
 // The factor on a sum at some offset from its light. Rays fade with the distance by which they are farther
-// from the light than the picture's nearest point; reach 0 leaves that out. Streaks have an amplitude of their
-// pattern, and begin 0.12 from the light.
+// from the light than the picture's nearest point; reach 0 leaves that out. Streaks have an amplitude of
+// their pattern, and begin 0.12 from the light.
 // Formula: exp(-(r - nearest)/reach) max(1 + streaks smoothstep(r/0.12) pattern, 0). [no unit], lengths in
 // heights of the picture
 FUNCTION Real RadialResponse(IN(Vec2) offset, IN(Real) nearest, IN(Real) reach, IN(Real) streaks)

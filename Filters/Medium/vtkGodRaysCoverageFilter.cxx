@@ -26,7 +26,6 @@ namespace
 {
 using Sweep = vtkGodRaysCoverageSweep;
 
-//------------------------------------------------------------------------------
 // Planes of positive depths.
 template <typename Scalar>
 void Load(const Scalar* values, int components, vtkIdType pixels, float* const* planes)
@@ -47,7 +46,6 @@ void Load(const Scalar* values, int components, vtkIdType pixels, float* const* 
     });
 }
 
-//------------------------------------------------------------------------------
 void Load(vtkDataArray* depths, float* const* planes)
 {
   const int components = depths->GetNumberOfComponents();
@@ -63,23 +61,19 @@ void Load(vtkDataArray* depths, float* const* planes)
   }
 }
 
-//------------------------------------------------------------------------------
 bool IsReal(vtkDataArray* array)
 {
   return array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
 }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysCoverageFilter::vtkGodRaysCoverageFilter()
   : Sweep(new vtkGodRaysCoverageSweep)
 {
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysCoverageFilter::~vtkGodRaysCoverageFilter() = default;
 
-//------------------------------------------------------------------------------
 void vtkGodRaysCoverageFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -88,19 +82,16 @@ void vtkGodRaysCoverageFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Plan: " << this->GetPlan() << "\n";
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysCoverageFilter::GetPlan() const
 {
   return this->Sweep->Describe();
 }
 
-//------------------------------------------------------------------------------
 long long vtkGodRaysCoverageFilter::GetNumberOfOverflows() const
 {
   return this->Sweep->GetNumberOfOverflows();
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysCoverageFilter::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
@@ -109,7 +100,6 @@ int vtkGodRaysCoverageFilter::FillInputPortInformation(int, vtkInformation* info
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysCoverageFilter::RequestInformation(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
@@ -127,7 +117,6 @@ int vtkGodRaysCoverageFilter::RequestInformation(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysCoverageFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
@@ -141,7 +130,6 @@ int vtkGodRaysCoverageFilter::RequestUpdateExtent(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysCoverageFilter::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {

@@ -21,7 +21,6 @@ namespace vtkGodRays
 {
 namespace HWY_NAMESPACE
 {
-//------------------------------------------------------------------------------
 // From depth to h in a row, and back.
 struct Rate
 {
@@ -37,7 +36,6 @@ struct Rate
   }
 };
 
-//------------------------------------------------------------------------------
 // The intervals that are hidden from some pixels, as many as there are lanes. All of them at once are
 // measured faster than each pixel's on its own.
 class PixelIntervals
@@ -114,7 +112,6 @@ private:
   float Measured[CoverageMaximumPlanes][Most];
 };
 
-//------------------------------------------------------------------------------
 class Band
 {
 public:
@@ -404,14 +401,12 @@ private:
   float* const Slopes;
 };
 
-//------------------------------------------------------------------------------
 long long RunCoverageBand(const CoverageSettings& settings, const CoverageImage& image,
   const CoverageWedge& wedge, int band, CoverageLines& lines)
 {
   return Band(settings, image, wedge, band, lines).Sweep();
 }
 
-//------------------------------------------------------------------------------
 void RunCoverageInterval(const CoverageSettings& settings, const CoverageImage& image,
   std::ptrdiff_t pixel, float before, float from)
 {
@@ -436,7 +431,6 @@ void RunCoverageInterval(const CoverageSettings& settings, const CoverageImage& 
   }
 }
 
-//------------------------------------------------------------------------------
 // The phase functions at rays of a directional light.
 HWY_INLINE void FindPhases(const CoverageSettings& settings, const CoverageShade& shade,
   Float column, float row, Float length, Float* scattered)
@@ -472,7 +466,6 @@ HWY_INLINE void FindPhases(const CoverageSettings& settings, const CoverageShade
   }
 }
 
-//------------------------------------------------------------------------------
 void RunCoverageRow(const CoverageSettings& settings, const CoverageImage& image,
   const CoverageShade& shade, int y, float* row)
 {
@@ -559,7 +552,6 @@ HWY_EXPORT(RunCoverageBand);
 HWY_EXPORT(RunCoverageInterval);
 HWY_EXPORT(RunCoverageRow);
 
-//------------------------------------------------------------------------------
 void FindCoveragePixels(
   const CoverageWedge& wedge, const CoverageImage& image, int row, int& first, int& last)
 {
@@ -581,7 +573,6 @@ void FindCoveragePixels(
   last = static_cast<int>(std::max(high, -1.0));
 }
 
-//------------------------------------------------------------------------------
 CoverageWedge MakeCoverageWedge(
   const CoverageSettings& settings, const CoverageImage& image, int direction)
 {
@@ -649,7 +640,6 @@ CoverageWedge MakeCoverageWedge(
   return wedge;
 }
 
-//------------------------------------------------------------------------------
 std::ptrdiff_t FindCoverageLight(
   const CoverageWedge& wedge, const CoverageImage& image, bool& isCentred)
 {
@@ -662,33 +652,28 @@ std::ptrdiff_t FindCoverageLight(
     : -1;
 }
 
-//------------------------------------------------------------------------------
 void DeleteCoverageLines::operator()(CoverageLines* lines) const
 {
   delete lines;
 }
 
-//------------------------------------------------------------------------------
 CoverageLinesPointer MakeCoverageLines()
 {
   return CoverageLinesPointer(new CoverageLines);
 }
 
-//------------------------------------------------------------------------------
 long long SweepCoverageBand(const CoverageSettings& settings, const CoverageImage& image,
   const CoverageWedge& wedge, int band, CoverageLines& lines)
 {
   return HWY_DYNAMIC_DISPATCH(RunCoverageBand)(settings, image, wedge, band, lines);
 }
 
-//------------------------------------------------------------------------------
 void HideCoverageInterval(const CoverageSettings& settings, const CoverageImage& image,
   std::ptrdiff_t pixel, float before, float from)
 {
   HWY_DYNAMIC_DISPATCH(RunCoverageInterval)(settings, image, pixel, before, from);
 }
 
-//------------------------------------------------------------------------------
 void WriteCoverageRow(const CoverageSettings& settings, const CoverageImage& image,
   const CoverageShade& shade, int y, float* row)
 {

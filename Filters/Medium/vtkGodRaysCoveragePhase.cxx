@@ -20,7 +20,6 @@ double GetPhase(const Component& component, double cosAngle)
 }
 }
 
-//------------------------------------------------------------------------------
 // What of a component decides the shape of its phase function.
 std::array<double, 5> GetCoveragePhaseKey(const Component& component)
 {
@@ -29,7 +28,6 @@ std::array<double, 5> GetCoveragePhaseKey(const Component& component)
     component.SecondWeight };
 }
 
-//------------------------------------------------------------------------------
 void MakeCoveragePhase(const Component& component, CoveragePhase& table)
 {
   const auto sharpness = [](int kind, double asymmetry)

@@ -51,7 +51,6 @@ namespace vtkGodRays
 {
 namespace HWY_NAMESPACE
 {
-//------------------------------------------------------------------------------
 // Where in a table a distance from the eye is found.
 template <typename Tag>
 struct Place
@@ -103,7 +102,6 @@ HWY_INLINE Place<Tag> Find(
   return place;
 }
 
-//------------------------------------------------------------------------------
 template <typename Tag>
 HWY_INLINE hn::Vec<Tag> ReadSlice(
   Tag d, const CoverageTable& table, const float* values, const Place<Tag>& place)
@@ -127,7 +125,6 @@ HWY_INLINE hn::Vec<Tag> ReadSlice(
   return hn::MulAdd(t, sum, first);
 }
 
-//------------------------------------------------------------------------------
 template <typename Tag>
 HWY_INLINE hn::Vec<Tag> Read(
   Tag d, const CoverageTable& table, const std::vector<float>& plane, const Place<Tag>& place)
@@ -160,7 +157,6 @@ HWY_INLINE hn::Vec<Tag> Read(
   return sum;
 }
 
-//------------------------------------------------------------------------------
 // Parts of rays, from one distance of the eye to another one each; or, FromEye, all before it.
 template <bool FromEye>
 class RayParts
@@ -227,7 +223,6 @@ private:
   Place<FloatTag> Dark[2];
 };
 
-//------------------------------------------------------------------------------
 // The lines of a band.
 class Lines
 {

@@ -26,7 +26,6 @@ using Component = vtkGodRaysMedium::Component;
 using Parameters = vtkGodRaysCoverageSweep::Parameters;
 using Monitor = vtkGodRaysCoverageSweep::Monitor;
 
-//------------------------------------------------------------------------------
 // In blocks, for the sake of the cache.
 void Transpose(const float* from, int width, int height, float* to)
 {
@@ -54,13 +53,11 @@ void Transpose(const float* from, int width, int height, float* to)
     });
 }
 
-//------------------------------------------------------------------------------
 bool IsGrey(const double* color)
 {
   return color[0] == color[1] && color[1] == color[2];
 }
 
-//------------------------------------------------------------------------------
 // Whether shadows let more of one colour through than of another.
 bool HasColoredShadows(const Parameters& parameters)
 {
@@ -68,7 +65,6 @@ bool HasColoredShadows(const Parameters& parameters)
     parameters.Shadows->Colored;
 }
 
-//------------------------------------------------------------------------------
 // What a table depends on, in the order of the members.
 using TableKey = std::vector<double>;
 void MakeTableKey(const Parameters& parameters, int width, int height, TableKey& key)
@@ -91,7 +87,6 @@ void MakeTableKey(const Parameters& parameters, int width, int height, TableKey&
 }
 }
 
-//------------------------------------------------------------------------------
 class vtkGodRaysCoverageSweep::vtkInternals
 {
 public:
@@ -627,16 +622,13 @@ private:
   int Lines = 0;
 };
 
-//------------------------------------------------------------------------------
 vtkGodRaysCoverageSweep::vtkGodRaysCoverageSweep()
   : Internals(new vtkInternals)
 {
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysCoverageSweep::~vtkGodRaysCoverageSweep() = default;
 
-//------------------------------------------------------------------------------
 vtkGodRaysCoverageSweep::Planes vtkGodRaysCoverageSweep::PrepareInput(
   int width, int height, int planes)
 {
@@ -654,13 +646,11 @@ vtkGodRaysCoverageSweep::Planes vtkGodRaysCoverageSweep::PrepareInput(
   return result;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysCoverageSweep::SetResult(float* values)
 {
   this->Internals->Result = values;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysCoverageSweep::Execute(const Parameters& parameters, const Monitor& monitor)
 {
   const int depths = parameters.Shadows ? 1 : std::max(1, 2 * parameters.Layers);
@@ -669,7 +659,6 @@ bool vtkGodRaysCoverageSweep::Execute(const Parameters& parameters, const Monito
   return matches && this->Internals->Execute(parameters, monitor);
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysCoverageSweep::CountComponents(const Parameters& parameters)
 {
   bool isGrey = IsGrey(parameters.LightColor) && !HasColoredShadows(parameters);
@@ -681,31 +670,26 @@ int vtkGodRaysCoverageSweep::CountComponents(const Parameters& parameters)
   return isGrey ? 1 : 3;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysCoverageSweep::GetNumberOfComponents() const
 {
   return this->Internals->Shade.Components;
 }
 
-//------------------------------------------------------------------------------
 const float* vtkGodRaysCoverageSweep::GetResult() const
 {
   return this->Internals->LastResult;
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysCoverageSweep::GetBound() const
 {
   return this->Internals->Bound;
 }
 
-//------------------------------------------------------------------------------
 long long vtkGodRaysCoverageSweep::GetNumberOfOverflows() const
 {
   return this->Internals->Overflows;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysCoverageSweep::Describe() const
 {
   return this->Internals->Describe();

@@ -25,7 +25,6 @@ constexpr double LayerColumnStepOfHeight = 0.3; // [scale heights]
 constexpr int MostRows = 1024;
 constexpr int MostColumns = 1024;
 
-//------------------------------------------------------------------------------
 // A view ray through layers, lit from above.
 struct LayeredRay
 {
@@ -68,7 +67,6 @@ struct LayeredRay
   }
 };
 
-//------------------------------------------------------------------------------
 void MakeLayeredTable(const CoverageSettings& settings, const CoverageImage& image,
   const vtkGodRaysMedium& medium, CoverageTable& table)
 {
@@ -193,7 +191,6 @@ void MakeLayeredTable(const CoverageSettings& settings, const CoverageImage& ima
 
 namespace vtkGodRays
 {
-//------------------------------------------------------------------------------
 void MakeCoverageTable(const CoverageSettings& settings, const CoverageImage& image,
   const vtkGodRaysMedium& medium, CoverageTable& table)
 {

@@ -31,7 +31,6 @@ HWY_INLINE int GetLanes()
   return static_cast<int>(hn::Lanes(FloatTag()));
 }
 
-//------------------------------------------------------------------------------
 // 1 - e^-x for x >= 0, to 2e-7 of itself.
 template <typename Tag>
 HWY_INLINE hn::Vec<Tag> Absorbed(Tag d, hn::Vec<Tag> x)
@@ -55,7 +54,6 @@ HWY_INLINE hn::Vec<Tag> Absorbed(Tag d, hn::Vec<Tag> x)
   return hn::MulAdd(power, p, hn::Sub(hn::Set(d, 1.0f), power));
 }
 
-//------------------------------------------------------------------------------
 // ln(1 + x) for x >= 0, to 3e-7 of itself.
 template <typename Tag>
 HWY_INLINE hn::Vec<Tag> LogOfOnePlus(Tag d, hn::Vec<Tag> x)
@@ -81,7 +79,6 @@ HWY_INLINE hn::Vec<Tag> LogOfOnePlus(Tag d, hn::Vec<Tag> x)
   return hn::MulAdd(hn::ConvertTo(d, exponent), hn::Set(d, 0.693147181f), hn::Mul(p, f));
 }
 
-//------------------------------------------------------------------------------
 // View rays, one in each lane: Length is of a unit of depth, Gain what the table's values are times.
 template <typename Tag>
 struct Rays
@@ -101,7 +98,6 @@ struct Rays
   V Dawn;
 };
 
-//------------------------------------------------------------------------------
 // asinh(x), to 4e-7 of itself.
 HWY_INLINE Float InverseSinh(Float x)
 {
@@ -112,7 +108,6 @@ HWY_INLINE Float InverseSinh(Float x)
   return hn::CopySign(LogOfOnePlus(d, size + more), x);
 }
 
-//------------------------------------------------------------------------------
 // s - foot + r, where r is the distance from the light.
 template <typename Tag>
 HWY_INLINE hn::Vec<Tag> WayFromFoot(Tag d, hn::Vec<Tag> beyond, hn::Vec<Tag> square, hn::Vec<Tag> r)
@@ -121,7 +116,6 @@ HWY_INLINE hn::Vec<Tag> WayFromFoot(Tag d, hn::Vec<Tag> beyond, hn::Vec<Tag> squ
   return hn::IfThenElse(hn::Gt(beyond, hn::Zero(d)), sum, hn::Div(square, sum));
 }
 
-//------------------------------------------------------------------------------
 // tan(a/4), a being the angle about the origin from the x axis, [-180 degrees, 180 degrees].
 HWY_INLINE Float TangentOfQuarter(Float x, Float y)
 {
@@ -137,7 +131,6 @@ HWY_INLINE Float TangentOfQuarter(Float x, Float y)
   return hn::CopySign(sine / (hn::Sqrt(r) + cosine), y);
 }
 
-//------------------------------------------------------------------------------
 // Rays over a planet. Lengths are in distances of the eye from its centre: at the way t along a ray,
 // (distance from the centre)^2 = Ground^2 + Room + 2 Rise t + t^2.
 struct RaysOverGround
@@ -180,7 +173,6 @@ HWY_INLINE RaysOverGround FindGround(
   return rays;
 }
 
-//------------------------------------------------------------------------------
 // Where a t^2 + 2 b t + c is 0, without cancellation.
 struct Roots
 {
@@ -200,7 +192,6 @@ HWY_INLINE Roots FindRoots(Float a, Float b, Float c)
   return { hn::Min(one, other), hn::Max(one, other), hn::Gt(root, zero) };
 }
 
-//------------------------------------------------------------------------------
 // Over a planet, of the rays of pixels, a point light being there: where they meet the ground, enter the
 // planet's shadow and leave it. That is the cone of the light's own horizon, behind it: with A the way from
 // the light to a ray's start, and B to its end, along the light's vertical, for each unit of the ray, and r
@@ -248,7 +239,6 @@ HWY_INLINE void FindGroundOfLamp(
   rays.Dawn = hn::IfThenElseZero(isDark, hn::Min(end, sky));
 }
 
-//------------------------------------------------------------------------------
 // Over a planet, of the rays of pixels. Units are those of RaysOverGround; what is nearer to the light than
 // the centre is nearer by light + cosine t. Returns the place in rows.
 HWY_INLINE Float FindPlanetRays(
@@ -329,7 +319,6 @@ HWY_INLINE Float FindPlanetRays(
   return place;
 }
 
-//------------------------------------------------------------------------------
 // The rays of pixels in units of PixelSize from the view axis.
 HWY_INLINE Rays<FloatTag> FindRays(const CoverageSettings& settings, Float column, Float row)
 {
@@ -438,7 +427,6 @@ HWY_INLINE Rays<FloatTag> FindRays(const CoverageSettings& settings, Float colum
   return rays;
 }
 
-//------------------------------------------------------------------------------
 // The rays of which others' lanes tell the number.
 HWY_INLINE Rays<FloatTag> Select(const Rays<FloatTag>& rays, hn::Vec<IntTag> numbers)
 {

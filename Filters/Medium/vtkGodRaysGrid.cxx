@@ -47,7 +47,6 @@ bool IsWithin(const float* values, vtkIdType count, float high)
 }
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysGrid::Read(
   vtkImageData* image, const char* extinction, const char* scattering)
 {

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 
-//------------------------------------------------------------------------------
 // The least and the largest extinction in each block of cells.
 class vtkGodRaysGridBlocks
 {
@@ -124,7 +123,6 @@ private:
   double Scale;
 };
 
-//------------------------------------------------------------------------------
 // A place between the points of a grid, for several arrays.
 class vtkGodRaysGridPlace
 {

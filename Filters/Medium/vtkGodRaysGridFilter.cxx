@@ -19,7 +19,6 @@ vtkStandardNewMacro(vtkGodRaysGridFilter);
 
 vtkGodRaysSetFiniteMacro(vtkGodRaysGridFilter, ErrorTolerance, 1e-5, 0.1);
 
-//------------------------------------------------------------------------------
 class vtkGodRaysGridFilter::vtkInternals
 {
 public:
@@ -27,17 +26,14 @@ public:
   std::vector<double> Numbers; // that its depths depend on, of the last time
 };
 
-//------------------------------------------------------------------------------
 vtkGodRaysGridFilter::vtkGodRaysGridFilter()
   : Internals(new vtkInternals)
 {
   this->SetNumberOfInputPorts(2);
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysGridFilter::~vtkGodRaysGridFilter() = default;
 
-//------------------------------------------------------------------------------
 void vtkGodRaysGridFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -45,7 +41,6 @@ void vtkGodRaysGridFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysGridFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
@@ -54,7 +49,6 @@ int vtkGodRaysGridFilter::FillInputPortInformation(int port, vtkInformation* inf
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysGridFilter::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
@@ -65,7 +59,6 @@ int vtkGodRaysGridFilter::RequestInformation(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysGridFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
@@ -82,7 +75,6 @@ int vtkGodRaysGridFilter::RequestUpdateExtent(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysGridFilter::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {

@@ -110,7 +110,6 @@ void AddWay(const vtkGodRaysGrid& grid, const vtkGodRaysGridBlocks& blocks,
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysGridLight::Build(const vtkGodRaysGrid& grid, const vtkGodRaysGridBlocks& blocks,
   const Vec3& light, bool directional)
 {
@@ -252,7 +251,6 @@ void vtkGodRaysGridLight::Build(const vtkGodRaysGrid& grid, const vtkGodRaysGrid
     });
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysGridLight::AddDepth(
   const vtkGodRaysGrid& grid, const Vec3& place, float* depth) const
 {
@@ -278,7 +276,6 @@ void vtkGodRaysGridLight::AddDepth(
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysGridLight::Look(const Vec3& place, float* known) const
 {
   const double across = place[this->Order[0]];

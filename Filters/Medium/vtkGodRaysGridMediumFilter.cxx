@@ -13,7 +13,6 @@ vtkGodRaysSetFiniteMacro(vtkGodRaysGridMediumFilter, DataScale, 0.0, 1e9);
 vtkGodRaysSetFinite3Macro(vtkGodRaysGridMediumFilter, DataAlbedo, 0.0, 1.0);
 vtkGodRaysSetFiniteMacro(vtkGodRaysGridMediumFilter, DataAsymmetry, -0.99, 0.99);
 
-//------------------------------------------------------------------------------
 void vtkGodRaysGridMediumFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -24,7 +23,6 @@ void vtkGodRaysGridMediumFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DataAsymmetry: " << this->DataAsymmetry << "\n";
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysGridMediumFilter::ReadGrids(
   vtkInformationVector* input, std::vector<vtkGodRaysGrid>& grids) const
 {

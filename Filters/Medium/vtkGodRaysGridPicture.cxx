@@ -19,21 +19,17 @@ constexpr int TileSize = 64; // pixels
 constexpr int FirstGap = 8;  // between pixels
 }
 
-//------------------------------------------------------------------------------
 class vtkGodRaysGridPicture::vtkInternals : public vtkGodRaysGridSight
 {
 };
 
-//------------------------------------------------------------------------------
 vtkGodRaysGridPicture::vtkGodRaysGridPicture()
   : Internals(new vtkInternals)
 {
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysGridPicture::~vtkGodRaysGridPicture() = default;
 
-//------------------------------------------------------------------------------
 void vtkGodRaysGridPicture::SetGrids(const std::vector<vtkGodRaysGrid>& grids, bool sameExtinction)
 {
   vtkInternals& self = *this->Internals;
@@ -57,13 +53,11 @@ void vtkGodRaysGridPicture::SetGrids(const std::vector<vtkGodRaysGrid>& grids, b
   self.LastLight[4] = 0.0;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysGridPicture::SetShadows(const vtkGodRaysShadowGrids* shadows)
 {
   this->Internals->Shadows.Set(shadows);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysGridPicture::Draw(
   const vtkGodRaysSingleScattering::Parameters& parameters, const Picture& picture)
 {
@@ -282,7 +276,6 @@ void vtkGodRaysGridPicture::Draw(
     });
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysGridPicture::GetLightDepth(const double position[3], double depth[3]) const
 {
   const vtkInternals& self = *this->Internals;
@@ -299,25 +292,21 @@ void vtkGodRaysGridPicture::GetLightDepth(const double position[3], double depth
   }
 }
 
-//------------------------------------------------------------------------------
 std::size_t vtkGodRaysGridPicture::GetNumberOfRays() const
 {
   return this->Internals->Rays;
 }
 
-//------------------------------------------------------------------------------
 std::size_t vtkGodRaysGridPicture::GetNumberOfSteps() const
 {
   return this->Internals->Steps;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysGridPicture::KeptLight() const
 {
   return this->Internals->Kept;
 }
 
-//------------------------------------------------------------------------------
 std::size_t vtkGodRaysGridPicture::GetKeptSize() const
 {
   std::size_t size = 0;

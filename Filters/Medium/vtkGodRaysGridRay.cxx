@@ -32,7 +32,6 @@ void Cut(std::vector<Vec2>& polygon, double a, double b, double c)
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysGridRay::Cast(const std::vector<vtkGodRaysGrid>& grids, const Vec3& origin,
   const Vec3& along, double end, const Vec3& light, bool directional)
 {
@@ -74,7 +73,6 @@ void vtkGodRaysGridRay::Cast(const std::vector<vtkGodRaysGrid>& grids, const Vec
   std::sort(this->Ends.begin(), this->Ends.end());
 }
 
-//------------------------------------------------------------------------------
 // The ray and the light span a plane, of which the grid has a convex part. Places in it are (s, t) with
 // t >= 0 along a directional light's way, or, with a point light, (s (1 - t), t) with t = 1 at the light.
 void vtkGodRaysGridRay::FindShadow(Passage& passage, double end) const
@@ -114,7 +112,6 @@ void vtkGodRaysGridRay::FindShadow(Passage& passage, double end) const
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysGridRay::Add(double s, double cosAngle, bool lit, Vec3& scattered, Vec3& depth) const
 {
   for (const Passage& passage : this->Passages)

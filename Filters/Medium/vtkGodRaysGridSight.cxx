@@ -19,7 +19,6 @@ Vec3 ToVector(const double* v)
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysGridSight::SetUp(const vtkGodRaysSingleScattering::Parameters& parameters)
 {
   this->Position = ToVector(parameters.Position);
@@ -94,7 +93,6 @@ void vtkGodRaysGridSight::SetUp(const vtkGodRaysSingleScattering::Parameters& pa
   }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysGridSight::Air vtkGodRaysGridSight::GetAir(const Ray& ray, double s) const
 {
   Air air;
@@ -144,7 +142,6 @@ vtkGodRaysGridSight::Air vtkGodRaysGridSight::GetAir(const Ray& ray, double s) c
   return air;
 }
 
-//------------------------------------------------------------------------------
 // The logarithm of how much more there is of light, or of what scatters it, at one place than at the other.
 double vtkGodRaysGridSight::Air::GetChange(const Air& other) const
 {
@@ -165,7 +162,6 @@ double vtkGodRaysGridSight::Air::GetChange(const Air& other) const
   return change;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysGridSight::AddLightDepth(const Vec3& position, float* depth) const
 {
   for (std::size_t i = 0; i < this->Grids.size(); ++i)
@@ -179,7 +175,6 @@ void vtkGodRaysGridSight::AddLightDepth(const Vec3& position, float* depth) cons
   }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysGridSight::Result vtkGodRaysGridSight::Evaluate(double x, double y, double depth)
 {
   Ray ray;

@@ -19,7 +19,6 @@ using Blocks = vtkGodRaysGridBlocks;
 using Place = vtkGodRaysGridPlace;
 }
 
-//------------------------------------------------------------------------------
 // Into how many pieces, alike as a lamp sees them, a step falls.
 int vtkGodRaysGridSight::CountPieces(const vtkGodRays::LitRay& lit, double begin, double end) const
 {
@@ -30,7 +29,6 @@ int vtkGodRaysGridSight::CountPieces(const vtkGodRays::LitRay& lit, double begin
           this->WidestPiece);
 }
 
-//------------------------------------------------------------------------------
 // What data leave of the light at a place.
 vtkGodRays::Vec3 vtkGodRaysGridSight::GetArriving(const Vec3& position) const
 {
@@ -39,7 +37,6 @@ vtkGodRays::Vec3 vtkGodRaysGridSight::GetArriving(const Vec3& position) const
   return vtkGodRays::exp(-Vec3(way[0], way[1], way[2]));
 }
 
-//------------------------------------------------------------------------------
 // A part of the ray that is in data, block by block.
 void vtkGodRaysGridSight::March(
   const Ray& ray, double begin, double end, Vec3& depth, Vec3& sum, std::size_t& steps) const
@@ -121,7 +118,6 @@ void vtkGodRaysGridSight::March(
   }
 }
 
-//------------------------------------------------------------------------------
 // A part of the ray in one block, in at least so many steps. There are more where light changes faster than
 // data do: in haze, in the shadow of other data, and near a lamp, from which the steps then look alike.
 void vtkGodRaysGridSight::MarchBlock(const Ray& ray, double begin, double end, double parts,

@@ -17,7 +17,6 @@ constexpr int FarParts = 16; // an eighth of the parts of what of a ray is outsi
 constexpr double PartOfCrossing = 0.15; // of the tolerance, for each of these
 }
 
-//------------------------------------------------------------------------------
 // Where on a part of a ray the light's way may go through a grid: a convex polygon of places of the ray and
 // of the light's way, clipped by the faces of the grid. Depths lie between nodes, so it is two points wider.
 vtkGodRays::Vec2 vtkGodRaysGridSight::FindShadow(
@@ -93,7 +92,6 @@ vtkGodRays::Vec2 vtkGodRaysGridSight::FindShadow(
   return Vec2(std::clamp(range.x, begin, end), std::clamp(range.y, begin, end));
 }
 
-//------------------------------------------------------------------------------
 // What data change of the medium's light in a part of the ray that is outside of them.
 void vtkGodRaysGridSight::Cross(
   const Ray& ray, double begin, double end, const Vec3& depth, Vec3& sum, std::size_t& steps) const
@@ -138,7 +136,6 @@ void vtkGodRaysGridSight::Cross(
   }
 }
 
-//------------------------------------------------------------------------------
 // In so many parts at first, which are halved where what is changed is not linear.
 void vtkGodRaysGridSight::CrossPart(const Ray& ray, double begin, double end, int parts,
   double finest, const Vec3& depth, Vec3& sum, std::size_t& steps) const

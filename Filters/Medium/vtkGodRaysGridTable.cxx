@@ -12,7 +12,6 @@
 #include <limits>
 #include <type_traits>
 
-//------------------------------------------------------------------------------
 template <typename T, bool IsMasked>
 struct vtkGodRaysGridTable::Reader
 {
@@ -143,7 +142,6 @@ struct vtkGodRaysGridTable::Reader
   }
 };
 
-//------------------------------------------------------------------------------
 template <typename T>
 bool vtkGodRaysGridTable::FindRange(const T* values)
 {
@@ -182,7 +180,6 @@ bool vtkGodRaysGridTable::FindRange(const T* values)
   return whole.IsFinite;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysGridTable::SetValues(vtkDataArray* values)
 {
   vtkSmartPointer<vtkDataArray> own = values;
@@ -214,14 +211,12 @@ bool vtkGodRaysGridTable::SetValues(vtkDataArray* values)
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysGridTable::IsInPlace() const
 {
   return this->Array->GetNumberOfTuples() == this->Count &&
     this->Array->GetVoidPointer(0) == this->Values;
 }
 
-//------------------------------------------------------------------------------
 template <typename T>
 void vtkGodRaysGridTable::SetFunctions()
 {
@@ -243,7 +238,6 @@ void vtkGodRaysGridTable::SetFunctions()
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysGridTable::Finish()
 {
   // One more of each, so that what is between the last entry and the next one can be looked up.

@@ -49,7 +49,6 @@ void PrintNumbers(ostream& os, vtkIndent indent, const char* name, const double*
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysMediumFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -83,7 +82,6 @@ void vtkGodRaysMediumFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SpotExponent: " << this->SpotExponent << "\n";
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysMediumFilter::View vtkGodRaysMediumFilter::GetView(int height) const
 {
   View view;
@@ -100,7 +98,6 @@ vtkGodRaysMediumFilter::View vtkGodRaysMediumFilter::GetView(int height) const
   return view;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysMedium vtkGodRaysMediumFilter::GetMedium(const View& view) const
 {
   vtkGodRaysMedium medium;
@@ -137,7 +134,6 @@ vtkGodRaysMedium vtkGodRaysMediumFilter::GetMedium(const View& view) const
   return medium;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSpot vtkGodRaysMediumFilter::GetSpot(const View& view) const
 {
   vtkGodRaysSpot spot;
@@ -156,7 +152,6 @@ vtkGodRaysSpot vtkGodRaysMediumFilter::GetSpot(const View& view) const
   return spot;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysMediumFilter::FindFault() const
 {
   if (!IsWithin(this->CameraPosition, 3, -1e15, 1e15) ||
@@ -175,7 +170,6 @@ std::string vtkGodRaysMediumFilter::FindFault() const
   return this->FindMediumFault();
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysMediumFilter::FindMediumFault() const
 {
   if (!IsWithin(this->ScatteringCoefficient, 3, 0.0, 1e3) ||
@@ -209,7 +203,6 @@ std::string vtkGodRaysMediumFilter::FindMediumFault() const
   return {};
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysMediumFilter::TellProgress(double progress)
 {
   return vtkGodRays::TellProgress(this, progress);

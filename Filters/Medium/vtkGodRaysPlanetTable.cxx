@@ -36,7 +36,6 @@ constexpr double Deep = 12.0; // what goes on below the ground ends [scale heigh
 constexpr double Below = 2.0; // the same of view rays
 constexpr double Low = 12.0;  // light that is level so high shines through [half scale heights]
 
-//------------------------------------------------------------------------------
 // What the table's rays share.
 class Planet
 {
@@ -96,7 +95,6 @@ public:
   double Reach; // of level rays to where the air is left
 };
 
-//------------------------------------------------------------------------------
 // The rays of a row.
 struct PlanetRow
 {
@@ -151,7 +149,6 @@ PlanetRow GetRow(const Planet& planet, const CoverageTable& table, double units,
   return row;
 }
 
-//------------------------------------------------------------------------------
 // A place of a row: all that its slices share.
 struct PlanetPlace
 {
@@ -174,7 +171,6 @@ PlanetPlace GetPlace(const Planet& planet, const PlanetRow& row, double s)
   return place;
 }
 
-//------------------------------------------------------------------------------
 // The light's way to a place of a density, times the mean density along it: SkyExponentialColumn() to
 // where no air is left.
 double GetColumn(const Planet& planet, double radius, double slope, double scale, double density)
@@ -189,7 +185,6 @@ double GetColumn(const Planet& planet, double radius, double slope, double scale
   return std::max(2.0 * most * ChapmanColumn(least, 0.0, scale) - above, 0.0);
 }
 
-//------------------------------------------------------------------------------
 // What of the light is scattered by each component and reaches the eye, for each length.
 void Evaluate(const Planet& planet, const CoverageSettings& settings, const PlanetPlace& place,
   double lightSlope, double* results)
@@ -226,7 +221,6 @@ void Evaluate(const Planet& planet, const CoverageSettings& settings, const Plan
   }
 }
 
-//------------------------------------------------------------------------------
 void SetPlanetOfSun(
   const Planet& planet, const CoverageSettings& settings, double longest, CoverageTable& table)
 {
@@ -237,7 +231,6 @@ void SetPlanetOfSun(
   table.Planet.Horizon = static_cast<float>(-std::sqrt(std::max(room, 0.0)));
 }
 
-//------------------------------------------------------------------------------
 // Rows and the range of slices.
 Range SetRowsOfPlanet(const Planet& planet, const CoverageSettings& settings,
   const CoverageImage& image, double longest, CoverageTable& table)
@@ -293,7 +286,6 @@ Range SetRowsOfPlanet(const Planet& planet, const CoverageSettings& settings,
   return slices;
 }
 
-//------------------------------------------------------------------------------
 // So many that the light's depth is smooth between them, farthest from the eye.
 void SetSlicesOfPlanet(
   const Planet& planet, const Range& slices, double farthest, CoverageTable& table)
@@ -317,7 +309,6 @@ void SetSlicesOfPlanet(
   table.SlicesPerUnit = static_cast<float>((table.Slices - 1.0) / size);
 }
 
-//------------------------------------------------------------------------------
 // A row of all slices, by the cubic through a column's ends and their neighbours, in the units of columns.
 void FillRow(const Planet& planet, const CoverageSettings& settings, const PlanetRow& row,
   int index, CoverageTable& table)
@@ -385,13 +376,11 @@ void FillRow(const Planet& planet, const CoverageSettings& settings, const Plane
 
 namespace vtkGodRays
 {
-//------------------------------------------------------------------------------
 double GetEyeRadius(const CoverageSettings& settings)
 {
   return std::max(settings.PlanetRadius + settings.EyeHeight, 1e-6 * settings.PlanetRadius);
 }
 
-//------------------------------------------------------------------------------
 double SetGlobe(const CoverageSettings& settings, CoverageTable& table)
 {
   const double eye = GetEyeRadius(settings);
@@ -404,7 +393,6 @@ double SetGlobe(const CoverageSettings& settings, CoverageTable& table)
   return room;
 }
 
-//------------------------------------------------------------------------------
 void MakePlanetTable(const CoverageSettings& settings, const CoverageImage& image,
   const vtkGodRaysMedium& medium, CoverageTable& table)
 {

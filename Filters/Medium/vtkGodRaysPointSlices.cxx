@@ -18,7 +18,6 @@ using namespace vtkGodRays;
 // errs by at most 6e-4, root mean square.
 constexpr double LeastBend = 0.05; // [least scale height]
 
-//------------------------------------------------------------------------------
 // Whether parallel rays do, as a planet's ground bends away below the eye.
 bool BeginsAboveBend(
   const CoverageSettings& settings, const CoverageImage& image, const vtkGodRaysMedium& medium)
@@ -44,7 +43,6 @@ bool BeginsAboveBend(
 
 namespace vtkGodRays
 {
-//------------------------------------------------------------------------------
 // Rays are alike in planes with the vertical, or a spotlight's axis. If they fade from an axis that is not
 // vertical, or begin where the ground bends, none are: slices are about the light, from the middle of the
 // picture on.

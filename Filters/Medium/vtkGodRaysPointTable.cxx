@@ -45,7 +45,6 @@ constexpr double MostPlacesAround = 1600e3; // of as many as fading takes
 // The mean of 1/distance over a pixel is that at this distance from its centre [pixels].
 constexpr double NearestOfPixel = 0.28;
 
-//------------------------------------------------------------------------------
 // Of a row.
 PointRay GetPointRay(const CoverageSettings& settings, const CoverageTable& table, double units)
 {
@@ -60,7 +59,6 @@ PointRay GetPointRay(const CoverageSettings& settings, const CoverageTable& tabl
     table.Change };
 }
 
-//------------------------------------------------------------------------------
 void SetPointRows(
   const CoverageSettings& settings, const CoverageImage& image, int most, CoverageTable& table)
 {
@@ -113,7 +111,6 @@ void SetPointRows(
     std::max(steps, depth / PointRowStepOfDepth), most, table);
 }
 
-//------------------------------------------------------------------------------
 // Where a place about the light's axis is, for each unit of distance from it.
 Vec3 GetPlaceAround(const CoverageSettings& settings, double about)
 {
@@ -123,7 +120,6 @@ Vec3 GetPlaceAround(const CoverageSettings& settings, double about)
   return std::cos(angle) * axis + std::sin(angle) * side;
 }
 
-//------------------------------------------------------------------------------
 // What the rays of a row share, but for where they lie about the light.
 LitRay GetLitRay(
   const CoverageSettings& settings, const CoverageTable& table, const PointRay& ray, double about)
@@ -178,7 +174,6 @@ LitRay GetLitRay(
   return lit;
 }
 
-//------------------------------------------------------------------------------
 // The axis about which rays lie: the way to the light, or parallel rays' own.
 Vec3 GetAxis(const CoverageSettings& settings, const CoverageTable& table)
 {
@@ -186,7 +181,6 @@ Vec3 GetAxis(const CoverageSettings& settings, const CoverageTable& table)
   return settings.Parallel ? Vec3(0.0, 0.0, 1.0) : light / double(table.Distance);
 }
 
-//------------------------------------------------------------------------------
 // Where the view ray of a place in pixels lies about the light, as slices are counted. way: how far it leads
 // away from the light's axis, for each unit of length, or where it begins, if rays are parallel.
 double GetAbout(
@@ -205,7 +199,6 @@ double GetAbout(
     : std::min(std::max(dot(away, up) / std::max(way * side, 1e-9), -1.0), 1.0);
 }
 
-//------------------------------------------------------------------------------
 // Where rays lie about a point light; only in layers does that matter.
 void SetSlices(const CoverageSettings& settings, const CoverageImage& image, double scale,
   double longest, CoverageTable& table)
@@ -249,7 +242,6 @@ void SetSlices(const CoverageSettings& settings, const CoverageImage& image, dou
   table.SlicesPerUnit = static_cast<float>((table.Slices - 1.0) / std::max(size, 1e-6));
 }
 
-//------------------------------------------------------------------------------
 // Where a ray is so deep in a planet's ground that no pixel reads between there and the ground.
 double FindEnd(const LitRay& lit, double scale, double longest)
 {
@@ -263,7 +255,6 @@ double FindEnd(const LitRay& lit, double scale, double longest)
     : longest;
 }
 
-//------------------------------------------------------------------------------
 // A planet, of whose shadow there is none where rays end before the light's own horizon.
 void SetPlanetOfLamp(const CoverageSettings& settings, double longest, CoverageTable& table)
 {
@@ -279,7 +270,6 @@ void SetPlanetOfLamp(const CoverageSettings& settings, double longest, CoverageT
     ofLamp >= 0.0 && std::sqrt(ofLamp) * eye < longest + std::sqrt(dot(light, light));
 }
 
-//------------------------------------------------------------------------------
 // How fast light changes along rays where it is brightest, at the eye or at a point light: what of it
 // is extinguished for each unit of length, and how fast their density falls.
 double GetChange(const CoverageSettings& settings, const vtkGodRaysMedium& medium, double longest)
@@ -297,7 +287,6 @@ double GetChange(const CoverageSettings& settings, const vtkGodRaysMedium& mediu
   return std::min(extinction + (scale > 0.0 ? 1.0 / scale : 0.0), 1e6 / longest);
 }
 
-//------------------------------------------------------------------------------
 MediumComponent GetComponent(const vtkGodRaysMedium& medium, int k, int color)
 {
   const Component none;
@@ -307,7 +296,6 @@ MediumComponent GetComponent(const vtkGodRaysMedium& medium, int k, int color)
     { from.SecondPhaseFunction, from.SecondAsymmetry }, from.SecondWeight };
 }
 
-//------------------------------------------------------------------------------
 // What scatters each colour.
 struct PointMedium
 {
@@ -328,7 +316,6 @@ struct PointMedium
   }
 };
 
-//------------------------------------------------------------------------------
 // A ray of the picture amid two slices: how far what is read there is from the integral, to any column
 // before the ray's end, and the ray's own light.
 struct SliceProbe
@@ -385,7 +372,6 @@ struct SliceProbe
   }
 };
 
-//------------------------------------------------------------------------------
 // Of rays all over the picture, as a part of the brightest of them.
 double FindSliceError(const CoverageSettings& settings, const CoverageImage& image,
   const PointMedium& medium, const CoverageTable& table)
@@ -413,7 +399,6 @@ double FindSliceError(const CoverageSettings& settings, const CoverageImage& ima
   return brightest > 0.0 ? error / brightest : 0.0;
 }
 
-//------------------------------------------------------------------------------
 // Where heights do not tell how fast light changes, as where rays go down to what is dense: as many more
 // slices as their error asks for, which falls with the fourth power of their number.
 void AddSlices(const CoverageSettings& settings, const CoverageImage& image,
@@ -439,7 +424,6 @@ void AddSlices(const CoverageSettings& settings, const CoverageImage& image,
 
 namespace vtkGodRays
 {
-//------------------------------------------------------------------------------
 void MakePointTable(const CoverageSettings& settings, const CoverageImage& image,
   const vtkGodRaysMedium& medium, CoverageTable& table)
 {
@@ -507,7 +491,6 @@ void MakePointTable(const CoverageSettings& settings, const CoverageImage& image
     });
 }
 
-//------------------------------------------------------------------------------
 double GetPointHeight(const CoverageSettings& settings, const CoverageTable& table, int row)
 {
   return GetPointRay(settings, table, GetRowUnits(table, row)).Height;

@@ -110,7 +110,6 @@ void AddInParts(const CoverageSettings& settings, const CoverageImage& image,
 }
 }
 
-//------------------------------------------------------------------------------
 void HideAlongRay(const CoverageSettings& settings, const CoverageImage& image,
   const vtkGodRaysShadowGrids& grids, std::ptrdiff_t pixel)
 {
@@ -130,7 +129,6 @@ void HideAlongRay(const CoverageSettings& settings, const CoverageImage& image,
   }
 }
 
-//------------------------------------------------------------------------------
 void HideAlongRays(
   const CoverageSettings& settings, const CoverageImage& image, const vtkGodRaysShadowGrids& grids)
 {

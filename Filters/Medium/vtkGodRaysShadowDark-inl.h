@@ -19,7 +19,6 @@ namespace vtkGodRays
 {
 namespace HWY_NAMESPACE
 {
-//------------------------------------------------------------------------------
 // The sums of what is dark, at two steps of the ladder.
 class DarkSums
 {
@@ -175,7 +174,6 @@ private:
   int Blocks = 0;
 };
 
-//------------------------------------------------------------------------------
 // The runs of columns that are dark.
 class DarkRuns
 {
@@ -239,7 +237,6 @@ private:
   ShadowLines& Memory;
 };
 
-//------------------------------------------------------------------------------
 // How dark columns are, in steps so small that pictures do not show them, and the runs of those that are
 // alike.
 class DarkShades
@@ -319,7 +316,6 @@ private:
   int Channels = 1;
 };
 
-//------------------------------------------------------------------------------
 // Where columns begin along view rays: a ray is there at the depth (A x + B y)/(C x + D y), whose x and y are
 // the column's and A to D the ray's,
 //
@@ -353,7 +349,6 @@ inline int CountUnsureColumns(
   return 3 + static_cast<int>(std::min(std::ceil(strip / columnAngle), 45.0));
 }
 
-//------------------------------------------------------------------------------
 // What the runs hide of some pixels, as many as there are lanes. All of them at once are measured faster
 // than each pixel's on its own.
 class SeenRuns

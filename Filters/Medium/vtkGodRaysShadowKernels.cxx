@@ -27,7 +27,6 @@ namespace vtkGodRays
 {
 namespace HWY_NAMESPACE
 {
-//------------------------------------------------------------------------------
 class ShadowSweep : private ShadowLine
 {
 public:
@@ -645,7 +644,6 @@ private:
   SeenRuns Seen;
 };
 
-//------------------------------------------------------------------------------
 void RunShadowBand(const CoverageSettings& settings, const CoverageImage& image,
   const CoverageWedge& wedge, int band, const vtkGodRaysShadowGrids& grids,
   const ShadowTables& tables, const ShadowPicture& picture, ShadowLines& lines)
@@ -665,19 +663,16 @@ namespace vtkGodRays
 {
 HWY_EXPORT(RunShadowBand);
 
-//------------------------------------------------------------------------------
 void DeleteShadowLines::operator()(ShadowLines* lines) const
 {
   delete lines;
 }
 
-//------------------------------------------------------------------------------
 ShadowLinesPointer MakeShadowLines()
 {
   return ShadowLinesPointer(new ShadowLines);
 }
 
-//------------------------------------------------------------------------------
 void SweepShadowBand(const CoverageSettings& settings, const CoverageImage& image,
   const CoverageWedge& wedge, int band, const vtkGodRaysShadowGrids& grids,
   const ShadowTables& tables, const ShadowPicture& picture, ShadowLines& lines)

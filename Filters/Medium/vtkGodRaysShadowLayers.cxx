@@ -130,7 +130,6 @@ void FindVeil(
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysShadowLayers::Make(const std::vector<float>& opaque,
   const std::vector<Surface>& surfaces, const Haze* haze, const vtkGodRaysShadowGrids& grids)
 {
@@ -231,7 +230,6 @@ void vtkGodRaysShadowLayers::Make(const std::vector<float>& opaque,
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysShadowLayers::Clear()
 {
   this->Room.clear();
@@ -239,7 +237,6 @@ void vtkGodRaysShadowLayers::Clear()
   this->Colored = false;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysShadowLayers::Set(vtkGodRaysShadowGrids& grids) const
 {
   grids.Layers = this->Layers.data();

@@ -25,7 +25,6 @@ HWY_INLINE Float SetFloat(double value)
   return hn::Set(FloatTag(), static_cast<float>(value));
 }
 
-//------------------------------------------------------------------------------
 class ShadowLine
 {
 protected:

@@ -8,7 +8,6 @@
 
 namespace vtkGodRays
 {
-//------------------------------------------------------------------------------
 double GetShadowColumn(int column)
 {
   constexpr int each = ShadowLadder::Each;
@@ -21,7 +20,6 @@ double GetShadowColumn(int column)
                        : std::ldexp(least, column / each - 1) * (each + column % each);
 }
 
-//------------------------------------------------------------------------------
 void MakeShadowLadder(
   const vtkGodRaysShadowGrids& grids, double low, double high, ShadowLadder& ladder)
 {
@@ -73,7 +71,6 @@ void MakeShadowLadder(
   }
 }
 
-//------------------------------------------------------------------------------
 void MakeShadowFan(const vtkGodRaysShadowGrids& grids, ShadowFan& fan)
 {
   double least = 1.0;

@@ -30,7 +30,6 @@ using Crossing = vtkGodRaysSingleScattering::Crossing;
 using vtkGodRays::Triangle;
 using vtkGodRays::TriangleTree;
 
-//------------------------------------------------------------------------------
 // A view ray in the plane that it spans with the light. Places in it are (distance along the ray,
 // distance from the ray towards the light).
 class Slice
@@ -192,7 +191,6 @@ private:
   bool Directional;
 };
 
-//------------------------------------------------------------------------------
 // The integrand along one ray: radiance per length, or per angle at a point light.
 struct Scatter
 {
@@ -294,7 +292,6 @@ private:
   static Vec3 GetVector(const double* v) { return Vec3(v[0], v[1], v[2]); }
 };
 
-//------------------------------------------------------------------------------
 double GetLargest(const Vec3& v)
 {
   return std::max({ std::abs(v.x), std::abs(v.y), std::abs(v.z) });
@@ -403,7 +400,6 @@ Vec3 IntegrateWay(const Scatter& f, double from, double to, double end, double e
 }
 }
 
-//------------------------------------------------------------------------------
 class vtkGodRaysSingleScattering::vtkInternals
 {
 public:
@@ -576,48 +572,40 @@ public:
   }
 };
 
-//------------------------------------------------------------------------------
 vtkGodRaysSingleScattering::vtkGodRaysSingleScattering()
   : Internals(new vtkInternals)
 {
   this->SetParameters(Parameters());
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSingleScattering::~vtkGodRaysSingleScattering() = default;
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSingleScattering::SetOccluders(vtkPolyData* occluders)
 {
   this->Internals->Occluders = std::make_unique<TriangleTree>(occluders);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSingleScattering::SetSeen(vtkPolyData* seen)
 {
   this->Internals->Seen = seen ? std::make_unique<TriangleTree>(seen) : nullptr;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSingleScattering::SetGrids(const std::vector<vtkGodRaysGrid>& grids)
 {
   this->Internals->Grids = grids;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSingleScattering::AddVeil(vtkPolyData* surface, const double through[3])
 {
   this->Internals->Veils.push_back(
     { std::make_unique<TriangleTree>(surface), Vec3(through[0], through[1], through[2]) });
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSingleScattering::RemoveAllVeils()
 {
   this->Internals->Veils.clear();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSingleScattering::SetParameters(const Parameters& parameters)
 {
   vtkInternals& self = *this->Internals;
@@ -641,7 +629,6 @@ void vtkGodRaysSingleScattering::SetParameters(const Parameters& parameters)
   self.Tolerance = parameters.Tolerance;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSingleScattering::Evaluate(double x, double y, Result& result, double depth) const
 {
   const vtkInternals& self = *this->Internals;
@@ -699,7 +686,6 @@ void vtkGodRaysSingleScattering::Evaluate(double x, double y, Result& result, do
   result.Radiance[2] = sum.z;
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysSingleScattering::FindSight(double x, double y) const
 {
   const vtkInternals& self = *this->Internals;

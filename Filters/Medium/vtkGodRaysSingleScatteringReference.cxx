@@ -28,13 +28,11 @@ namespace
 const double Infinity = std::numeric_limits<double>::infinity();
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSingleScatteringReference::vtkGodRaysSingleScatteringReference()
 {
   this->SetNumberOfInputPorts(3);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSingleScatteringReference::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -43,7 +41,6 @@ void vtkGodRaysSingleScatteringReference::PrintSelf(ostream& os, vtkIndent inden
   os << indent << "NumberOfLayers: " << this->NumberOfLayers << "\n";
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysSingleScatteringReference::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 2 ? "vtkImageData" : "vtkPolyData");
@@ -52,7 +49,6 @@ int vtkGodRaysSingleScatteringReference::FillInputPortInformation(int port, vtkI
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysSingleScatteringReference::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
@@ -63,7 +59,6 @@ int vtkGodRaysSingleScatteringReference::RequestInformation(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysSingleScatteringReference::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
@@ -77,7 +72,6 @@ int vtkGodRaysSingleScatteringReference::RequestUpdateExtent(
   return 1; // and all of the occluders
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysSingleScatteringReference::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {

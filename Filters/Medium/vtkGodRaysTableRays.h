@@ -36,7 +36,6 @@ struct Range
   }
 };
 
-//------------------------------------------------------------------------------
 // The view ray, for each unit of depth, of a place in pixels.
 inline Vec3 GetRay(const CoverageSettings& settings, const CoverageImage& image, double x, double y)
 {
@@ -44,7 +43,6 @@ inline Vec3 GetRay(const CoverageSettings& settings, const CoverageImage& image,
     (x - image.Center[0]) * settings.PixelSize, (y - image.Center[1]) * settings.PixelSize, 1.0);
 }
 
-//------------------------------------------------------------------------------
 // What visits the pixels at the picture's edge finds the ends of what has none inside.
 inline void VisitEdge(const CoverageImage& image, const std::function<void(double, double)>& visit)
 {
@@ -60,7 +58,6 @@ inline void VisitEdge(const CoverageImage& image, const std::function<void(doubl
   }
 }
 
-//------------------------------------------------------------------------------
 // Whether the picture shows what is in a direction or its opposite, or, of parallel rays, at a place.
 inline bool Shows(
   const CoverageSettings& settings, const CoverageImage& image, const Vec3& direction)
@@ -71,7 +68,6 @@ inline bool Shows(
   return x > -1.0 && y > -1.0 && x < image.Width && y < image.Height; // false for NaN
 }
 
-//------------------------------------------------------------------------------
 inline double GetLongest(const CoverageSettings& settings, const CoverageImage& image)
 {
   double longest = 1.0;
@@ -84,14 +80,12 @@ inline double GetLongest(const CoverageSettings& settings, const CoverageImage& 
   return longest * settings.FarLimit;
 }
 
-//------------------------------------------------------------------------------
 // Of steps, which may be any number.
 inline int CountSteps(double steps, int fewest, int most)
 {
   return static_cast<int>(std::ceil(std::min(std::max<double>(steps, fewest), most + 0.0)));
 }
 
-//------------------------------------------------------------------------------
 // steps: so many at least, unless that is too many.
 inline void SetRows(const Range& range, double steps, int most, CoverageTable& table)
 {
@@ -101,14 +95,12 @@ inline void SetRows(const Range& range, double steps, int most, CoverageTable& t
   table.RowsPerUnit = static_cast<float>((table.Rows - 1.0) / std::max(size, 1e-6));
 }
 
-//------------------------------------------------------------------------------
 inline void SetColumns(double end, double step, int most, CoverageTable& table)
 {
   table.Columns = CountSteps(end / step + 1.0, FewestColumns, most);
   table.ColumnsPerUnit = static_cast<float>((table.Columns - 1.0) / end);
 }
 
-//------------------------------------------------------------------------------
 inline void MakeRoom(int planes, CoverageTable& table)
 {
   for (int p = 0; p < planes; ++p)
@@ -117,14 +109,12 @@ inline void MakeRoom(int planes, CoverageTable& table)
   }
 }
 
-//------------------------------------------------------------------------------
 // Of a row, as the kernels have it.
 inline double GetRowUnits(const CoverageTable& table, vtkIdType row)
 {
   return table.FirstRow + row / static_cast<double>(table.RowsPerUnit);
 }
 
-//------------------------------------------------------------------------------
 // A view ray beside a point light.
 struct PointRay
 {
@@ -168,7 +158,6 @@ struct PointRay
   }
 };
 
-//------------------------------------------------------------------------------
 // The least scale height; 0 if there is none.
 inline double GetLeastScale(const vtkGodRaysMedium& medium)
 {
@@ -181,7 +170,6 @@ inline double GetLeastScale(const vtkGodRaysMedium& medium)
   return scale;
 }
 
-//------------------------------------------------------------------------------
 // At a height.
 inline double GetExtinction(const vtkGodRaysMedium& medium, int color, double height)
 {

@@ -15,7 +15,6 @@ namespace
 using vtkGodRays::Triangle;
 using vtkGodRays::Vec3;
 
-//------------------------------------------------------------------------------
 std::vector<Triangle> GetTriangles(vtkPolyData* data)
 {
   std::vector<Triangle> triangles;
@@ -65,7 +64,6 @@ std::vector<Triangle> GetTriangles(vtkPolyData* data)
 
 namespace vtkGodRays
 {
-//------------------------------------------------------------------------------
 TriangleTree::TriangleTree(vtkPolyData* data)
   : Triangles(GetTriangles(data))
 {
@@ -75,7 +73,6 @@ TriangleTree::TriangleTree(vtkPolyData* data)
   }
 }
 
-//------------------------------------------------------------------------------
 void TriangleTree::Build(std::size_t begin, std::size_t end)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();

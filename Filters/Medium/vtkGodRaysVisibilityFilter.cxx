@@ -134,7 +134,6 @@ private:
 };
 }
 
-//------------------------------------------------------------------------------
 class vtkGodRaysVisibilityFilter::vtkInternals
 {
 public:
@@ -353,31 +352,26 @@ private:
   double Gap;
 };
 
-//------------------------------------------------------------------------------
 vtkGodRaysVisibilityFilter::vtkGodRaysVisibilityFilter()
 {
   this->SetNumberOfInputPorts(2);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysVisibilityFilter::SetOccludersConnection(vtkAlgorithmOutput* output)
 {
   this->SetInputConnection(1, output);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysVisibilityFilter::SetOccludersData(vtkPolyData* occluders)
 {
   this->SetInputDataInternal(1, occluders);
 }
 
-//------------------------------------------------------------------------------
 vtkPointSet* vtkGodRaysVisibilityFilter::GetOutput()
 {
   return vtkPointSet::SafeDownCast(this->GetOutputDataObject(0));
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysVisibilityFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPointSet" : "vtkPolyData");
@@ -388,14 +382,12 @@ int vtkGodRaysVisibilityFilter::FillInputPortInformation(int port, vtkInformatio
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysVisibilityFilter::FillOutputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPointSet");
   return 1;
 }
 
-//------------------------------------------------------------------------------
 // The output is of the input's class, which is not that of an image filter.
 vtkTypeBool vtkGodRaysVisibilityFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
@@ -415,21 +407,18 @@ vtkTypeBool vtkGodRaysVisibilityFilter::ProcessRequest(
   return targets ? 1 : 0;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysVisibilityFilter::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector*)
 {
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysVisibilityFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector**, vtkInformationVector*)
 {
   return 1; // all of both
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysVisibilityFilter::FindFaultOfAll() const
 {
   if (!(std::abs(this->CameraPosition[0]) <= 1e15 && std::abs(this->CameraPosition[1]) <= 1e15 &&
@@ -440,7 +429,6 @@ std::string vtkGodRaysVisibilityFilter::FindFaultOfAll() const
   return this->FindMediumFault();
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysVisibilityFilter::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
@@ -565,7 +553,6 @@ int vtkGodRaysVisibilityFilter::RequestData(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysVisibilityFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-//------------------------------------------------------------------------------
 vtkGodRaysMarch::vtkGodRaysMarch(const vtkGodRaysMarchParameters& parameters,
   const int layerSize[2], const int pictureSize[2], double viewScale)
 {
@@ -35,7 +34,6 @@ vtkGodRaysMarch::vtkGodRaysMarch(const vtkGodRaysMarchParameters& parameters,
   }
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysMarch::operator==(const vtkGodRaysMarch& other) const
 {
   const auto same = [](const auto& a, const auto& b) { return std::equal(a, a + 2, b); };
@@ -45,14 +43,12 @@ bool vtkGodRaysMarch::operator==(const vtkGodRaysMarch& other) const
     same(this->Step, other.Step);
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysMarch::GetMarchAt(double x, double y) const
 {
   return std::hypot(this->Constant[0] - this->Slope * this->GetPoint(0, x),
     this->Constant[1] - this->Slope * this->GetPoint(1, y));
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysMarch::GetLongest() const
 {
   double longest = 0.0;
@@ -66,7 +62,6 @@ double vtkGodRaysMarch::GetLongest() const
   return longest;
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysMarch::GetLength() const
 {
   double sum = 0.0;
@@ -80,7 +75,6 @@ double vtkGodRaysMarch::GetLength() const
   return std::min(0.2 * sum, 0.4 * std::sqrt(area));
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysMarch::GetLengthWithin() const
 {
   constexpr int Points = 16; // on each side of a grid over the picture
@@ -109,26 +103,22 @@ double vtkGodRaysMarch::GetLengthWithin() const
   return sum / (Points * Points);
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysMarch::IsSmall() const
 {
   return std::min(this->LayerSize[0], this->LayerSize[1]) < SmallestSweep &&
     this->GetLengthWithin() <= LongestOfSmall;
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysMarch::GetSummedPixels() const
 {
   return std::max(1.0, this->GetLength() / std::sqrt(std::max(1.0, std::abs(this->K))));
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysMarch::GetGrowth() const
 {
   return std::exp(0.5 * std::min(std::max(-this->K, 0.0), 5.0));
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysMarch::GetParallelism() const
 {
   double nearest = 0.0;
@@ -144,7 +134,6 @@ double vtkGodRaysMarch::GetParallelism() const
   return 1.0 + (farthest > 0.0 ? 3.0 * nearest / farthest : 0.0);
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysMarch::GetErrorScale() const
 {
   return this->GetGrowth() * this->GetParallelism() / std::sqrt(this->GetSummedPixels());

@@ -17,7 +17,6 @@ using Column = std::array<double, Nodes>;
 // Rounding in float costs this much of 6e-8; see Amplification.
 constexpr double LargestAmplification = 100.0;
 
-//------------------------------------------------------------------------------
 // The kernel at nodes that are dense at both ends of [0, end].
 class Problem
 {
@@ -183,7 +182,6 @@ private:
   double Range;
 };
 
-//------------------------------------------------------------------------------
 // Keeps the better one.
 void Try(const Problem& problem, int count, double first, double step, PowerSum& best,
   double& bestFirst, double& bestStep)
@@ -198,7 +196,6 @@ void Try(const Problem& problem, int count, double first, double step, PowerSum&
   }
 }
 
-//------------------------------------------------------------------------------
 PowerSum FitPowers(const Problem& problem, int count, double tolerance)
 {
   const double unit = problem.GetUnit();
@@ -241,7 +238,6 @@ PowerSum FitPowers(const Problem& problem, int count, double tolerance)
 }
 }
 
-//------------------------------------------------------------------------------
 PowerSum FitPowerSum(double k, double d, double end, double tolerance)
 {
   if (k == 0.0)

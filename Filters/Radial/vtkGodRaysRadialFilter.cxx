@@ -22,7 +22,6 @@ namespace
 {
 constexpr double LargestClip = 1e30; // with the march scale's: its products stay finite
 
-//------------------------------------------------------------------------------
 // Why an input cannot be used, and what to do; empty if it can.
 std::string FindFault(vtkImageData* input, vtkDataArray* scalars)
 {
@@ -72,7 +71,6 @@ std::string FindFault(vtkImageData* input, vtkDataArray* scalars)
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRadialFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -86,7 +84,6 @@ void vtkGodRaysRadialFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MarchScale: " << this->MarchScale << "\n";
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRadialFilter::SetLightClip(double x, double y, double w)
 {
   if (!vtkMath::IsFinite(x) || !vtkMath::IsFinite(y) || !vtkMath::IsFinite(w))
@@ -109,7 +106,6 @@ void vtkGodRaysRadialFilter::SetLightClip(double x, double y, double w)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRadialFilter::SetLightPosition(double u, double v)
 {
   if (!vtkMath::IsFinite(u) || !vtkMath::IsFinite(v))
@@ -122,7 +118,6 @@ void vtkGodRaysRadialFilter::SetLightPosition(double u, double v)
   this->SetMarchScale(1.0);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRadialFilter::SetLightDirection(double du, double dv)
 {
   if (!vtkMath::IsFinite(du) || !vtkMath::IsFinite(dv))
@@ -135,7 +130,6 @@ void vtkGodRaysRadialFilter::SetLightDirection(double du, double dv)
   this->SetMarchScale(1.0);
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysRadialFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
   // Optional, so that it is this filter that tells what to do without one.
@@ -143,14 +137,12 @@ int vtkGodRaysRadialFilter::FillInputPortInformation(int port, vtkInformation* i
   return this->Superclass::FillInputPortInformation(port, info);
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysRadialFilter::FillOutputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkImageData");
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysRadialFilter::RequestInformation(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
@@ -168,7 +160,6 @@ int vtkGodRaysRadialFilter::RequestInformation(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysRadialFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
@@ -182,7 +173,6 @@ int vtkGodRaysRadialFilter::RequestUpdateExtent(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 vtkDataArray* vtkGodRaysRadialFilter::GetUsableScalars(
   vtkInformationVector** input, vtkInformationVector* output)
 {
@@ -198,7 +188,6 @@ vtkDataArray* vtkGodRaysRadialFilter::GetUsableScalars(
   return scalars;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysRadialFilter::TellProgress(double progress)
 {
   return vtkGodRays::TellProgress(this, progress);

@@ -27,7 +27,6 @@ using Parameters = vtkGodRaysRadialSweep::Parameters;
 // Sums of the largest floats stay finite.
 constexpr float ScaleOfFloats = 1.0f / 1048576.0f;
 
-//------------------------------------------------------------------------------
 // What each effort attains on black and white noise from pixel to pixel: root mean square error
 // [fraction of the peak] times the root of the number of pixels that are summed. Measured; see
 // Documentation/Accuracy.md.
@@ -57,7 +56,6 @@ constexpr double MostTaps = 4e8; // of a picture are affordable: 200 a pixel of 
 constexpr int ThinLayer = 4;
 constexpr double ThinSpacing = 1.0 / 32.0;
 
-//------------------------------------------------------------------------------
 // How many taps the whole picture takes at a distance that SumClippedTaps() chooses.
 double EstimateTaps(const vtkGodRaysMarch& march, double tolerance)
 {
@@ -65,7 +63,6 @@ double EstimateTaps(const vtkGodRaysMarch& march, double tolerance)
   return march.GetLengthWithin() / spacing * march.PictureSize[0] * march.PictureSize[1];
 }
 
-//------------------------------------------------------------------------------
 // The least effort that keeps the tolerance; false if none does.
 bool ChooseEffort(double tolerance, const vtkGodRaysMarch& march, SweepEffort& effort)
 {
@@ -92,7 +89,6 @@ bool ChooseEffort(double tolerance, const vtkGodRaysMarch& march, SweepEffort& e
   return false;
 }
 
-//------------------------------------------------------------------------------
 // Of a band, within the image; rows that are divided count as more.
 double EstimatePixels(const SweepWedge& wedge, int band)
 {
@@ -110,7 +106,6 @@ double EstimatePixels(const SweepWedge& wedge, int band)
   return pixels * static_cast<double>(step);
 }
 
-//------------------------------------------------------------------------------
 // Run function(0) ... function(count - 1) on all threads, each once.
 template <typename Function>
 void RunTasks(vtkIdType count, vtkIdType grain, const Function& function)
@@ -125,7 +120,6 @@ void RunTasks(vtkIdType count, vtkIdType grain, const Function& function)
     });
 }
 
-//------------------------------------------------------------------------------
 // The same in at most so many steps, before each of which the monitor is asked.
 template <typename Function>
 bool RunSteps(
@@ -146,7 +140,6 @@ bool RunSteps(
 }
 }
 
-//------------------------------------------------------------------------------
 // The work, and the memory that it needs again.
 class vtkGodRaysRadialSweep::vtkInternals
 {
@@ -449,7 +442,6 @@ private:
   std::vector<SweepWorkspace> Axes; // of the axis strips
 };
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysRadialSweep::vtkInternals::Describe() const
 {
   std::ostringstream text;
@@ -486,7 +478,6 @@ std::string vtkGodRaysRadialSweep::vtkInternals::Describe() const
   return text.str();
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysRadialSweep::Parameters::operator==(const Parameters& other) const
 {
   return this->Density == other.Density && this->Decay == other.Decay &&
@@ -497,60 +488,50 @@ bool vtkGodRaysRadialSweep::Parameters::operator==(const Parameters& other) cons
     this->Method == other.Method;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysRadialSweep::vtkGodRaysRadialSweep()
   : Internals(new vtkInternals)
 {
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysRadialSweep::~vtkGodRaysRadialSweep() = default;
 
-//------------------------------------------------------------------------------
 vtkGodRaysRadialSweep::Planes vtkGodRaysRadialSweep::PrepareInput(
   int width, int height, int components)
 {
   return this->Internals->PrepareInput(width, height, components);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRadialSweep::LoadInput(
   const unsigned char* pixels, int width, int height, int components)
 {
   this->Internals->LoadInput(pixels, width, height, components, 1.0f);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRadialSweep::LoadInput(const float* pixels, int width, int height, int components)
 {
   this->Internals->LoadInput(pixels, width, height, components, ScaleOfFloats);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRadialSweep::LoadInput(const double* pixels, int width, int height, int components)
 {
   this->Internals->LoadInput(pixels, width, height, components, ScaleOfFloats);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRadialSweep::SetResult(int component, float* values)
 {
   this->Internals->SetResult(component, values);
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysRadialSweep::Execute(const Parameters& parameters, const Monitor& monitor, int steps)
 {
   return this->Internals->Execute(parameters, monitor, steps);
 }
 
-//------------------------------------------------------------------------------
 const float* vtkGodRaysRadialSweep::GetResult(int component) const
 {
   return this->Internals->GetResult(component);
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysRadialSweep::Describe() const
 {
   return this->Internals->Describe();

@@ -29,7 +29,6 @@ namespace
 {
 constexpr double LargestFloat = std::numeric_limits<float>::max();
 
-//------------------------------------------------------------------------------
 // The input's pixels, sanitised, with a border of zeros one pixel wide.
 template <typename Scalar>
 class PaddedImage
@@ -71,7 +70,6 @@ private:
   std::vector<Scalar> Values;
 };
 
-//------------------------------------------------------------------------------
 // 1/j
 constexpr std::array<double, 36> MakeInverses()
 {
@@ -84,7 +82,6 @@ constexpr std::array<double, 36> MakeInverses()
 }
 constexpr std::array<double, 36> Inverse = MakeInverses();
 
-//------------------------------------------------------------------------------
 // The integrals over a stretch of a march: of (1-s)^2, 2 s (1-s) and s^2 times w(s), s in [0, 1],
 // where w falls or grows exponentially from w(0) = start to w(1) = end. Nothing cancels: the series
 // has positive terms, and the closed form is used where its own terms differ enough.
@@ -141,7 +138,6 @@ private:
   double Last = 0.0;
 };
 
-//------------------------------------------------------------------------------
 // One coordinate of a march, in pixels: the columns, or rows, of cells that it passes. A cell lies
 // between two neighbouring lines of pixel centres; its number is that of the lower one.
 class Walk
@@ -189,7 +185,6 @@ private:
   double End;
 };
 
-//------------------------------------------------------------------------------
 // integral_0^1 e^(-k t) s(pixel + t velocity) dt, added to sums, one for each component.
 template <typename Scalar>
 void IntegrateMarch(const PaddedImage<Scalar>& image, int column, int row,
@@ -239,7 +234,6 @@ void IntegrateMarch(const PaddedImage<Scalar>& image, int column, int row,
   }
 }
 
-//------------------------------------------------------------------------------
 // Everything about the sum but the image.
 struct Sum
 {
@@ -250,7 +244,6 @@ struct Sum
   double MarchScale;
 };
 
-//------------------------------------------------------------------------------
 Sum MakeSum(vtkGodRaysReferenceFilter* filter)
 {
   const double logarithm = std::log(filter->GetDecay());
@@ -266,7 +259,6 @@ Sum MakeSum(vtkGodRaysReferenceFilter* filter)
   return sum;
 }
 
-//------------------------------------------------------------------------------
 // The result in a pixel, one number for each component.
 template <typename Scalar>
 void EvaluatePixel(const PaddedImage<Scalar>& image, const Sum& sum, int x, int y, double* result)
@@ -299,7 +291,6 @@ void EvaluatePixel(const PaddedImage<Scalar>& image, const Sum& sum, int x, int 
 // Told the progress; returns whether to go on.
 using Monitor = std::function<bool(double)>;
 
-//------------------------------------------------------------------------------
 // Evaluate the pixels of extent, which counts from the image's lower left pixel. In bands, so that
 // the calling thread, and it alone, tells of progress and can be told to stop; returns false then.
 template <typename Scalar, typename Result>
@@ -335,7 +326,6 @@ bool Evaluate(const Monitor& monitor, const PaddedImage<Scalar>& image, const Su
   return monitor(1.0);
 }
 
-//------------------------------------------------------------------------------
 // The same for scalars whose types are known at run time only.
 bool Evaluate(const Monitor& monitor, const Sum& sum, vtkDataArray* scalars, const int size[2],
   const int extent[4], vtkDataArray* results)
@@ -364,7 +354,6 @@ bool Evaluate(const Monitor& monitor, const Sum& sum, vtkDataArray* scalars, con
 
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysReferenceFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -372,7 +361,6 @@ void vtkGodRaysReferenceFilter::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysReferenceFilter::SetOutputScalarType(int type)
 {
   if (type != VTK_DOUBLE && type != VTK_FLOAT)
@@ -389,19 +377,16 @@ void vtkGodRaysReferenceFilter::SetOutputScalarType(int type)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysReferenceFilter::SetOutputScalarTypeToDouble()
 {
   this->SetOutputScalarType(VTK_DOUBLE);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysReferenceFilter::SetOutputScalarTypeToFloat()
 {
   this->SetOutputScalarType(VTK_FLOAT);
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysReferenceFilter::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {

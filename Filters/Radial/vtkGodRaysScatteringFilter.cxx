@@ -32,7 +32,6 @@ static_assert(static_cast<int>(vtkGodRaysScatteringFilter::AUTOMATIC) ==
 static_assert(
   vtkGodRaysRadialFilter::MaximumComponents == vtkGodRaysRadialSweep::MaximumComponents, "");
 
-//------------------------------------------------------------------------------
 // The sweep, and the results between VTK and it.
 class vtkGodRaysScatteringFilter::vtkInternals
 {
@@ -130,16 +129,13 @@ private:
   vtkSmartPointer<vtkFloatArray> Results;
 };
 
-//------------------------------------------------------------------------------
 vtkGodRaysScatteringFilter::vtkGodRaysScatteringFilter()
   : Internals(new vtkInternals)
 {
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysScatteringFilter::~vtkGodRaysScatteringFilter() = default;
 
-//------------------------------------------------------------------------------
 void vtkGodRaysScatteringFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -148,19 +144,16 @@ void vtkGodRaysScatteringFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Plan: " << this->GetPlan() << "\n";
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysScatteringFilter::GetPlan() const
 {
   return this->Internals->Describe();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysScatteringFilter::ReleaseMemory()
 {
   this->Internals.reset(new vtkInternals);
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysScatteringFilter::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {

@@ -28,13 +28,11 @@ constexpr double AxisReach = 2.0;
 constexpr double LargestAxisReach = 32.0;
 constexpr double AxisSpacing = 0.25;
 
-//------------------------------------------------------------------------------
 int RoundUp(int value, int multiple)
 {
   return (value + multiple - 1) / multiple * multiple;
 }
 
-//------------------------------------------------------------------------------
 // integral of x^(q-1) from 1 - e to 1 = (1 - (1-e)^q)/q.
 double IntegratePower(double q, double e)
 {
@@ -42,7 +40,6 @@ double IntegratePower(double q, double e)
   return std::abs(q) < 1e-9 ? -logarithm : -std::expm1(q * logarithm) / q;
 }
 
-//------------------------------------------------------------------------------
 // The weights of the image at the row before and at this one, in G with power p:
 //   After  = integral (1-z) (1-e z)^p |e| dz,  Before = integral z (1-e z)^p |e| dz,  z in [0, 1]
 // where e is the step, relative to this row's distance.
@@ -66,7 +63,6 @@ void ComputeStepWeights(double p, double e, double& before, double& after)
   after = std::max(std::abs(zeroth) - before, 0.0);
 }
 
-//------------------------------------------------------------------------------
 void ComputeCoefficients(const PowerSum& kernel, double before, SweepRow& row)
 {
   const double e = (row.Distance - before) / row.Distance;
@@ -82,14 +78,12 @@ void ComputeCoefficients(const PowerSum& kernel, double before, SweepRow& row)
   }
 }
 
-//------------------------------------------------------------------------------
 // Into how many a row at distance s is divided. The error of a step falls with the square of it.
 int CountSubrows(const SweepEffort& effort, double distance)
 {
   return distance < effort.SubrowReach ? 4 : distance < 3.0 * effort.SubrowReach ? 2 : 1;
 }
 
-//------------------------------------------------------------------------------
 // Everything about the rows that a wedge's geometry decides, in the order of the sweep.
 class Scheduler
 {
@@ -382,7 +376,6 @@ private:
   double HighSlope = 0.0;
 };
 
-//------------------------------------------------------------------------------
 void MakeWedge(const SweepPlan& plan, bool transposed, int direction, SweepWedge& wedge)
 {
   wedge.Transposed = transposed;
@@ -393,7 +386,6 @@ void MakeWedge(const SweepPlan& plan, bool transposed, int direction, SweepWedge
   wedge.Columns = transposed ? plan.Height : plan.Width;
 }
 
-//------------------------------------------------------------------------------
 // Of the march, the part beyond which no pixel has anything of the image before it.
 double FindEnd(SweepPlan& plan)
 {
@@ -417,7 +409,6 @@ double FindEnd(SweepPlan& plan)
   return std::min(1.0, end > 0.25 ? std::ceil(16.0 * end) / 16.0 : end * 1.001);
 }
 
-//------------------------------------------------------------------------------
 // The light at the end of all marches, if it is not too far away.
 void FindLight(SweepPlan& plan)
 {
@@ -442,7 +433,6 @@ void FindLight(SweepPlan& plan)
 }
 }
 
-//------------------------------------------------------------------------------
 void SweepImage::Resize(int width, int height)
 {
   if (width != this->Width || height != this->Height)
@@ -456,7 +446,6 @@ void SweepImage::Resize(int width, int height)
   }
 }
 
-//------------------------------------------------------------------------------
 double SweepImage::Sample(double x, double y) const
 {
   if (!(x > -1.0 && y > -1.0 && x < this->Width && y < this->Height))
@@ -473,7 +462,6 @@ double SweepImage::Sample(double x, double y) const
     fy * ((1.0 - fx) * upper[0] + fx * upper[1]);
 }
 
-//------------------------------------------------------------------------------
 int SweepWedge::GetStride() const
 {
   int lines = 0;
@@ -488,7 +476,6 @@ int SweepWedge::GetStride() const
   return RoundUp(lines, 16) + 64;
 }
 
-//------------------------------------------------------------------------------
 bool PlanSweep(SweepPlan& plan, const char*& reason)
 {
   reason = "";

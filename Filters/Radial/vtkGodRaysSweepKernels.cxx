@@ -22,7 +22,6 @@ namespace vtkGodRays
 {
 namespace HWY_NAMESPACE
 {
-//------------------------------------------------------------------------------
 // One band of a wedge on its way along the rows, in some components at once.
 template <int Channels>
 class BandSweep : BandRows<Channels>
@@ -65,7 +64,6 @@ public:
 private:
   static constexpr int ClearedRows = 8;
 
-  //----------------------------------------------------------------------------
   // Lines.
 
   // Where lines of one octave lie among those of a coarser one: Start + Ratio line.
@@ -310,7 +308,6 @@ private:
     }
   }
 
-  //----------------------------------------------------------------------------
   // Results.
 
   // Whether the wedge owns a pixel; the wedges together own each pixel once.
@@ -550,7 +547,6 @@ private:
   }
 };
 
-//------------------------------------------------------------------------------
 template <int Channels>
 void RunChannels(const SweepPlan& plan, const SweepWedge& wedge, int band, const SweepImage* images,
   SweepWorkspace* axis, SweepWorkspace& workspace, const SweepResult* results)
@@ -573,7 +569,6 @@ void RunChannels(const SweepPlan& plan, const SweepWedge& wedge, int band, const
   }
 }
 
-//------------------------------------------------------------------------------
 void RunBand(const SweepPlan& plan, const SweepWedge& wedge, int band, const SweepImage* images,
   int channels, SweepWorkspace* axis, SweepWorkspace& workspace, const SweepResult* results)
 {
@@ -592,7 +587,6 @@ namespace vtkGodRays
 {
 HWY_EXPORT(RunBand);
 
-//------------------------------------------------------------------------------
 void SweepAxis(const SweepPlan& plan, const SweepWedge& wedge, const SweepImage* images,
   int channels, SweepWorkspace& workspace)
 {
@@ -603,14 +597,12 @@ void SweepAxis(const SweepPlan& plan, const SweepWedge& wedge, const SweepImage*
   }
 }
 
-//------------------------------------------------------------------------------
 void SweepBand(const SweepPlan& plan, const SweepWedge& wedge, int band, const SweepImage* images,
   int channels, SweepWorkspace& axis, SweepWorkspace& workspace, const SweepResult* results)
 {
   HWY_DYNAMIC_DISPATCH(RunBand)(plan, wedge, band, images, channels, &axis, workspace, results);
 }
 
-//------------------------------------------------------------------------------
 std::vector<std::string> GetInstructionSets()
 {
   hwy::SetSupportedTargetsForTest(0);
@@ -622,7 +614,6 @@ std::vector<std::string> GetInstructionSets()
   return names;
 }
 
-//------------------------------------------------------------------------------
 bool UseInstructionSet(const std::string& name)
 {
   hwy::SetSupportedTargetsForTest(0);

@@ -40,27 +40,23 @@ constexpr int Group = 16;
 // Sums below this are 0: numbers too small to be normalised are slow.
 constexpr float Negligible = 1e-36f;
 
-//------------------------------------------------------------------------------
 HWY_INLINE int GetLanes()
 {
   return static_cast<int>(hn::Lanes(FloatTag()));
 }
 
-//------------------------------------------------------------------------------
 // Where in its group a register begins.
 HWY_INLINE int FindLane(int index)
 {
   return GetLanes() == Group ? 0 : index % Group;
 }
 
-//------------------------------------------------------------------------------
 // Infinity would make NaN of black.
 inline float ToFloat(double value)
 {
   return static_cast<float>(std::min(value, static_cast<double>(LargestFloat)));
 }
 
-//------------------------------------------------------------------------------
 // c + a b and c - a b, rounded twice: the same on every processor. This file is compiled with
 // -ffp-contract=off, or compilers would join them where they can.
 HWY_INLINE Float AddProduct(Float a, Float b, Float c)
@@ -72,7 +68,6 @@ HWY_INLINE Float SubtractProduct(Float a, Float b, Float c)
   return c - a * b;
 }
 
-//------------------------------------------------------------------------------
 // Where a row is read: as many places as there are lanes, step apart.
 struct Places
 {
@@ -81,7 +76,6 @@ struct Places
   Float Fraction;
 };
 
-//------------------------------------------------------------------------------
 // Lanes of a group of 16 from the given one on; position is that of the group's first. Rounding does
 // not depend on how many lanes there are. maximum: of Index, when rounding goes beyond it.
 HWY_INLINE Places FindPlaces(double position, float step, int lane, int maximum)
@@ -99,7 +93,6 @@ HWY_INLINE Places FindPlaces(double position, float step, int lane, int maximum)
   return places;
 }
 
-//------------------------------------------------------------------------------
 // Lanes index[i] of Registers consecutive registers.
 template <int Registers>
 HWY_INLINE Float Look(const float* values, Int index)
@@ -132,7 +125,6 @@ HWY_INLINE Float Look(const float* values, Int index)
   }
 }
 
-//------------------------------------------------------------------------------
 // Linear between neighbours. Steps from one place to the next are at most Registers.
 template <int Registers>
 HWY_INLINE Float Read(const float* row, const Places& places)
@@ -142,7 +134,6 @@ HWY_INLINE Float Read(const float* row, const Places& places)
   return AddProduct(places.Fraction, right - left, left);
 }
 
-//------------------------------------------------------------------------------
 // The cubic through b and c with the slopes (c - a)/2 and (d - b)/2 there.
 HWY_INLINE Float Interpolate(Float a, Float b, Float c, Float e, Float fraction)
 {
@@ -157,7 +148,6 @@ HWY_INLINE Float Interpolate(Float a, Float b, Float c, Float e, Float fraction)
   return AddProduct(fraction, AddProduct(fraction, AddProduct(fraction, third, second), slope), b);
 }
 
-//------------------------------------------------------------------------------
 // In each block of four lanes, four rows become four columns.
 HWY_INLINE void TransposeBlocks([[maybe_unused]] Float rows[4])
 {
@@ -175,7 +165,6 @@ HWY_INLINE void TransposeBlocks([[maybe_unused]] Float rows[4])
 #endif
 }
 
-//------------------------------------------------------------------------------
 // Four floats for each block of four lanes; at: where, for every fourth lane.
 template <class Index>
 HWY_INLINE Float LoadBlocks(const float* from, const Index* at)
@@ -198,7 +187,6 @@ HWY_INLINE Float LoadBlocks(const float* from, const Index* at)
 #endif
 }
 
-//------------------------------------------------------------------------------
 // How far the places of a register's lanes lie apart.
 enum Reach
 {
@@ -208,7 +196,6 @@ enum Reach
   ANY
 };
 
-//------------------------------------------------------------------------------
 // Cubic between neighbours. Where lanes lie far apart, and registers are short, each lane loads its four
 // neighbours at once: quicker than Highway's gathering, which takes one float at a time.
 template <int Reach>
@@ -254,7 +241,6 @@ HWY_INLINE Float ReadSmoothly(const float* row, const Places& places)
   }
 }
 
-//------------------------------------------------------------------------------
 // Sixteen rows of sixteen become columns. All begin at lines of the cache, or nearly.
 HWY_INLINE void Transpose16(
   const float* from, std::ptrdiff_t fromStride, float* to, std::ptrdiff_t toStride)
@@ -292,7 +278,6 @@ HWY_INLINE void Transpose16(
 #endif
 }
 
-//------------------------------------------------------------------------------
 // The first float at or after values that begins a line of the cache.
 inline float* Align(float* values)
 {

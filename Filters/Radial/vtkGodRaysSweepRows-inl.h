@@ -20,7 +20,6 @@ namespace vtkGodRays
 {
 namespace HWY_NAMESPACE
 {
-//------------------------------------------------------------------------------
 // What is one component's own.
 struct SweepChannel
 {
@@ -42,7 +41,6 @@ struct SweepChannel
   int LoadedStrip[2] = { -1, -1 };
 };
 
-//------------------------------------------------------------------------------
 // A band of a wedge and the rows of pixels that it meets, in some components at once.
 template <int Channels>
 class BandRows
@@ -205,7 +203,6 @@ protected:
     return true;
   }
 
-  //----------------------------------------------------------------------------
   // Rows of pixels.
 
   // The pixels that the lines meet, smoothed, in Smooth[0 ... PixelCount + some].

@@ -26,7 +26,6 @@ namespace HWY_NAMESPACE
 // Pixels that have the same number of taps.
 constexpr int GroupedPixels = 16;
 
-//------------------------------------------------------------------------------
 // The part of t in [0, 1] where position + t velocity is in [-1, size].
 HWY_INLINE void Clip(Float position, Float velocity, float size, Float& begin, Float& end)
 {
@@ -41,7 +40,6 @@ HWY_INLINE void Clip(Float position, Float velocity, float size, Float& begin, F
   end = hn::IfThenElse(still, end, hn::Min(end, hn::Max(a, b)));
 }
 
-//------------------------------------------------------------------------------
 // The image between four pixels, 0 outside.
 HWY_INLINE Float SampleImage(const SweepImage& image, Float x, Float y)
 {
@@ -65,7 +63,6 @@ HWY_INLINE Float SampleImage(const SweepImage& image, Float x, Float y)
   return AddProduct(fy, upper - lower, lower);
 }
 
-//------------------------------------------------------------------------------
 // Within how much of t in [0, reach] a march is over the image.
 inline double FindStretch(
   const vtkGodRaysMarch& march, const SweepImage& image, double reach, const double position[2])
@@ -87,7 +84,6 @@ inline double FindStretch(
   return std::max(0.0, end - begin);
 }
 
-//------------------------------------------------------------------------------
 // How many taps the longest march of some pixels of row y needs: the number does not depend on how
 // many lanes there are. Taps h pixels apart miss at most 0.06 h^2 of what a single bright pixel, or
 // a steep kernel, contributes.
@@ -111,7 +107,6 @@ inline int CountTaps(const vtkGodRaysMarch& march, const SweepImage& image, doub
   return static_cast<int>(std::ceil(std::min(wanted, 1e6)));
 }
 
-//------------------------------------------------------------------------------
 // Midpoint taps; each has the weight that the kernel has in its stretch:
 //   L = Gain/phi(k) sum_i e^(-k t_i) sinh(z)/z dt s(p + t_i v),  z = k dt/2
 void RunTaps(const vtkGodRaysMarch& march, const SweepImage& image, double tolerance, int y,
@@ -167,7 +162,6 @@ void RunTaps(const vtkGodRaysMarch& march, const SweepImage& image, double toler
   }
 }
 
-//------------------------------------------------------------------------------
 // NaN and negative numbers become 0, infinity the largest float.
 void LoadFloats(const float* pixels, int step, int count, float scale, float* row)
 {
@@ -202,20 +196,17 @@ namespace vtkGodRays
 HWY_EXPORT(RunTaps);
 HWY_EXPORT(LoadFloats);
 
-//------------------------------------------------------------------------------
 void SumClippedTaps(const vtkGodRaysMarch& march, const SweepImage& image, double tolerance, int y,
   int first, int last, float* to)
 {
   HWY_DYNAMIC_DISPATCH(RunTaps)(march, image, tolerance, y, first, last, to);
 }
 
-//------------------------------------------------------------------------------
 void LoadPixels(const float* pixels, int step, int count, float scale, float* row)
 {
   HWY_DYNAMIC_DISPATCH(LoadFloats)(pixels, step, count, scale, row);
 }
 
-//------------------------------------------------------------------------------
 void LoadPixels(const unsigned char* pixels, int step, int count, float scale, float* row)
 {
   const float factor = scale / 255.0f;
@@ -225,7 +216,6 @@ void LoadPixels(const unsigned char* pixels, int step, int count, float scale, f
   }
 }
 
-//------------------------------------------------------------------------------
 void LoadPixels(const double* pixels, int step, int count, float scale, float* row)
 {
   const double largest = std::numeric_limits<float>::max();

@@ -40,13 +40,11 @@ void PrintColor(ostream& os, vtkIndent indent, const char* name, const double va
 }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysAtmosphere::vtkGodRaysAtmosphere()
 {
   this->LoadPreset(EARTH_CLEAR);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysAtmosphere::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -72,13 +70,11 @@ void vtkGodRaysAtmosphere::PrintSelf(ostream& os, vtkIndent indent)
   PrintColor(os, indent, "GroundAlbedo", this->GroundAlbedo);
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysAtmosphere::GetRayleighScatteringOf(double wavelength)
 {
   return 1.24062e-6 * std::pow(std::max(wavelength, 100.0) / 1000.0, -4.0);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysAtmosphere::SetAerosol(double depth, double exponent, double scattered)
 {
   for (int i = 0; i < 3; ++i)
@@ -90,13 +86,11 @@ void vtkGodRaysAtmosphere::SetAerosol(double depth, double exponent, double scat
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysAtmosphere::SetMieAsymmetry(double g)
 {
   this->SetMieAsymmetry(g, g, g);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysAtmosphere::LoadPreset(int preset)
 {
   if (preset < EARTH_CLEAR || preset > LODATO_2015)
@@ -199,7 +193,6 @@ void vtkGodRaysAtmosphere::LoadPreset(int preset)
   this->Modified();
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysAtmosphere::LoadPreset(const std::string& name)
 {
   const auto found = std::find(std::begin(PresetNames), std::end(PresetNames), name);
@@ -217,7 +210,6 @@ bool vtkGodRaysAtmosphere::LoadPreset(const std::string& name)
   return true;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysAtmosphere::FindFault() const
 {
   if (!IsWithin(this->RayleighScattering, 1.0) || !IsWithin(this->MieScattering, 1.0) ||

@@ -122,7 +122,6 @@ struct File
 #endif
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysEXRWriter::IsAvailable()
 {
 #ifdef GODRAYS_HAS_OPENEXR
@@ -132,7 +131,6 @@ bool vtkGodRaysEXRWriter::IsAvailable()
 #endif
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysEXRWriter::Write()
 {
   this->SetErrorCode(vtkErrorCode::NoError);

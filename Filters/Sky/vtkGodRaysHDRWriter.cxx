@@ -118,7 +118,6 @@ std::string EncodeRow(vtkDataArray* scalars, vtkIdType first, int width)
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysHDRWriter::Write()
 {
   this->SetErrorCode(vtkErrorCode::NoError);

@@ -23,7 +23,6 @@ double MaxComponent(const Vec3& value)
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkyIntegrator::SetAtmosphere(vtkGodRaysAtmosphere* from)
 {
   this->Sky = MakeSkyAtmosphere(from);
@@ -34,7 +33,6 @@ void vtkGodRaysSkyIntegrator::SetAtmosphere(vtkGodRaysAtmosphere* from)
   this->Multiple.clear();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkyIntegrator::SetView(double height, const Vec3& sun, double tolerance)
 {
   this->Height = height;
@@ -42,27 +40,23 @@ void vtkGodRaysSkyIntegrator::SetView(double height, const Vec3& sun, double tol
   this->Tolerance = tolerance;
 }
 
-//------------------------------------------------------------------------------
 SkyWay vtkGodRaysSkyIntegrator::GetWay(const Vec3& direction) const
 {
   return MakeSkyWay(this->Sky, this->Height, glm::clamp(direction.z, -1.0, 1.0),
     glm::clamp(this->Sun.z, -1.0, 1.0), glm::clamp(dot(direction, this->Sun), -1.0, 1.0));
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSkyIntegrator::IsInShadow(double height, double sunSlope) const
 {
   return SkyGroundDistance(this->Sky.GroundRadius, height, sunSlope) >= 0.0;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetDiffuseScattering(double height) const
 {
   return this->Sky.AirScattering * SkyDensity(this->Sky.Air, height) +
     (1.0 - this->ForwardPeak) * this->Sky.AerosolScattering * SkyDensity(this->Sky.Aerosol, height);
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetInscatter(
   const SkyWay& way, double distance, bool lit, bool multiple) const
 {
@@ -81,7 +75,6 @@ vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetInscatter(
   return sum;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSkyIntegrator::Estimate vtkGodRaysSkyIntegrator::EstimatePart(
   const SkyWay& way, double begin, double end, bool lit, bool multiple) const
 {
@@ -97,7 +90,6 @@ vtkGodRaysSkyIntegrator::Estimate vtkGodRaysSkyIntegrator::EstimatePart(
   return { reach * kronrod, reach * scale * std::min(ratio, std::pow(50.0 * ratio, 1.5)) };
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::IntegratePart(const SkyWay& way,
   double begin, double end, bool lit, bool multiple, const Estimate& estimate, double accepted,
   int depth) const
@@ -113,7 +105,6 @@ vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::IntegratePart(const SkyWa
     this->IntegratePart(way, middle, end, lit, multiple, far, 0.5 * accepted, depth - 1);
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetRadiance(
   const Vec3& direction, bool multiple) const
 {
@@ -164,7 +155,6 @@ vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetRadiance(
   return this->Irradiance * radiance;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::MarchRadiance(
   const Vec3& direction, int steps) const
 {
@@ -197,7 +187,6 @@ vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::MarchRadiance(
   return this->Irradiance * radiance;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetTransmittance(const Vec3& direction) const
 {
   const SkyWay way = this->GetWay(direction);
@@ -208,7 +197,6 @@ vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetTransmittance(const Ve
   return way.MeetsGround ? Vec3(0.0) : exp(-SkyDepth(this->Sky, way.Height, way.Slope, way.Length));
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkyIntegrator::PrepareMultipleScattering()
 {
   if (!this->Multiple.empty())
@@ -285,7 +273,6 @@ void vtkGodRaysSkyIntegrator::PrepareMultipleScattering()
   this->Multiple = std::move(table);
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetMultiple(
   double height, double sunSlope) const
 {

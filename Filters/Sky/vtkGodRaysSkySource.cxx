@@ -29,7 +29,6 @@ vtkGodRaysSetFiniteMacro(vtkGodRaysSkySource, Tolerance, 1e-10, 0.1);
 using vtkGodRays::Vec2;
 using vtkGodRays::Vec3;
 
-//------------------------------------------------------------------------------
 // The directions of pixels, and their radiance.
 class vtkGodRaysSkySource::vtkInternals
 {
@@ -172,7 +171,6 @@ private:
   int Size[3] = { 0, 0, 0 };
 };
 
-//------------------------------------------------------------------------------
 vtkGodRaysSkySource::vtkGodRaysSkySource()
   : Internals(new vtkInternals)
   , Atmosphere(vtkSmartPointer<vtkGodRaysAtmosphere>::New())
@@ -181,10 +179,8 @@ vtkGodRaysSkySource::vtkGodRaysSkySource()
   this->SetNumberOfInputPorts(0);
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSkySource::~vtkGodRaysSkySource() = default;
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkySource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -204,7 +200,6 @@ void vtkGodRaysSkySource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkySource::SetAtmosphere(vtkGodRaysAtmosphere* atmosphere)
 {
   if (atmosphere && atmosphere == this->Atmosphere)
@@ -219,13 +214,11 @@ void vtkGodRaysSkySource::SetAtmosphere(vtkGodRaysAtmosphere* atmosphere)
   this->Modified();
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysAtmosphere* vtkGodRaysSkySource::GetAtmosphere()
 {
   return this->Atmosphere;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkySource::SetSun(vtkGodRaysSun* sun)
 {
   if (sun && sun == this->Sun)
@@ -243,39 +236,33 @@ void vtkGodRaysSkySource::SetSun(vtkGodRaysSun* sun)
   this->Modified();
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSun* vtkGodRaysSkySource::GetSun()
 {
   return this->Sun;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkySource::SetSunElevation(double degrees)
 {
   this->Sun->SetPosition(vtkGodRaysSun::AZIMUTH_AND_ELEVATION);
   this->Sun->SetElevation(degrees);
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysSkySource::GetSunElevation()
 {
   return this->Sun->GetElevation();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkySource::SetSunAzimuth(double degrees)
 {
   this->Sun->SetPosition(vtkGodRaysSun::AZIMUTH_AND_ELEVATION);
   this->Sun->SetAzimuth(degrees);
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysSkySource::GetSunAzimuth()
 {
   return this->Sun->GetAzimuth();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkySource::SetAtmospherePreset(int preset)
 {
   preset = std::clamp(preset, static_cast<int>(vtkGodRaysAtmosphere::EARTH_CLEAR),
@@ -284,7 +271,6 @@ void vtkGodRaysSkySource::SetAtmospherePreset(int preset)
   this->AtmospherePreset = preset;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkySource::SetOutputScalarType(int type)
 {
   type = type == VTK_DOUBLE ? VTK_DOUBLE : VTK_FLOAT;
@@ -295,7 +281,6 @@ void vtkGodRaysSkySource::SetOutputScalarType(int type)
   }
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSkySource::Prepare()
 {
   const std::string fault = this->Atmosphere->FindFault();
@@ -308,7 +293,6 @@ bool vtkGodRaysSkySource::Prepare()
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSkySource::GetRadiance(const double direction[3], double radiance[3])
 {
   std::fill_n(radiance, 3, 0.0);
@@ -331,7 +315,6 @@ bool vtkGodRaysSkySource::GetRadiance(const double direction[3], double radiance
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSkySource::GetSunLight(double irradiance[3])
 {
   std::fill_n(irradiance, 3, 0.0);
@@ -347,7 +330,6 @@ bool vtkGodRaysSkySource::GetSunLight(double irradiance[3])
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSkySource::GetMultipleScattering(vtkImageData* table)
 {
   table->Initialize();
@@ -368,14 +350,12 @@ bool vtkGodRaysSkySource::GetMultipleScattering(vtkImageData* table)
   return true;
 }
 
-//------------------------------------------------------------------------------
 vtkMTimeType vtkGodRaysSkySource::GetMTime()
 {
   return std::max(
     { this->Superclass::GetMTime(), this->Atmosphere->GetMTime(), this->Sun->GetMTime() });
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysSkySource::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
@@ -391,7 +371,6 @@ int vtkGodRaysSkySource::RequestInformation(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysSkySource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
@@ -417,7 +396,6 @@ int vtkGodRaysSkySource::RequestData(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSkySource::TellProgress(double progress)
 {
   return vtkGodRays::TellProgress(this, progress);

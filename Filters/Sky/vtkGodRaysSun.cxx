@@ -26,16 +26,13 @@ vtkGodRaysSetFiniteMacro(vtkGodRaysSun, Elevation, -90.0, 90.0);
 vtkGodRaysSetFiniteMacro(vtkGodRaysSun, AngularRadius, 0.01, 90.0);
 vtkGodRaysSetFinite3Macro(vtkGodRaysSun, Color, 0.0, 1.0);
 
-//------------------------------------------------------------------------------
 vtkGodRaysSun::vtkGodRaysSun()
   : Ephemeris(vtkSmartPointer<vtkGodRaysSunPosition>::New())
 {
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSun::~vtkGodRaysSun() = default;
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSun::SetEphemeris(vtkGodRaysSunPosition* ephemeris)
 {
   if (!ephemeris || ephemeris != this->Ephemeris)
@@ -49,13 +46,11 @@ void vtkGodRaysSun::SetEphemeris(vtkGodRaysSunPosition* ephemeris)
   }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSunPosition* vtkGodRaysSun::GetEphemeris()
 {
   return this->Ephemeris;
 }
 
-//------------------------------------------------------------------------------
 double* vtkGodRaysSun::GetAngles()
 {
   const bool given = this->Position == AZIMUTH_AND_ELEVATION;
@@ -64,19 +59,16 @@ double* vtkGodRaysSun::GetAngles()
   return this->Angles;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSun::IsAboveHorizon()
 {
   return this->GetAngles()[1] > -this->AngularRadius;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSun::Shines()
 {
   return this->Position == AZIMUTH_AND_ELEVATION || this->IsAboveHorizon();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSun::GetAxes(vtkCamera* camera, double up[3], double north[3])
 {
   static const double axes[][2][3] = { // by Frame
@@ -97,7 +89,6 @@ void vtkGodRaysSun::GetAxes(vtkCamera* camera, double up[3], double north[3])
   }
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSun::GetDirection(vtkCamera* camera, double direction[3])
 {
   double up[3], north[3];
@@ -113,7 +104,6 @@ bool vtkGodRaysSun::GetDirection(vtkCamera* camera, double direction[3])
   return found;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSun::MoveTo(vtkCamera* camera, const double direction[3])
 {
   double up[3], north[3], east[3], towards[3];
@@ -137,7 +127,6 @@ bool vtkGodRaysSun::MoveTo(vtkCamera* camera, const double direction[3])
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSun::UpdateLight(vtkLight* light)
 {
   if (!light)
@@ -167,13 +156,11 @@ bool vtkGodRaysSun::UpdateLight(vtkLight* light)
   return true;
 }
 
-//------------------------------------------------------------------------------
 vtkMTimeType vtkGodRaysSun::GetMTime()
 {
   return std::max(this->Superclass::GetMTime(), this->Ephemeris->GetMTime());
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSun::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -156,7 +156,6 @@ double GetRefraction(double elevation, double pressure, double temperature)
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSunPosition::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -168,7 +167,6 @@ void vtkGodRaysSunPosition::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Temperature: " << this->Temperature << "\n";
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSunPosition::SetDate(int year, int month, int day)
 {
   if (!IsDay(year, month, day))
@@ -281,7 +279,6 @@ private:
 };
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSunPosition::SetDateTime(const std::string& text)
 {
   DateTime parsed;
@@ -303,7 +300,6 @@ bool vtkGodRaysSunPosition::SetDateTime(const std::string& text)
   return true;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysSunPosition::GetDateTime() const
 {
   const long milliseconds = std::lround(this->TimeOfDay * 3600e3);
@@ -316,7 +312,6 @@ std::string vtkGodRaysSunPosition::GetDateTime() const
   return text;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSunPosition::Position vtkGodRaysSunPosition::GetPosition(double timeOfDay) const
 {
   const Sun sun = GetSun(
@@ -340,32 +335,27 @@ vtkGodRaysSunPosition::Position vtkGodRaysSunPosition::GetPosition(double timeOf
   return position;
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysSunPosition::GetAzimuth()
 {
   return this->GetPosition(this->TimeOfDay).Azimuth;
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysSunPosition::GetElevation()
 {
   const double elevation = this->GetTrueElevation();
   return elevation + GetRefraction(elevation, this->Pressure, this->Temperature);
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysSunPosition::GetTrueElevation()
 {
   return this->GetPosition(this->TimeOfDay).TrueElevation;
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysSunPosition::GetDistance()
 {
   return this->GetPosition(this->TimeOfDay).Distance;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSunPosition::GetDirection(
   const double up[3], const double north[3], double direction[3])
 {
@@ -378,7 +368,6 @@ bool vtkGodRaysSunPosition::GetDirection(
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSunPosition::ComputeDirection(
   double azimuth, double elevation, const double up[3], const double north[3], double direction[3])
 {
@@ -396,7 +385,6 @@ bool vtkGodRaysSunPosition::ComputeDirection(
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSunPosition::ComputeAngles(
   const double direction[3], const double up[3], const double north[3], double angles[2])
 {
@@ -409,13 +397,11 @@ bool vtkGodRaysSunPosition::ComputeAngles(
   return found;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSunPosition::IsUp(double timeOfDay) const
 {
   return this->GetPosition(timeOfDay).GeocentricElevation >= HorizonElevation;
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysSunPosition::FindHorizon(double below, double above) const
 {
   if (this->IsUp(below) || !this->IsUp(above))
@@ -430,7 +416,6 @@ double vtkGodRaysSunPosition::FindHorizon(double below, double above) const
   return 0.5 * (below + above);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSunPosition::FindEvents()
 {
   if (this->EventTime > this->GetMTime())
@@ -451,28 +436,24 @@ void vtkGodRaysSunPosition::FindEvents()
   this->EventTime.Modified();
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysSunPosition::GetSunrise()
 {
   this->FindEvents();
   return this->Sunrise;
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysSunPosition::GetTransit()
 {
   this->FindEvents();
   return this->Transit;
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysSunPosition::GetSunset()
 {
   this->FindEvents();
   return this->Sunset;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysSunPosition::GetDayType()
 {
   this->FindEvents();

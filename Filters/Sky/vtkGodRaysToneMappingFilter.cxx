@@ -87,7 +87,6 @@ double FindExposure(vtkDataArray* light, double key)
 }
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysToneMappingFilter::RequestInformation(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
@@ -101,7 +100,6 @@ int vtkGodRaysToneMappingFilter::RequestInformation(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysToneMappingFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
@@ -113,7 +111,6 @@ int vtkGodRaysToneMappingFilter::RequestUpdateExtent(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysToneMappingFilter::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
@@ -152,13 +149,11 @@ int vtkGodRaysToneMappingFilter::RequestData(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysToneMappingFilter::Decode(double shown)
 {
   return shown > 0.0 ? vtkGodRays::DecodeDisplay(shown) : 0.0;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysToneMappingFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -44,7 +44,6 @@ vtkGodRaysSetFiniteMacro(vtkGodRaysCloudLayerSource, EndTime, 0.0, 1e6);
 
 namespace
 {
-//------------------------------------------------------------------------------
 // What a normal distribution exceeds with this probability [standard deviations]; by bisection.
 double FindThreshold(double probability)
 {
@@ -63,7 +62,6 @@ double FindThreshold(double probability)
   return 0.5 * (below + above);
 }
 
-//------------------------------------------------------------------------------
 bool IsFirstPiece(vtkInformation* output)
 {
   vtkInformationIntegerKey* piece = vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER();
@@ -71,7 +69,6 @@ bool IsFirstPiece(vtkInformation* output)
 }
 }
 
-//------------------------------------------------------------------------------
 class vtkGodRaysCloudLayerSource::Clouds
 {
 public:
@@ -120,14 +117,12 @@ private:
   double HalfEdge;
 };
 
-//------------------------------------------------------------------------------
 vtkGodRaysCloudLayerSource::vtkGodRaysCloudLayerSource()
 {
   this->SetNumberOfInputPorts(0);
   this->SetNumberOfOutputPorts(2);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysCloudLayerSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -152,20 +147,17 @@ void vtkGodRaysCloudLayerSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Seed: " << this->Seed << "\n";
 }
 
-//------------------------------------------------------------------------------
 vtkImageData* vtkGodRaysCloudLayerSource::GetTexture()
 {
   return vtkImageData::SafeDownCast(this->GetOutputDataObject(1));
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysCloudLayerSource::FillOutputPortInformation(int port, vtkInformation* information)
 {
   information->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkImageData");
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysCloudLayerSource::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
@@ -187,7 +179,6 @@ int vtkGodRaysCloudLayerSource::RequestInformation(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysCloudLayerSource::MakeGeometry(const Clouds& clouds, vtkPolyData* geometry)
 {
   const vtkIdType size = this->Resolution;
@@ -247,7 +238,6 @@ bool vtkGodRaysCloudLayerSource::MakeGeometry(const Clouds& clouds, vtkPolyData*
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysCloudLayerSource::MakeTexture(
   const Clouds& clouds, const int extent[6], vtkImageData* texture)
 {
@@ -277,7 +267,6 @@ bool vtkGodRaysCloudLayerSource::MakeTexture(
     0.5, 1.0);
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysCloudLayerSource::RequestData(
   vtkInformation* request, vtkInformationVector**, vtkInformationVector* output)
 {

@@ -57,7 +57,6 @@ enum Channel : unsigned int
   EDDIES = 10 // 3 noises
 };
 
-//------------------------------------------------------------------------------
 // The random numbers of one particle, in [0, 1).
 class Dice
 {
@@ -94,7 +93,6 @@ private:
   std::uint64_t Birth;
 };
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkIdTypeArray> MakeCount(vtkIdType count)
 {
   auto numbers = vtkSmartPointer<vtkIdTypeArray>::New();
@@ -104,7 +102,6 @@ vtkSmartPointer<vtkIdTypeArray> MakeCount(vtkIdType count)
 }
 }
 
-//------------------------------------------------------------------------------
 struct vtkGodRaysFireSource::Particle
 {
   double Age;
@@ -113,13 +110,11 @@ struct vtkGodRaysFireSource::Particle
   double Color[4];
 };
 
-//------------------------------------------------------------------------------
 vtkGodRaysFireSource::vtkGodRaysFireSource()
 {
   this->SetNumberOfInputPorts(0);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysFireSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -147,7 +142,6 @@ void vtkGodRaysFireSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Seed: " << this->Seed << "\n";
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysFireSource::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
@@ -157,7 +151,6 @@ int vtkGodRaysFireSource::RequestInformation(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysFireSource::Particle vtkGodRaysFireSource::ComputeParticle(
   vtkTypeInt64 birth, double time) const
 {
@@ -195,7 +188,6 @@ vtkGodRaysFireSource::Particle vtkGodRaysFireSource::ComputeParticle(
   return particle;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysFireSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {

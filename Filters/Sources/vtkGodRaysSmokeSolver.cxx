@@ -12,7 +12,6 @@
 
 namespace
 {
-//------------------------------------------------------------------------------
 // Shares are whole multiples of this, so that what a cell keeps, 1 minus its shares, has no rounding
 // error in single precision. Otherwise each step would lose or make the same part of the mass.
 constexpr double ShareUnit = 1.0 / 16777216.0;
@@ -22,7 +21,6 @@ float RoundShare(double share)
   return static_cast<float>(ShareUnit * std::floor(share / ShareUnit));
 }
 
-//------------------------------------------------------------------------------
 double GetRateAhead(double velocity, double diffusivity, double spacing)
 {
   const double drift = velocity / spacing;
@@ -30,7 +28,6 @@ double GetRateAhead(double velocity, double diffusivity, double spacing)
 }
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysSmokeSolver::GetLargestTimeStep(const Parameters& p)
 {
   const double speeds[3] = { std::abs(p.SwaySpeed), 0.0, std::abs(p.RiseSpeed) };
@@ -47,7 +44,6 @@ double vtkGodRaysSmokeSolver::GetLargestTimeStep(const Parameters& p)
   return 1.0 / rate;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSmokeSolver::Start(const Parameters& parameters)
 {
   this->Setup = parameters;
@@ -67,7 +63,6 @@ void vtkGodRaysSmokeSolver::Start(const Parameters& parameters)
   this->FindSource();
 }
 
-//------------------------------------------------------------------------------
 // The sphere's cells, with an edge one cell wide.
 void vtkGodRaysSmokeSolver::FindSource()
 {
@@ -104,7 +99,6 @@ void vtkGodRaysSmokeSolver::FindSource()
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSmokeSolver::ComputeShares(int axis)
 {
   const Parameters& p = this->Setup;
@@ -145,7 +139,6 @@ void vtkGodRaysSmokeSolver::ComputeShares(int axis)
     });
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSmokeSolver::Exchange(vtkIdType beginRow, vtkIdType endRow)
 {
   const Parameters& p = this->Setup;
@@ -202,7 +195,6 @@ void vtkGodRaysSmokeSolver::Exchange(vtkIdType beginRow, vtkIdType endRow)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSmokeSolver::Emit()
 {
   const Parameters& p = this->Setup;
@@ -214,7 +206,6 @@ void vtkGodRaysSmokeSolver::Emit()
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSmokeSolver::Advance()
 {
   for (int axis = 0; axis < 3; ++axis)

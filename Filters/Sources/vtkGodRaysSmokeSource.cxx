@@ -47,7 +47,6 @@ constexpr double MostPoints = 268435456.0;
 constexpr double MostTimeSteps = 100000.0; // that are listed; a range has no list
 }
 
-//------------------------------------------------------------------------------
 // The solver, and for which setup it has advanced.
 class vtkGodRaysSmokeSource::vtkInternals
 {
@@ -112,17 +111,14 @@ private:
   vtkMTimeType SetupTime = 0;
 };
 
-//------------------------------------------------------------------------------
 vtkGodRaysSmokeSource::vtkGodRaysSmokeSource()
   : Internals(new vtkInternals)
 {
   this->SetNumberOfInputPorts(0);
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSmokeSource::~vtkGodRaysSmokeSource() = default;
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSmokeSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -148,7 +144,6 @@ void vtkGodRaysSmokeSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Seed: " << this->Seed << "\n";
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSmokeSource::SetDimensions(int x, int y, int z)
 {
   int dimensions[3] = { x, y, z };
@@ -163,13 +158,11 @@ void vtkGodRaysSmokeSource::SetDimensions(int x, int y, int z)
   }
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysSmokeSource::GetLargestTimeStep() const
 {
   return vtkGodRaysSmokeSolver::GetLargestTimeStep(vtkInternals::GetParameters(this));
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSmokeSource::GetOrigin(double origin[3]) const
 {
   origin[0] = -0.5 * (this->Dimensions[0] - 1) * this->Spacing;
@@ -177,7 +170,6 @@ void vtkGodRaysSmokeSource::GetOrigin(double origin[3]) const
   origin[2] = 0.0;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysSmokeSource::FindFault() const
 {
   std::ostringstream fault;
@@ -197,7 +189,6 @@ std::string vtkGodRaysSmokeSource::FindFault() const
   return fault.str();
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysSmokeSource::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
@@ -232,7 +223,6 @@ int vtkGodRaysSmokeSource::RequestInformation(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysSmokeSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {

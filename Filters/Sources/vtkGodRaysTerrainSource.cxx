@@ -34,7 +34,6 @@ namespace
 {
 using vtkGodRaysNoise::Vector;
 
-//------------------------------------------------------------------------------
 // Of the surface (x, y, h), where steepness is the gradient of h.
 Vector GetNormal(double steepnessX, double steepnessY)
 {
@@ -42,7 +41,6 @@ Vector GetNormal(double steepnessX, double steepnessY)
   return { -steepnessX / length, -steepnessY / length, 1.0 / length };
 }
 
-//------------------------------------------------------------------------------
 // An array of the image, to be filled.
 template <typename Array>
 Array* AddArray(vtkImageData* image, const char* name, int components)
@@ -56,13 +54,11 @@ Array* AddArray(vtkImageData* image, const char* name, int components)
 }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysTerrainSource::vtkGodRaysTerrainSource()
 {
   this->SetNumberOfInputPorts(0);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysTerrainSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -79,7 +75,6 @@ void vtkGodRaysTerrainSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Seed: " << this->Seed << "\n";
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysTerrainSource::SetDimensions(int x, int y)
 {
   const int dimensions[2] = { vtkMath::ClampValue(x, 2, 1000000),
@@ -91,7 +86,6 @@ void vtkGodRaysTerrainSource::SetDimensions(int x, int y)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysTerrainSource::GetGrid(double origin[3], double spacing[3]) const
 {
   std::fill_n(spacing, 3, this->Width / (this->Dimensions[0] - 1));
@@ -100,7 +94,6 @@ void vtkGodRaysTerrainSource::GetGrid(double origin[3], double spacing[3]) const
   origin[2] = 0.0;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysTerrainSource::GetColor(double height, double upNormal, unsigned char color[3]) const
 {
   constexpr double grass[3] = { 74.0, 92.0, 42.0 };
@@ -120,7 +113,6 @@ void vtkGodRaysTerrainSource::GetColor(double height, double upNormal, unsigned 
   }
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysTerrainSource::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
@@ -137,7 +129,6 @@ int vtkGodRaysTerrainSource::RequestInformation(
   return 1;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysTerrainSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {

@@ -56,7 +56,6 @@ QString GetToolTip(const QString& preset)
 }
 }
 
-//------------------------------------------------------------------------------
 pqGodRaysPresetWidget::pqGodRaysPresetWidget(
   vtkSMProxy* proxy, vtkSMProperty* property, QWidget* parentWidget)
   : pqPropertyWidget(proxy, parentWidget)
@@ -84,5 +83,4 @@ pqGodRaysPresetWidget::pqGodRaysPresetWidget(
   this->addPropertyLink(box, "currentText", SIGNAL(currentTextChanged(const QString&)), property);
 }
 
-//------------------------------------------------------------------------------
 pqGodRaysPresetWidget::~pqGodRaysPresetWidget() = default;

@@ -102,7 +102,6 @@ public:
 vtkStandardNewMacro(PassChain);
 }
 
-//------------------------------------------------------------------------------
 struct vtkGodRaysRenderView::vtkInternals
 {
   vtkSmartPointer<vtkGodRaysSun> Sun = vtkSmartPointer<vtkGodRaysSun>::New();
@@ -125,7 +124,6 @@ struct vtkGodRaysRenderView::vtkInternals
   std::map<vtkDataRepresentation*, std::vector<vtkWeakPointer<vtkProp>>> Props;
 };
 
-//------------------------------------------------------------------------------
 vtkGodRaysRenderView::vtkGodRaysRenderView()
   : Internals(new vtkInternals)
 {
@@ -135,14 +133,12 @@ vtkGodRaysRenderView::vtkGodRaysRenderView()
   this->UpdatePasses();
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysRenderView::~vtkGodRaysRenderView()
 {
   this->Internals->Chain->ReleaseGraphicsResources(this->GetRenderWindow());
   this->SynchronizedRenderers->SetImageProcessingPass(nullptr);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::SetSun(vtkGodRaysSun* sun)
 {
   if (sun)
@@ -153,13 +149,11 @@ void vtkGodRaysRenderView::SetSun(vtkGodRaysSun* sun)
   }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSun* vtkGodRaysRenderView::GetSun()
 {
   return this->Internals->Sun;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::SetGodRaysPass(vtkGodRaysPass* pass)
 {
   if (pass)
@@ -171,13 +165,11 @@ void vtkGodRaysRenderView::SetGodRaysPass(vtkGodRaysPass* pass)
   }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysPass* vtkGodRaysRenderView::GetGodRaysPass()
 {
   return this->Internals->Pass;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::SetSkyPass(vtkGodRaysSkyPass* pass)
 {
   if (pass)
@@ -189,13 +181,11 @@ void vtkGodRaysRenderView::SetSkyPass(vtkGodRaysSkyPass* pass)
   }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSkyPass* vtkGodRaysRenderView::GetSkyPass()
 {
   return this->Internals->Sky;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::SetUseGodRays(bool use)
 {
   if (this->UseGodRays != use)
@@ -206,7 +196,6 @@ void vtkGodRaysRenderView::SetUseGodRays(bool use)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::SetUseSky(bool use)
 {
   if (this->UseSky != use)
@@ -217,7 +206,6 @@ void vtkGodRaysRenderView::SetUseSky(bool use)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::SetUseToneMapping(bool use)
 {
   if ((this->Internals->ToneMapping != nullptr) != use)
@@ -232,7 +220,6 @@ void vtkGodRaysRenderView::SetUseToneMapping(bool use)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::UpdatePasses()
 {
   vtkInternals& self = *this->Internals;
@@ -265,7 +252,6 @@ void vtkGodRaysRenderView::UpdatePasses()
   this->SynchronizedRenderers->SetImageProcessingPass(passes.empty() ? nullptr : self.Chain.Get());
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::SetLightSource(int mode)
 {
   if (mode < SUN || mode > TAGGED_ONLY)
@@ -278,7 +264,6 @@ void vtkGodRaysRenderView::SetLightSource(int mode)
   this->Modified();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::SetPlaceSun(bool place)
 {
   this->PlaceSun = place;
@@ -286,7 +271,6 @@ void vtkGodRaysRenderView::SetPlaceSun(bool place)
   this->Modified();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::TakePlacedSun()
 {
   vtkInternals& self = *this->Internals;
@@ -310,7 +294,6 @@ void vtkGodRaysRenderView::TakePlacedSun()
   this->UpdateLights(); // instead of the pass's own
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::SetPreset(const char* name)
 {
   vtkInternals& self = *this->Internals;
@@ -336,7 +319,6 @@ void vtkGodRaysRenderView::SetPreset(const char* name)
   this->SetWorldUnitInMeters(self.WorldUnitInMeters);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::SetModel(vtkGodRaysModel* model)
 {
   this->Internals->CustomModel = model;
@@ -346,14 +328,12 @@ void vtkGodRaysRenderView::SetModel(vtkGodRaysModel* model)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::SetIntegrator(vtkGodRaysIntegrator* integrator)
 {
   this->Internals->Integrator = integrator;
   this->UseModel(this->Internals->Pass->GetModel());
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::UseModel(vtkGodRaysModel* model)
 {
   vtkInternals& self = *this->Internals;
@@ -363,7 +343,6 @@ void vtkGodRaysRenderView::UseModel(vtkGodRaysModel* model)
   this->Modified();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::SetWorldUnitInMeters(double meters)
 {
   vtkInternals& self = *this->Internals;
@@ -377,7 +356,6 @@ void vtkGodRaysRenderView::SetWorldUnitInMeters(double meters)
   this->Modified();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::AddChosenLight(vtkLight* light)
 {
   auto& lights = this->Internals->ChosenLights;
@@ -388,7 +366,6 @@ void vtkGodRaysRenderView::AddChosenLight(vtkLight* light)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::RemoveChosenLight(vtkLight* light)
 {
   auto& lights = this->Internals->ChosenLights;
@@ -400,7 +377,6 @@ void vtkGodRaysRenderView::RemoveChosenLight(vtkLight* light)
   }
 }
 
-//------------------------------------------------------------------------------
 const char* vtkGodRaysRenderView::GetPlan()
 {
   this->Internals->Plan =
@@ -408,7 +384,6 @@ const char* vtkGodRaysRenderView::GetPlan()
   return this->Internals->Plan.c_str();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::AddRepresentationInternal(vtkDataRepresentation* representation)
 {
   this->Superclass::AddRepresentationInternal(representation);
@@ -432,7 +407,6 @@ void vtkGodRaysRenderView::AddRepresentationInternal(vtkDataRepresentation* repr
   self.KnownProps.swap(present);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::RemoveRepresentationInternal(vtkDataRepresentation* representation)
 {
   vtkInternals& self = *this->Internals;
@@ -449,7 +423,6 @@ void vtkGodRaysRenderView::RemoveRepresentationInternal(vtkDataRepresentation* r
   this->Superclass::RemoveRepresentationInternal(representation);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::AboutToRenderOnLocalProcess(bool interactive)
 {
   this->Superclass::AboutToRenderOnLocalProcess(interactive);
@@ -480,7 +453,6 @@ void vtkGodRaysRenderView::AboutToRenderOnLocalProcess(bool interactive)
     placesSun ? vtkGodRaysPass::SUN_ONCE : vtkGodRaysPass::SUN_BY_HAND);
 }
 
-//------------------------------------------------------------------------------
 // A ray tracer draws the scene as it does without us: nothing of it is where our passes look.
 void vtkGodRaysRenderView::UpdateRayTracing()
 {
@@ -500,7 +472,6 @@ void vtkGodRaysRenderView::UpdateRayTracing()
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::UpdateRoles()
 {
   vtkCollectionSimpleIterator iterator;
@@ -535,7 +506,6 @@ void vtkGodRaysRenderView::UpdateRoles()
   }
 }
 
-//------------------------------------------------------------------------------
 // Whether it shines. With a sky it has the colour that the air leaves, and sets.
 bool vtkGodRaysRenderView::UpdateSun()
 {
@@ -544,7 +514,6 @@ bool vtkGodRaysRenderView::UpdateSun()
                       : self.Sun->UpdateLight(self.SunLight) && self.Sun->Shines();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::UpdateLights()
 {
   vtkInternals& self = *this->Internals;
@@ -586,7 +555,6 @@ void vtkGodRaysRenderView::UpdateLights()
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRenderView::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -10,13 +10,11 @@
 
 vtkStandardNewMacro(vtkGodRaysSunInformation);
 
-//------------------------------------------------------------------------------
 vtkGodRaysSunInformation::vtkGodRaysSunInformation()
 {
   this->SetRootOnly(1);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSunInformation::CopyFromObject(vtkObject* view)
 {
   auto own = vtkGodRaysRenderView::SafeDownCast(view);
@@ -26,7 +24,6 @@ void vtkGodRaysSunInformation::CopyFromObject(vtkObject* view)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSunInformation::AddInformation(vtkPVInformation* other)
 {
   auto sun = vtkGodRaysSunInformation::SafeDownCast(other);
@@ -36,7 +33,6 @@ void vtkGodRaysSunInformation::AddInformation(vtkPVInformation* other)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSunInformation::CopyToStream(vtkClientServerStream* stream)
 {
   stream->Reset();
@@ -44,7 +40,6 @@ void vtkGodRaysSunInformation::CopyToStream(vtkClientServerStream* stream)
           << vtkClientServerStream::End;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSunInformation::CopyFromStream(const vtkClientServerStream* stream)
 {
   if (!stream->GetArgument(0, 0, this->PlacedSun, 3))
@@ -53,7 +48,6 @@ void vtkGodRaysSunInformation::CopyFromStream(const vtkClientServerStream* strea
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSunInformation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -25,7 +25,6 @@ void ReduceOnAll(Value* values, std::size_t count, vtkGodRaysCompositor::Operati
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysViewCompositor::Background::Get(vtkRenderer* renderer)
 {
   renderer->GetBackground(this->Color);
@@ -33,7 +32,6 @@ void vtkGodRaysViewCompositor::Background::Get(vtkRenderer* renderer)
   this->Textured = renderer->GetTexturedBackground();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysViewCompositor::Background::Set(vtkRenderer* renderer) const
 {
   renderer->SetBackground(this->Color[0], this->Color[1], this->Color[2]);
@@ -41,14 +39,12 @@ void vtkGodRaysViewCompositor::Background::Set(vtkRenderer* renderer) const
   renderer->SetTexturedBackground(this->Textured);
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysViewCompositor::Background::operator==(const Background& other) const
 {
   return std::equal(this->Color, this->Color + 3, other.Color) &&
     this->Gradient == other.Gradient && this->Textured == other.Textured;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysViewCompositor::Update(vtkRenderer* renderer, bool distributed, bool hasDepth)
 {
   this->Wanted.Get(renderer);
@@ -56,26 +52,22 @@ void vtkGodRaysViewCompositor::Update(vtkRenderer* renderer, bool distributed, b
   this->Depth = hasDepth;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysViewCompositor::IsRoot()
 {
   return !this->Distributed ||
     vtkMultiProcessController::GetGlobalController()->GetLocalProcessId() == 0;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysViewCompositor::Reduce(float* values, std::size_t count, Operation operation)
 {
   ReduceOnAll(values, count, operation);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysViewCompositor::Reduce(double* values, std::size_t count, Operation operation)
 {
   ReduceOnAll(values, count, operation);
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysViewCompositor::DrawBackground(vtkRenderer* renderer)
 {
   Background actual;
@@ -90,7 +82,6 @@ bool vtkGodRaysViewCompositor::DrawBackground(vtkRenderer* renderer)
   return true;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysViewCompositor::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -11,13 +11,10 @@
 
 vtkStandardNewMacro(vtkSIGodRaysRoleProperty);
 
-//------------------------------------------------------------------------------
 vtkSIGodRaysRoleProperty::vtkSIGodRaysRoleProperty() = default;
 
-//------------------------------------------------------------------------------
 vtkSIGodRaysRoleProperty::~vtkSIGodRaysRoleProperty() = default;
 
-//------------------------------------------------------------------------------
 bool vtkSIGodRaysRoleProperty::Push(vtkSMMessage* message, int offset)
 {
   this->SaveValueToCache(message, offset);
@@ -36,7 +33,6 @@ bool vtkSIGodRaysRoleProperty::Push(vtkSMMessage* message, int offset)
   return true;
 }
 
-//------------------------------------------------------------------------------
 void vtkSIGodRaysRoleProperty::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -8,13 +8,10 @@
 
 vtkStandardNewMacro(vtkSMGodRaysComparativeViewProxy);
 
-//------------------------------------------------------------------------------
 vtkSMGodRaysComparativeViewProxy::vtkSMGodRaysComparativeViewProxy() = default;
 
-//------------------------------------------------------------------------------
 vtkSMGodRaysComparativeViewProxy::~vtkSMGodRaysComparativeViewProxy() = default;
 
-//------------------------------------------------------------------------------
 void vtkSMGodRaysComparativeViewProxy::CreateVTKObjects()
 {
   if (!this->ObjectsCreated && this->Location != 0) // 0: a prototype
@@ -28,7 +25,6 @@ void vtkSMGodRaysComparativeViewProxy::CreateVTKObjects()
   this->Superclass::CreateVTKObjects();
 }
 
-//------------------------------------------------------------------------------
 void vtkSMGodRaysComparativeViewProxy::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

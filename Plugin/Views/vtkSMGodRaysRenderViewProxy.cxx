@@ -60,17 +60,14 @@ void LoadPanel()
 }
 }
 
-//------------------------------------------------------------------------------
 vtkSMGodRaysRenderViewProxy::vtkSMGodRaysRenderViewProxy()
 {
   this->AddObserver(
     vtkCommand::PropertyModifiedEvent, this, &vtkSMGodRaysRenderViewProxy::OnPropertyModified);
 }
 
-//------------------------------------------------------------------------------
 vtkSMGodRaysRenderViewProxy::~vtkSMGodRaysRenderViewProxy() = default;
 
-//------------------------------------------------------------------------------
 void vtkSMGodRaysRenderViewProxy::OnPropertyModified(vtkObject*, unsigned long, void* name)
 {
   for (const char* own : { "SunFrame", "SunPosition", "SunAzimuth", "SunElevation" })
@@ -83,7 +80,6 @@ void vtkSMGodRaysRenderViewProxy::OnPropertyModified(vtkObject*, unsigned long, 
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkSMGodRaysRenderViewProxy::CreateVTKObjects()
 {
   if (!this->ObjectsCreated && this->Location != 0) // 0: a prototype
@@ -93,7 +89,6 @@ void vtkSMGodRaysRenderViewProxy::CreateVTKObjects()
   this->Superclass::CreateVTKObjects();
 }
 
-//------------------------------------------------------------------------------
 void vtkSMGodRaysRenderViewProxy::PostRender(bool interactive)
 {
   this->Superclass::PostRender(interactive);
@@ -119,7 +114,6 @@ void vtkSMGodRaysRenderViewProxy::PostRender(bool interactive)
   }
 }
 
-//------------------------------------------------------------------------------
 vtkImageData* vtkSMGodRaysRenderViewProxy::CaptureWindowInternal(
   int magnificationX, int magnificationY)
 {
@@ -162,7 +156,6 @@ vtkImageData* vtkSMGodRaysRenderViewProxy::CaptureWindowInternal(
   return capture;
 }
 
-//------------------------------------------------------------------------------
 void vtkSMGodRaysRenderViewProxy::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -61,22 +61,18 @@ void SetMedium(vtkShaderProgram* program, const vtkGodRaysBlendPass::Request& re
 }
 }
 
-//------------------------------------------------------------------------------
 struct vtkGodRaysBlendPass::Internals
 {
   vtkGodRaysQuad Quad{ "vtkGodRaysBlendFS", vtkGodRaysBlendFS };
 };
 
-//------------------------------------------------------------------------------
 vtkGodRaysBlendPass::vtkGodRaysBlendPass()
   : Internal(new Internals)
 {
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysBlendPass::~vtkGodRaysBlendPass() = default;
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysBlendPass::Draw(const Request& request)
 {
   const bool resized = request.Rays && request.Cells[0] == 0 &&
@@ -108,7 +104,8 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
       { "responds", request.Rays && request.Response != nullptr },
       { "dithered",
         request.Bytes && request.Transfer != vtkGodRaysTransfer::NONE && !request.ShowRays },
-      { "capsData", request.CapsData }, { "hasOpacity", hasOpacity }, { "hasCoverage", hasCoverage }, { "metered", metered } });
+      { "capsData", request.CapsData }, { "hasOpacity", hasOpacity },
+      { "hasCoverage", hasCoverage }, { "metered", metered } });
   if (!program)
   {
     return false;
@@ -212,13 +209,11 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
   return true;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysBlendPass::ReleaseGraphicsResources(vtkWindow*)
 {
   this->Internal->Quad.Release();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysBlendPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

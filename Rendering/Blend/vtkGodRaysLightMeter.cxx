@@ -143,7 +143,6 @@ double FindPartOfMedium(const Loss& getLoss)
 }
 }
 
-//------------------------------------------------------------------------------
 /**
  * How much the colours of data change with rays of some strength.
  */
@@ -243,14 +242,12 @@ private:
   bool LimitsTint;
 };
 
-//------------------------------------------------------------------------------
 vtkGodRaysLightMeter::vtkGodRaysLightMeter()
   : Data(new Fidelity)
 {
 }
 vtkGodRaysLightMeter::~vtkGodRaysLightMeter() = default;
 
-//------------------------------------------------------------------------------
 // Draw three pictures of a request, and read them into Pixels.
 bool vtkGodRaysLightMeter::Draw(
   vtkGodRaysBlendPass* blending, const vtkGodRaysBlendPass::Request& request, int columns, int rows)
@@ -278,7 +275,6 @@ bool vtkGodRaysLightMeter::Draw(
   return done;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysLightMeter::ReadCoverage(vtkGodRaysBlendPass* blending,
   const vtkGodRaysBlendPass::Request& request, vtkImageData* coverage, double ground[3])
 {
@@ -322,7 +318,6 @@ bool vtkGodRaysLightMeter::ReadCoverage(vtkGodRaysBlendPass* blending,
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysLightMeter::Read(
   vtkGodRaysBlendPass* blending, const vtkGodRaysBlendPass::Request& request)
 {
@@ -353,7 +348,6 @@ bool vtkGodRaysLightMeter::Read(
   return true;
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysLightMeter::FindAlphaLayers(vtkRenderer* renderer)
 {
   if (renderer->GetUseDepthPeeling())
@@ -374,7 +368,6 @@ double vtkGodRaysLightMeter::FindAlphaLayers(vtkRenderer* renderer)
   return TrueAlphaLayers;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysLightMeter::ShowsRays(double exposure) const
 {
   return std::any_of(this->Samples.begin(), this->Samples.end(),
@@ -386,7 +379,6 @@ bool vtkGodRaysLightMeter::ShowsRays(double exposure) const
     });
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysLightMeter::Exposure vtkGodRaysLightMeter::FindExposure(
   bool shoulder, double largest, bool sparesData)
 {
@@ -438,7 +430,6 @@ vtkGodRaysLightMeter::Exposure vtkGodRaysLightMeter::FindExposure(
   return result;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysLightMeter::Surround vtkGodRaysLightMeter::FindSurround(double exposure)
 {
   Surround result;
@@ -469,7 +460,6 @@ vtkGodRaysLightMeter::Surround vtkGodRaysLightMeter::FindSurround(double exposur
   return result;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysLightMeter::Release(vtkWindow* window)
 {
   this->Target.Release(window);

@@ -66,7 +66,8 @@ public:
   bool Read(vtkGodRaysBlendPass* blending, const vtkGodRaysBlendPass::Request& request);
 
   /**
-   * Read which part of the picture of a request is covered, into one float a cell, of 60 rows where the picture
+   * Read which part of the picture of a request is covered, into one float a cell, of 60 rows where the
+   * picture
    * is not very wide or tall; and the mean colour of the rest [CIE 1976 L*a*b*], as far as the request has
    * scene's colours. Returns as Read().
    */

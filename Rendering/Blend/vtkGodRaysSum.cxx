@@ -11,16 +11,13 @@
 
 #include <algorithm>
 
-//------------------------------------------------------------------------------
 vtkGodRaysSum::vtkGodRaysSum()
   : Adding(vtkSmartPointer<vtkGodRaysBlendPass>::New())
 {
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSum::~vtkGodRaysSum() = default;
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSum::Begin(vtkOpenGLRenderWindow* window, int width, int height, unsigned int format)
 {
   this->Window = window;
@@ -32,7 +29,6 @@ void vtkGodRaysSum::Begin(vtkOpenGLRenderWindow* window, int width, int height, 
   this->Response = {};
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSum::BindToAdd()
 {
   if (!this->Settle())
@@ -50,7 +46,6 @@ bool vtkGodRaysSum::BindToAdd()
   return this->BindTarget();
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSum::BindTarget()
 {
   this->Target.Prepare(this->Window, this->Width, this->Height, { this->Format, 0 });
@@ -68,7 +63,6 @@ bool vtkGodRaysSum::BindTarget()
   return this->Target.Bind();
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSum::Lend(vtkGodRaysTarget& colors, const double tint[3], double viewScale)
 {
   if ((!this->IsEmpty() && this->Response.IsLinear()) || viewScale < 1.0)
@@ -86,13 +80,11 @@ bool vtkGodRaysSum::Lend(vtkGodRaysTarget& colors, const double tint[3], double 
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSum::Add(vtkGodRaysTarget& colors, const double tint[3], double viewScale)
 {
   return this->Settle() && this->Draw(colors, tint, viewScale, this->Response);
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSum::Draw(vtkGodRaysTarget& colors, const double tint[3], double viewScale,
   const vtkGodRaysResponse& response)
 {
@@ -114,7 +106,6 @@ bool vtkGodRaysSum::Draw(vtkGodRaysTarget& colors, const double tint[3], double 
   return this->Adding->Draw(request);
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSum::Settle()
 {
   vtkGodRaysTarget* lent = this->Lent;
@@ -122,25 +113,21 @@ bool vtkGodRaysSum::Settle()
   return !lent || this->Draw(*lent, this->Tint, 1.0, this->LentResponse);
 }
 
-//------------------------------------------------------------------------------
 vtkTextureObject* vtkGodRaysSum::GetTexture() const
 {
   return this->Lent ? this->Lent->GetColor() : this->Drawn ? this->Target.GetColor() : nullptr;
 }
 
-//------------------------------------------------------------------------------
 const double* vtkGodRaysSum::GetTint() const
 {
   return this->Lent && this->Lent->HasOneChannel() ? this->Tint : nullptr;
 }
 
-//------------------------------------------------------------------------------
 const vtkGodRaysResponse* vtkGodRaysSum::GetResponse() const
 {
   return this->Lent && !this->LentResponse.IsLinear() ? &this->LentResponse : nullptr;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSum::Download(vtkImageData* image)
 {
   if (this->GetResponse() && this->Lent->GetVersion() == this->LentVersion)
@@ -154,7 +141,6 @@ bool vtkGodRaysSum::Download(vtkImageData* image)
   return this->DownloadLinear(image);
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSum::DownloadLinear(vtkImageData* image)
 {
   if (this->IsEmpty() || (this->Lent && this->Lent->GetVersion() != this->LentVersion))
@@ -171,7 +157,6 @@ bool vtkGodRaysSum::DownloadLinear(vtkImageData* image)
   return true;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSum::Release(vtkWindow* window)
 {
   this->Target.Release(window);

@@ -7,7 +7,8 @@
  * Integrators draw into it (BindToAdd()), or hand over a texture that they filled themselves (Lend()).
  * The one texture of a single light is used as it is, without another copy of the picture.
  *
- * A light may have a response. The sum of one light is then shown with it, and added with it to that of others.
+ * A light may have a response. The sum of one light is then shown with it, and added with it to that of
+ * others.
  */
 
 #ifndef vtkGodRaysSum_h

@@ -159,7 +159,6 @@ vtkRenderPass* FindInnermostOver(vtkRenderPass* root, vtkImageProcessingPass* pa
 vtkInformationKeyRestrictedMacro(
   vtkGodRaysAttachment, PASSES, ObjectBase, "vtkRenderPassCollection");
 
-//------------------------------------------------------------------------------
 /// The passes that are attached to a renderer, in the order of Attach(), and their attachments.
 class vtkGodRaysAttachment::Passes : public vtkRenderPassCollection
 {
@@ -171,7 +170,6 @@ public:
 };
 vtkStandardNewMacro(vtkGodRaysAttachment::Passes);
 
-//------------------------------------------------------------------------------
 /// Called when the renderer starts to render. The renderer holds it, and it the pass.
 class vtkGodRaysAttachment::Watch : public vtkCommand
 {
@@ -238,7 +236,6 @@ public:
   vtkSmartPointer<vtkImageProcessingPass> Pass;
 };
 
-//------------------------------------------------------------------------------
 // How often a pass, whose attachment this is, and this have another one.
 int vtkGodRaysAttachment::CountReferences(vtkRenderPass* pass, vtkRenderPass* other) const
 {
@@ -247,7 +244,6 @@ int vtkGodRaysAttachment::CountReferences(vtkRenderPass* pass, vtkRenderPass* ot
     (this->FormerDelegate == other);
 }
 
-//------------------------------------------------------------------------------
 std::vector<vtkRenderPass*> vtkGodRaysAttachment::FindPath(
   vtkRenderer* renderer, const std::function<bool(vtkRenderPass*)>& is)
 {
@@ -256,14 +252,12 @@ std::vector<vtkRenderPass*> vtkGodRaysAttachment::FindPath(
   return path;
 }
 
-//------------------------------------------------------------------------------
 vtkRenderPass* vtkGodRaysAttachment::FindFirst(
   vtkRenderer* renderer, const std::function<bool(vtkRenderPass*)>& is)
 {
   return FindFirstOf(renderer->GetPass(), is);
 }
 
-//------------------------------------------------------------------------------
 vtkRenderPass* vtkGodRaysAttachment::FindWithoutDepth(vtkRenderPass* delegate)
 {
   for (int depth = 0; delegate && depth < DeepestNesting; ++depth)
@@ -286,7 +280,6 @@ vtkRenderPass* vtkGodRaysAttachment::FindWithoutDepth(vtkRenderPass* delegate)
   return nullptr;
 }
 
-//------------------------------------------------------------------------------
 // Null if there is none: a program may have given the renderer other information.
 vtkGodRaysAttachment::Passes* vtkGodRaysAttachment::GetPasses(vtkRenderer* renderer)
 {
@@ -294,7 +287,6 @@ vtkGodRaysAttachment::Passes* vtkGodRaysAttachment::GetPasses(vtkRenderer* rende
   return information ? Passes::SafeDownCast(information->Get(PASSES())) : nullptr;
 }
 
-//------------------------------------------------------------------------------
 vtkRenderPass* vtkGodRaysAttachment::FindPass(
   vtkRenderer* renderer, const std::function<bool(vtkRenderPass*)>& is)
 {
@@ -314,7 +306,6 @@ vtkRenderPass* vtkGodRaysAttachment::FindPass(
   return nullptr;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysAttachment::Attach(vtkImageProcessingPass* pass, vtkRenderer* renderer)
 {
   if (this->Renderer == renderer)
@@ -350,7 +341,6 @@ void vtkGodRaysAttachment::Attach(vtkImageProcessingPass* pass, vtkRenderer* ren
   }
 }
 
-//------------------------------------------------------------------------------
 // Put the pass among the renderer's again, unless somebody who knows of it has put it elsewhere.
 void vtkGodRaysAttachment::ComeBack(vtkImageProcessingPass* pass, vtkRenderer* renderer)
 {
@@ -361,7 +351,6 @@ void vtkGodRaysAttachment::ComeBack(vtkImageProcessingPass* pass, vtkRenderer* r
   }
 }
 
-//------------------------------------------------------------------------------
 // Put the pass among the renderer's, if it is not among them.
 void vtkGodRaysAttachment::Insert(vtkImageProcessingPass* pass, vtkRenderer* renderer)
 {
@@ -376,7 +365,6 @@ void vtkGodRaysAttachment::Insert(vtkImageProcessingPass* pass, vtkRenderer* ren
   this->Put(pass, renderer);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysAttachment::Put(vtkRenderPass* pass, vtkRenderer* renderer)
 {
   if (!WithDelegate(this->Over, [pass](auto* over) { over->SetDelegatePass(pass); }))
@@ -385,13 +373,11 @@ void vtkGodRaysAttachment::Put(vtkRenderPass* pass, vtkRenderer* renderer)
   }
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysAttachment::Has(vtkImageProcessingPass* pass, vtkRenderer* renderer) const
 {
   return renderer && (this->Renderer == renderer || renderer->GetPass() == pass);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysAttachment::Detach(vtkImageProcessingPass* pass, vtkRenderer* renderer)
 {
   const vtkSmartPointer<vtkImageProcessingPass> keep = pass;

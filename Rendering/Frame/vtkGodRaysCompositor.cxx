@@ -4,7 +4,6 @@
 
 #include "vtkMath.h"
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysCompositor::Any(vtkGodRaysCompositor* compositor, bool here)
 {
   if (!compositor || !compositor->IsDistributed())
@@ -16,7 +15,6 @@ bool vtkGodRaysCompositor::Any(vtkGodRaysCompositor* compositor, bool here)
   return value > 0.0;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysCompositor::JoinBounds(vtkGodRaysCompositor* compositor, double bounds[6])
 {
   if (!compositor || !compositor->IsDistributed())
@@ -46,7 +44,6 @@ void vtkGodRaysCompositor::JoinBounds(vtkGodRaysCompositor* compositor, double b
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysCompositor::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

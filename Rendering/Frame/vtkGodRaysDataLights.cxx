@@ -85,7 +85,6 @@ void Place(
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysDataLights::Update(vtkRenderer* renderer, const double sunDirection[3])
 {
   if (renderer != this->Renderer)
@@ -115,7 +114,6 @@ void vtkGodRaysDataLights::Update(vtkRenderer* renderer, const double sunDirecti
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysDataLights::Remove()
 {
   if (this->Renderer)

@@ -88,7 +88,6 @@ bool IsUsable(const vtkGodRaysView& view)
   return vtkMath::Norm(across) > Thinnest * most && vtkMath::Norm(ray) > 0.5;
 }
 
-//------------------------------------------------------------------------------
 /// Of a picture in pixels, so much enlarged by a margin, where textures have so many pixels at most.
 std::string FindFaultOfSize(const int size[2], double enlarged, int largest)
 {
@@ -105,7 +104,6 @@ std::string FindFaultOfSize(const int size[2], double enlarged, int largest)
 }
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysGate::FindFault(
   vtkRenderer* renderer, const vtkGodRaysView& view, const int size[2])
 {
@@ -150,7 +148,6 @@ std::string vtkGodRaysGate::FindFault(
          "ParallelScale or matrix";
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysGate::FindFault(
   vtkLight* light, const double position[3], const double focalPoint[3])
 {
@@ -167,7 +164,6 @@ std::string vtkGodRaysGate::FindFault(
     : FindMember("its ", { { "Position", position, 3 } }, Largest);
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysGate::FindFault(const vtkGodRaysMedium& medium, const vtkGodRaysView& view)
 {
   if (!(medium.FarLimit > 0.0 && medium.FarLimit <= Largest))
@@ -192,7 +188,6 @@ std::string vtkGodRaysGate::FindFault(const vtkGodRaysMedium& medium, const vtkG
       "PlanetRadius or the scale heights for the size of the scene";
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysGate::FindBounds(
   vtkRenderer* renderer, vtkGodRaysCompositor* compositor, double bounds[6])
 {
@@ -218,13 +213,11 @@ std::string vtkGodRaysGate::FindBounds(
     " are not finite, or beyond 1e15. Move, scale or hide it, or switch its UseBounds off";
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysGate::IsUsable(const double bounds[6])
 {
   return AreWithin(bounds, 6, Largest);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysGate::Limit(vtkGodRaysLight& light)
 {
   light.Power = std::min(light.Power, BrightestPower);

@@ -17,7 +17,6 @@ namespace
 const double ParallelHeightDegrees = 30.0;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysLight::AppendName(std::string& text) const
 {
   text += this->Kind;
@@ -31,7 +30,6 @@ void vtkGodRaysLight::AppendName(std::string& text) const
   }
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysLight::GetName() const
 {
   std::string name;
@@ -39,7 +37,6 @@ std::string vtkGodRaysLight::GetName() const
   return name;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysLight::Place(const vtkGodRaysView& view, const double world[4], double radius)
 {
   double clip[4];
@@ -74,7 +71,6 @@ void vtkGodRaysLight::Place(const vtkGodRaysView& view, const double world[4], d
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysLight::SetGlow(const vtkGodRaysView& view, double radius, double falloff)
 {
   const double unit = this->Planar ? view.GetPictureHeight() / ParallelHeightDegrees
@@ -83,28 +79,24 @@ void vtkGodRaysLight::SetGlow(const vtkGodRaysView& view, double radius, double 
   this->GlowFalloff = falloff * unit;
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysLight::GetPerspectiveDistance(const vtkGodRaysView& view) const
 {
   const double tangent = std::tan(vtkMath::RadiansFromDegrees(0.5 * ParallelHeightDegrees));
   return this->Direction[2] * 2.0 * tangent / view.GetPictureHeight();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysLight::GetDiscBounds(
   const vtkGodRaysView& view, const int size[2], int bounds[4]) const
 {
   this->GetBoundsAbout(view, this->Radius, size, bounds);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysLight::GetGlowBounds(
   const vtkGodRaysView& view, const int size[2], int bounds[4]) const
 {
   this->GetBoundsAbout(view, this->GlowRadius + this->GlowFalloff, size, bounds);
 }
 
-//------------------------------------------------------------------------------
 // What is as far from the light is within a square about it: its corners, projected.
 void vtkGodRaysLight::GetBoundsAbout(
   const vtkGodRaysView& view, double radius, const int size[2], int bounds[4]) const
@@ -138,7 +130,6 @@ void vtkGodRaysLight::GetBoundsAbout(
   view.GetHullBounds(corners, 4, size, margin, bounds);
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysLight::Reaches(const vtkGodRaysView& view, bool glows) const
 {
   const double reach = std::max(this->Radius, glows ? this->GlowRadius + this->GlowFalloff : 0.0);

@@ -78,7 +78,6 @@ void GetWorldPlace(
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysLightFinder::Clear()
 {
   this->Plan.clear();
@@ -86,7 +85,6 @@ void vtkGodRaysLightFinder::Clear()
   this->FaultOfScene.clear();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysLightFinder::Find(const vtkGodRaysView& view,
   const std::vector<vtkSmartPointer<vtkLight>>& lights, std::vector<vtkGodRaysLight>& found)
 {
@@ -177,7 +175,6 @@ void vtkGodRaysLightFinder::Find(const vtkGodRaysView& view,
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysLightFinder::Tell(const vtkGodRaysLight& seen, const char* what)
 {
   this->Plan += "light: ";
@@ -185,7 +182,6 @@ void vtkGodRaysLightFinder::Tell(const vtkGodRaysLight& seen, const char* what)
   this->Plan += what;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysLightFinder::LeaveOut(const vtkGodRaysLight& seen, const std::string& fault)
 {
   this->Tell(seen, ", skipped: ");
@@ -193,7 +189,6 @@ void vtkGodRaysLightFinder::LeaveOut(const vtkGodRaysLight& seen, const std::str
   this->Faults.push_back("of a light, " + seen.GetName() + ": " + fault);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysLightFinder::Add(vtkGodRaysLight& seen, const vtkGodRaysView& view,
   const double color[3], double intensity, std::vector<vtkGodRaysLight>& found)
 {
@@ -237,7 +232,6 @@ void vtkGodRaysLightFinder::Add(vtkGodRaysLight& seen, const vtkGodRaysView& vie
   }
 }
 
-//------------------------------------------------------------------------------
 // Where a light's shafts start, and how far they are marched.
 void vtkGodRaysLightFinder::SetMarch(vtkGodRaysLight& seen, const vtkGodRaysView& view) const
 {
@@ -257,7 +251,6 @@ void vtkGodRaysLightFinder::SetMarch(vtkGodRaysLight& seen, const vtkGodRaysView
   }
 }
 
-//------------------------------------------------------------------------------
 // Of what is visible; 50 if nothing is, or it cannot be used.
 double vtkGodRaysLightFinder::FindDiagonal()
 {
@@ -270,7 +263,6 @@ double vtkGodRaysLightFinder::FindDiagonal()
   return vtkBoundingBox(bounds).GetDiagonalLength();
 }
 
-//------------------------------------------------------------------------------
 // As VTK shades: from 90 degrees on there is no cone.
 void vtkGodRaysLightFinder::SetSpot(
   vtkGodRaysLight& seen, const vtkGodRaysView& view, vtkLight* light) const
@@ -296,7 +288,6 @@ void vtkGodRaysLightFinder::SetSpot(
   }
 }
 
-//------------------------------------------------------------------------------
 // See vtkGodRaysMediumModel.
 double vtkGodRaysLightFinder::FindPower(vtkLight* light)
 {

@@ -63,7 +63,6 @@ void ForBillboards(vtkRenderer* renderer, Do&& act)
 }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysProjection::vtkGodRaysProjection(vtkRenderer* renderer, const vtkGodRaysView& view,
   const double viewToClip[16], vtkSmartPointer<vtkCamera>& standIn)
   : Renderer(renderer)
@@ -86,14 +85,12 @@ vtkGodRaysProjection::vtkGodRaysProjection(vtkRenderer* renderer, const vtkGodRa
   ForBillboards(renderer, Billboard::Keep);
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysProjection::IsUndrawnBillboard(vtkProp* prop)
 {
   auto text = vtkBillboardTextActor3D::SafeDownCast(prop);
   return text && Billboard::IsUndrawn(text);
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysProjection::~vtkGodRaysProjection()
 {
   static_cast<StandIn*>(this->Renderer->GetActiveCamera())->Original = nullptr;

@@ -10,7 +10,6 @@
 #include "vtkPropAssembly.h"
 #include "vtkPropCollection.h"
 
-//------------------------------------------------------------------------------
 vtkInformationIntegerKey* vtkGodRaysGetRoleKey()
 {
   static vtkInformationIntegerKey* const key =
@@ -18,7 +17,6 @@ vtkInformationIntegerKey* vtkGodRaysGetRoleKey()
   return key;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysRole vtkGodRaysGetRole(vtkProp* prop)
 {
   vtkInformation* keys = prop ? prop->GetPropertyKeys() : nullptr;
@@ -27,7 +25,6 @@ vtkGodRaysRole vtkGodRaysGetRole(vtkProp* prop)
                                 : vtkGodRaysRole::AUTOMATIC;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSetRole(vtkProp* prop, vtkGodRaysRole role)
 {
   if (vtkGodRaysGetRole(prop) == role)
@@ -51,13 +48,11 @@ void vtkGodRaysSetRole(vtkProp* prop, vtkGodRaysRole role)
   prop->SetPropertyKeys(keys);
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysIsOverlay(vtkProp* prop)
 {
   return vtkActor2D::SafeDownCast(prop) || (!vtkProp3D::SafeDownCast(prop) && !prop->GetBounds());
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysHasVolume(vtkProp* prop)
 {
   vtkNew<vtkPropCollection> volumes;

@@ -96,17 +96,14 @@ public:
 vtkStandardNewMacro(Steps);
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysScene::vtkGodRaysScene()
 {
   vtkNew<Steps> steps;
   this->InFramebuffer->SetDelegatePass(steps);
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysScene::~vtkGodRaysScene() = default;
 
-//------------------------------------------------------------------------------
 void vtkGodRaysScene::Render(const vtkRenderState* s)
 {
   if (s->GetFrameBuffer())
@@ -121,20 +118,17 @@ void vtkGodRaysScene::Render(const vtkRenderState* s)
   this->NumberOfRenderedProps = this->InFramebuffer->GetDelegatePass()->GetNumberOfRenderedProps();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysScene::SetBackdrop(std::function<void()> draw)
 {
   static_cast<Steps*>(this->InFramebuffer->GetDelegatePass())->Backdrop = std::move(draw);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysScene::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
   this->InFramebuffer->ReleaseGraphicsResources(window);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysScene::GetViewport(const vtkRenderState* s, int viewport[4])
 {
   if (vtkFrameBufferObjectBase* framebuffer = s->GetFrameBuffer())
@@ -149,7 +143,6 @@ void vtkGodRaysScene::GetViewport(const vtkRenderState* s, int viewport[4])
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysScene::UpdateStereo(vtkRenderer* renderer)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
@@ -180,7 +173,6 @@ std::vector<vtkProp*>& GetHidden()
 }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysHiddenProps::vtkGodRaysHiddenProps(
   const vtkRenderState* s, const std::vector<vtkProp*>& props)
   : State(s)
@@ -203,7 +195,6 @@ vtkGodRaysHiddenProps::vtkGodRaysHiddenProps(
   }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysHiddenProps::~vtkGodRaysHiddenProps()
 {
   GetHidden().resize(this->Former);
@@ -213,14 +204,12 @@ vtkGodRaysHiddenProps::~vtkGodRaysHiddenProps()
   }
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysHiddenProps::IsHidden(vtkProp* prop)
 {
   const std::vector<vtkProp*>& hidden = GetHidden();
   return std::find(hidden.begin(), hidden.end(), prop) != hidden.end();
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysOwnShaders::vtkGodRaysOwnShaders(const vtkRenderState* s)
 {
   vtkInformationObjectBaseVectorKey* key = vtkOpenGLRenderPass::RenderPasses();
@@ -238,7 +227,6 @@ vtkGodRaysOwnShaders::vtkGodRaysOwnShaders(const vtkRenderState* s)
   }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysOwnShaders::~vtkGodRaysOwnShaders()
 {
   for (const auto& each : this->Passes)
@@ -247,7 +235,6 @@ vtkGodRaysOwnShaders::~vtkGodRaysOwnShaders()
   }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysOverlays::vtkGodRaysOverlays(const vtkRenderState* s)
   : State(s)
 {
@@ -263,7 +250,6 @@ vtkGodRaysOverlays::vtkGodRaysOverlays(const vtkRenderState* s)
   }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysOverlays::~vtkGodRaysOverlays()
 {
   for (const auto& overlay : this->Overlays)
@@ -272,7 +258,6 @@ vtkGodRaysOverlays::~vtkGodRaysOverlays()
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysOverlays::Draw()
 {
   vtkRenderer* renderer = this->State->GetRenderer();

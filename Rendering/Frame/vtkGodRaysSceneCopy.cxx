@@ -42,13 +42,11 @@ vtkOpenGLFramebufferObject* FindSamples(
 }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSceneCopy::vtkGodRaysSceneCopy()
   : Quad("vtkGodRaysResolveFS", vtkGodRaysResolveFS)
 {
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSceneCopy::Copy(vtkOpenGLRenderWindow* window, const vtkGodRaysFramebuffer& scene,
   const int rectangle[4], unsigned int buffers)
 {
@@ -71,7 +69,6 @@ bool vtkGodRaysSceneCopy::Copy(vtkOpenGLRenderWindow* window, const vtkGodRaysFr
   return !samples || this->Resolve(window, samples, false, rectangle);
 }
 
-//------------------------------------------------------------------------------
 vtkTextureObject* vtkGodRaysSceneCopy::FindCoverage(
   vtkOpenGLRenderWindow* window, const vtkGodRaysFramebuffer& scene, const int rectangle[4])
 {
@@ -89,7 +86,6 @@ vtkTextureObject* vtkGodRaysSceneCopy::FindCoverage(
   return done ? this->Coverage.GetColor() : nullptr;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSceneCopy::Resolve(
   vtkOpenGLRenderWindow* window, vtkTextureObject* samples, bool ofDepth, const int rectangle[4])
 {
@@ -110,7 +106,6 @@ bool vtkGodRaysSceneCopy::Resolve(
   return true;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSceneCopy::Release(vtkWindow* window)
 {
   this->Target.Release(window);

@@ -96,7 +96,6 @@ bool FindBase(vtkRenderer* renderer, double corners[4][2])
 }
 }
 
-//------------------------------------------------------------------------------
 /**
  * Coverage on a padded grid, and the rays of a light at any cell of it. Lengths are heights of the picture
  * where nothing else is said. The numbers were chosen with 12 data sets by eye, and the score agrees with the
@@ -109,17 +108,17 @@ struct vtkGodRaysSunPlacer::Internals
     int Column = 0;
     int Row = 0;
     double Score = 0.0;
-    double Shafts = 0.0; // how many, on average over the rings
+    double Shafts = 0.0;   // how many, on average over the rings
     double Openness = 0.0; // mean part of the free light
   };
 
   static constexpr int Directions = 160;
-  static constexpr double Outside = 2.0;      // a cell outside the picture: open
-  static constexpr double Farthest = 0.08;    // of places outside the picture
+  static constexpr double Outside = 2.0;   // a cell outside the picture: open
+  static constexpr double Farthest = 0.08; // of places outside the picture
   static constexpr double RingEnds[4] = { 0.14, 0.3, 0.5, 0.8 };
   static constexpr double GlowRadius = 0.025; // as the pass has it for a view of 30 degrees
   static constexpr double GlowEnd = 0.145;
-  static constexpr double Threshold = 3.0;    // [L*] of a maximum that counts
+  static constexpr double Threshold = 3.0; // [L*] of a maximum that counts
   static constexpr double MostProminence = 25.0;
   static constexpr double OverData = 0.6; // weight and light of rays over data
 
@@ -135,7 +134,8 @@ struct vtkGodRaysSunPlacer::Internals
   std::vector<float> Glow;             // by step: of the light, divided by its sum so far in Free
   std::vector<float> Free;
   std::vector<float> Shown; // by step: (L* + 16) of free light
-  std::array<float, 257> Power; // P^0.4: the cube root of lightness and the exponent 1.2 of partly free light
+  std::array<float, 257>
+    Power; // P^0.4: the cube root of lightness and the exponent 1.2 of partly free light
 
   void Set(const float* coverage, int columns, int rows)
   {
@@ -214,7 +214,8 @@ struct vtkGodRaysSunPlacer::Internals
     return place;
   }
 
-  /// Sums and counts the prominences of the maxima of a closed profile that stand out by Threshold on both sides.
+  /// Sums and counts the prominences of the maxima of a closed profile that stand out by Threshold on both
+  /// sides.
   static double SumProminences(const std::vector<float>& profile, int& count)
   {
     if (profile.empty())
@@ -222,8 +223,8 @@ struct vtkGodRaysSunPlacer::Internals
       return 0.0;
     }
     const std::size_t size = profile.size();
-    const std::size_t lowest = static_cast<std::size_t>(
-      std::min_element(profile.begin(), profile.end()) - profile.begin());
+    const std::size_t lowest =
+      static_cast<std::size_t>(std::min_element(profile.begin(), profile.end()) - profile.begin());
     double sum = 0.0;
     double valley = profile[lowest]; // before the maximum
     double high = valley;
@@ -266,7 +267,8 @@ struct vtkGodRaysSunPlacer::Internals
     const int firstCounted = this->Rows / 10;
     for (int i = 0; i < Directions; ++i)
     {
-      const std::ptrdiff_t* offsets = this->Offsets.data() + static_cast<std::size_t>(i) * this->Steps;
+      const std::ptrdiff_t* offsets =
+        this->Offsets.data() + static_cast<std::size_t>(i) * this->Steps;
       float light = 0.0f;
       int ring = 0;
       float sum = 0.0f;
@@ -341,7 +343,8 @@ struct vtkGodRaysSunPlacer::Internals
   double GetFactor(const Place& place, double glare) const
   {
     const auto square = [](double x) { return x * x; };
-    const auto excess = [&](double x, double unit) { return 1.0 / (1.0 + square(std::max(0.0, x) / unit)); };
+    const auto excess = [&](double x, double unit)
+    { return 1.0 / (1.0 + square(std::max(0.0, x) / unit)); };
     const auto smooth = [](double t)
     {
       t = std::clamp(t, 0.0, 1.0);
@@ -361,8 +364,7 @@ struct vtkGodRaysSunPlacer::Internals
       ? 1.0
       : 1.0 - 0.5 * std::min(1.0, 2.0 * glare) * std::clamp((0.12 - edge) / 0.12, 0.0, 1.0);
     const double outside = edge < 0.0 ? 0.8 : 1.0;
-    const double third =
-      1.0 - 0.15 * std::min(1.0, std::abs(std::abs(x - 0.5) - 1.0 / 6.0) / 0.25);
+    const double third = 1.0 - 0.15 * std::min(1.0, std::abs(std::abs(x - 0.5) - 1.0 / 6.0) / 0.25);
     return below * sheet * dark * bare * cut * outside * third;
   }
 
@@ -466,24 +468,22 @@ struct vtkGodRaysSunPlacer::Internals
   }
 };
 
-//------------------------------------------------------------------------------
 vtkGodRaysSunPlacer::vtkGodRaysSunPlacer()
   : Internal(new Internals)
 {
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSunPlacer::~vtkGodRaysSunPlacer() = default;
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSunPlacer::SetCoverage(vtkImageData* coverage)
 {
   const int* size = coverage ? coverage->GetDimensions() : nullptr;
   if (!size || size[0] < 8 || size[1] < 8 || size[2] != 1 ||
     coverage->GetScalarType() != VTK_FLOAT || coverage->GetNumberOfScalarComponents() != 1)
   {
-    vtkErrorMacro("SetCoverage needs an image of one 32-bit float a cell, of at least 8 x 8 cells; nothing is "
-                  "changed.");
+    vtkErrorMacro(
+      "SetCoverage needs an image of one 32-bit float a cell, of at least 8 x 8 cells; nothing is "
+      "changed.");
     return false;
   }
   const auto covered = static_cast<const float*>(coverage->GetScalarPointer());
@@ -517,7 +517,6 @@ bool vtkGodRaysSunPlacer::SetCoverage(vtkImageData* coverage)
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSunPlacer::Find(vtkRenderer* renderer)
 {
   const Internals& self = *this->Internal;
@@ -526,8 +525,8 @@ bool vtkGodRaysSunPlacer::Find(vtkRenderer* renderer)
   if (renderer && FindBase(renderer, base) && self.IsCovered(base))
   {
     constexpr double highest = 0.9;
-    lowest = std::max(lowest,
-      std::min(highest, std::max({ base[0][1], base[1][1], base[2][1], base[3][1] })));
+    lowest = std::max(
+      lowest, std::min(highest, std::max({ base[0][1], base[1][1], base[2][1], base[3][1] })));
   }
   this->Place[0] = UsualPlace[0];
   this->Place[1] = std::max(UsualPlace[1], lowest);
@@ -543,19 +542,16 @@ bool vtkGodRaysSunPlacer::Find(vtkRenderer* renderer)
   return this->Score > 0.0;
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysSunPlacer::GetScoreAt(double x, double y) const
 {
   return this->Internal->JudgeAt(x, y).Score;
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysSunPlacer::GetShaftsAt(double x, double y) const
 {
   return this->Internal->JudgeAt(x, y).Shafts;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSunPlacer::FindPlace(vtkRenderer* renderer, vtkLight* light, double place[2])
 {
   double point[4];
@@ -579,13 +575,11 @@ bool vtkGodRaysSunPlacer::FindPlace(vtkRenderer* renderer, vtkLight* light, doub
   return true;
 }
 
-//------------------------------------------------------------------------------
 const double* vtkGodRaysSunPlacer::GetUsualPlace()
 {
   return UsualPlace;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSunPlacer::GetDirection(
   vtkRenderer* renderer, double x, double y, double direction[3])
 {
@@ -593,7 +587,6 @@ bool vtkGodRaysSunPlacer::GetDirection(
     GetDirection(renderer->GetActiveCamera(), GetAspect(renderer), x, y, direction);
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSunPlacer::GetDirection(
   vtkCamera* camera, double aspect, double x, double y, double direction[3])
 {
@@ -617,7 +610,6 @@ bool vtkGodRaysSunPlacer::GetDirection(
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSunPlacer::GetPosition(vtkRenderer* renderer, double x, double y, double position[3])
 {
   double direction[3];
@@ -654,7 +646,6 @@ bool vtkGodRaysSunPlacer::GetPosition(vtkRenderer* renderer, double x, double y,
   return true;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSunPlacer::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

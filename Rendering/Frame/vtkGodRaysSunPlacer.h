@@ -10,7 +10,8 @@
  * shafts count more than one strong wedge. The sum is lowered for places in the open, places deep behind the
  * data, places below the data, and places near the edge of the picture.
  *
- * The coverage is an image, such as the one that vtkGodRaysPass makes of its first frame. No OpenGL is needed.
+ * The coverage is an image, such as the one that vtkGodRaysPass makes of its first frame. No OpenGL is
+ * needed.
  *
  * @sa vtkGodRaysPass
  */
@@ -47,12 +48,12 @@ public:
 
   ///@{
   /**
-   * Set the coverage, and find the best place for it. coverage: one 32-bit float a cell, the fraction of it that is covered, in [0, 1];
-   * rows from the picture's lower edge; cells are square. 50 to 70 rows are enough. SetCoverage()
-   * returns false, after an error, and changes nothing for any other image. Find() returns whether there is a
-   * place that makes shafts; if not, Place is the most open one, or the usual one if nothing is covered. With a
-   * renderer, places below the far edge of its ground are left out, where a sun would stand under it: that of a
-   * flat box of visible props that is seen from above.
+   * Set the coverage, and find the best place for it. coverage: one 32-bit float a cell, the fraction of it
+   * that is covered, in [0, 1]; rows from the picture's lower edge; cells are square. 50 to 70 rows are
+   * enough. SetCoverage() returns false, after an error, and changes nothing for any other image. Find()
+   * returns whether there is a place that makes shafts; if not, Place is the most open one, or the usual
+   * one if nothing is covered. With a renderer, places below the far edge of its ground are left out, where
+   * a sun would stand under it: that of a flat box of visible props that is seen from above.
    */
   bool SetCoverage(vtkImageData* coverage);
   bool Find(vtkRenderer* renderer = nullptr);
@@ -69,8 +70,8 @@ public:
 
   ///@{
   /**
-   * The result: a place, from (0, 0) at the picture's lower left to (1, 1), by default (0.35, 0.75), up to 0.08
-   * outside; its score [L*], 0 if there is none and some 80 at best; the fraction of the picture that is
+   * The result: a place, from (0, 0) at the picture's lower left to (1, 1), by default (0.35, 0.75), up to
+   * 0.08 outside; its score [L*], 0 if there is none and some 80 at best; the fraction of the picture that is
    * covered; the box of what is covered, its left, right, lower and upper edge, the whole picture if nothing
    * is.
    */
@@ -98,8 +99,8 @@ public:
   static bool GetPosition(vtkRenderer* renderer, double x, double y, double position[3]);
 
   /**
-   * Where a light that shines from afar, or a lamp, is seen in a renderer's picture. Returns false, and leaves
-   * the place alone, if it is behind the camera.
+   * Where a light that shines from afar, or a lamp, is seen in a renderer's picture. Returns false, and
+   * leaves the place alone, if it is behind the camera.
    */
   static bool FindPlace(vtkRenderer* renderer, vtkLight* light, double place[2]);
 

@@ -6,7 +6,6 @@
 #include "vtkRenderer.h"
 #include "vtkToneMappingPass.h"
 
-//------------------------------------------------------------------------------
 vtkGodRaysTransfer vtkGodRaysFindTransfer(
   int type, vtkRenderer* renderer, const vtkRenderPass* pass)
 {

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 
-//------------------------------------------------------------------------------
 void vtkGodRaysView::Set(vtkRenderer* renderer, const int size[2], double margin)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
@@ -48,7 +47,6 @@ void vtkGodRaysView::Set(vtkRenderer* renderer, const int size[2], double margin
   vtkMatrix4x4::Multiply4x4(this->CameraToView, clipToCamera, this->ClipToView);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysView::GetRay(double x, double y, double ray[3]) const
 {
   const double onNear[4] = { x, y, -1.0, 1.0 };
@@ -64,7 +62,6 @@ void vtkGodRaysView::GetRay(double x, double y, double ray[3]) const
   vtkMath::Normalize(ray);
 }
 
-//------------------------------------------------------------------------------
 // With depth d, its rows of x and y are (X x + S d + T)/w, w being d or 1.
 bool vtkGodRaysView::GetPinhole(const int size[2], Pinhole& pinhole) const
 {
@@ -93,7 +90,6 @@ bool vtkGodRaysView::GetPinhole(const int size[2], Pinhole& pinhole) const
   return true;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysView::GetPicture(bool planar, double origin[3], double right[3], double up[3]) const
 {
   if (this->Parallel && !planar)
@@ -117,13 +113,11 @@ void vtkGodRaysView::GetPicture(bool planar, double origin[3], double right[3], 
   }
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysView::GetPictureHeight() const
 {
   return 2.0 * this->ViewScale / std::hypot(this->ViewToClip[4], this->ViewToClip[5]);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysView::GetHullBounds(
   const double (*points)[4], int count, const int size[2], double margin, int bounds[4]) const
 {

@@ -24,20 +24,17 @@ vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphereModel, MieAsymmetry, -0.99, 0.99);
 vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphereModel, GroundLevel, -1e30, 1e30);
 vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphereModel, PlanetRadius, 0.0, 1e15);
 
-//------------------------------------------------------------------------------
 vtkGodRaysAtmosphereModel::vtkGodRaysAtmosphereModel()
 {
   vtkNew<vtkGodRaysAtmosphere> earth;
   this->Take(earth);
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysAtmosphereModel::~vtkGodRaysAtmosphereModel()
 {
   this->SetAtmosphere(nullptr);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysAtmosphereModel::SetAtmosphere(vtkGodRaysAtmosphere* atmosphere)
 {
   if (this->Atmosphere == atmosphere)
@@ -58,19 +55,16 @@ void vtkGodRaysAtmosphereModel::SetAtmosphere(vtkGodRaysAtmosphere* atmosphere)
   this->Modified();
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysAtmosphere* vtkGodRaysAtmosphereModel::GetAtmosphere()
 {
   return this->Atmosphere;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysAtmosphereModel::Follow()
 {
   this->Take(this->Atmosphere);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysAtmosphereModel::Take(vtkGodRaysAtmosphere* atmosphere)
 {
   this->SetRayleighScattering(atmosphere->GetRayleighScattering());
@@ -81,7 +75,6 @@ void vtkGodRaysAtmosphereModel::Take(vtkGodRaysAtmosphere* atmosphere)
   this->SetMieAsymmetry(atmosphere->GetMieAsymmetry()[1]);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysAtmosphereModel::SetUp(const double direction[3])
 {
   const double length = vtkMath::Norm(direction);
@@ -99,14 +92,12 @@ void vtkGodRaysAtmosphereModel::SetUp(const double direction[3])
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysAtmosphereModel::SetUp(double x, double y, double z)
 {
   const double direction[3] = { x, y, z };
   this->SetUp(direction);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysAtmosphereModel::FillMedium(
   vtkGodRaysMedium& medium, const double worldToView[16]) const
 {
@@ -142,7 +133,6 @@ void vtkGodRaysAtmosphereModel::FillMedium(
   }
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysAtmosphereModel::Describe() const
 {
   std::ostringstream text;
@@ -157,7 +147,6 @@ std::string vtkGodRaysAtmosphereModel::Describe() const
   return text.str();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysAtmosphereModel::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

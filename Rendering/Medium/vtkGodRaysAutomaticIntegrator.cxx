@@ -34,16 +34,13 @@ double GetLineSpacing(double tolerance)
 }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysAutomaticIntegrator::vtkGodRaysAutomaticIntegrator()
 {
   this->Shadows->SweepMapOn();
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysAutomaticIntegrator::~vtkGodRaysAutomaticIntegrator() = default;
 
-//------------------------------------------------------------------------------
 void vtkGodRaysAutomaticIntegrator::Choose(const Request& request)
 {
   double greatest[2] = { this->GetCorrectedTolerance(request), request.Interactive ? 1.0 : 0.0 };
@@ -60,7 +57,6 @@ void vtkGodRaysAutomaticIntegrator::Choose(const Request& request)
   this->Shadows->SetNumberOfNestedMaps(oneServes ? 1 : NumberOfNestedMaps);
 }
 
-//------------------------------------------------------------------------------
 // Once a frame, however many lights it has.
 double vtkGodRaysAutomaticIntegrator::GetCorrectedTolerance(const Request& request)
 {
@@ -79,46 +75,39 @@ double vtkGodRaysAutomaticIntegrator::GetCorrectedTolerance(const Request& reque
   return request.ErrorTolerance * this->Correction;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysAutomaticIntegrator::Integrate(const Request& request)
 {
   this->Choose(request);
   return this->Shadows->Integrate(request);
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysAutomaticIntegrator::Contribute(const Request& request)
 {
   this->Choose(request);
   return this->Shadows->Contribute(request);
 }
 
-//------------------------------------------------------------------------------
 const vtkGodRaysShadowGrids* vtkGodRaysAutomaticIntegrator::GetShadows()
 {
   return this->Shadows->GetShadows();
 }
 
-//------------------------------------------------------------------------------
 const vtkGodRaysShadowGrids* vtkGodRaysAutomaticIntegrator::DrawShadows(const Request& request)
 {
   this->Choose(request);
   return this->Shadows->DrawShadows(request);
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysAutomaticIntegrator::Describe(vtkGodRaysModel* model)
 {
   return "automatic: " + this->Shadows->Describe(model);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysAutomaticIntegrator::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Shadows->ReleaseGraphicsResources(window);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysAutomaticIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -22,7 +22,6 @@ vtkStandardNewMacro(vtkGodRaysEpipolarCoverageIntegrator);
 
 vtkGodRaysSetFiniteMacro(vtkGodRaysEpipolarCoverageIntegrator, Thickness, 0.0, 1.0);
 
-//------------------------------------------------------------------------------
 struct vtkGodRaysEpipolarCoverageIntegrator::Internals
 {
   vtkGodRaysSweptLight Swept;
@@ -35,7 +34,6 @@ struct vtkGodRaysEpipolarCoverageIntegrator::Internals
   bool LoadDepths(const Request& request, int layers);
 };
 
-//------------------------------------------------------------------------------
 // Once a frame, however many lights it has.
 bool vtkGodRaysEpipolarCoverageIntegrator::Internals::LoadDepths(const Request& request, int layers)
 {
@@ -75,16 +73,13 @@ bool vtkGodRaysEpipolarCoverageIntegrator::Internals::LoadDepths(const Request& 
   return true;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysEpipolarCoverageIntegrator::vtkGodRaysEpipolarCoverageIntegrator()
   : Internal(new Internals)
 {
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysEpipolarCoverageIntegrator::~vtkGodRaysEpipolarCoverageIntegrator() = default;
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysEpipolarCoverageIntegrator::Integrate(const Request& request)
 {
   Internals& self = *this->Internal;
@@ -120,20 +115,17 @@ bool vtkGodRaysEpipolarCoverageIntegrator::Integrate(const Request& request)
   return done;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysEpipolarCoverageIntegrator::Describe(vtkGodRaysModel*)
 {
   return "epipolar coverage, on the processor: " + this->Internal->Plan;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysEpipolarCoverageIntegrator::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Solid->ReleaseGraphicsResources(window);
   this->Internal->Swept.Release(window);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysEpipolarCoverageIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

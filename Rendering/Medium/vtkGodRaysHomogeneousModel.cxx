@@ -59,7 +59,6 @@ const Preset Presets[] = {
 };
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysHomogeneousModel::SetVisibility(double meters)
 {
   if (!(meters > 0.0) || !std::isfinite(meters))
@@ -88,32 +87,27 @@ void vtkGodRaysHomogeneousModel::SetVisibility(double meters)
   this->SetAbsorptionCoefficient(absorption);
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysHomogeneousModel::GetVisibility()
 {
   const double extinction = this->ScatteringCoefficient[1] + this->AbsorptionCoefficient[1];
   return extinction > 0.0 ? LeftOverDepth / extinction : vtkMath::Inf();
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysHomogeneousModel::GetNumberOfPresets()
 {
   return static_cast<int>(std::size(Presets));
 }
 
-//------------------------------------------------------------------------------
 const char* vtkGodRaysHomogeneousModel::GetPresetName(int index)
 {
   return index >= 0 && index < GetNumberOfPresets() ? Presets[index].Name : nullptr;
 }
 
-//------------------------------------------------------------------------------
 const char* vtkGodRaysHomogeneousModel::GetPresetDescription(int index)
 {
   return index >= 0 && index < GetNumberOfPresets() ? Presets[index].Description : nullptr;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysHomogeneousModel::ApplyPreset(const char* name)
 {
   const Preset* found = vtkGodRaysFindPreset(this, Presets, name);
@@ -130,7 +124,6 @@ bool vtkGodRaysHomogeneousModel::ApplyPreset(const char* name)
   return true;
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysHomogeneousModel::GetScale(const vtkGodRaysMedium& medium, double diagonal) const
 {
   const vtkGodRaysMedium::Component& component = medium.Components[0];
@@ -138,7 +131,6 @@ double vtkGodRaysHomogeneousModel::GetScale(const vtkGodRaysMedium& medium, doub
   return this->OpticalDepth > 0.0 && depth > 0.0 ? this->OpticalDepth / depth : 1.0;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysHomogeneousModel::FillMedium(vtkGodRaysMedium& medium, const double*) const
 {
   medium.NumberOfComponents = 1;
@@ -153,7 +145,6 @@ void vtkGodRaysHomogeneousModel::FillMedium(vtkGodRaysMedium& medium, const doub
   component.ScaleHeight = 0.0;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysHomogeneousModel::Describe() const
 {
   std::ostringstream text;
@@ -175,7 +166,6 @@ std::string vtkGodRaysHomogeneousModel::Describe() const
   return text.str();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysHomogeneousModel::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

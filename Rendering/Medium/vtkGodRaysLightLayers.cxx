@@ -61,13 +61,11 @@ void Join(vtkGodRaysCompositor* compositor, Surface& surface)
 }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysLightLayers::vtkGodRaysLightLayers()
 {
   this->SetActiveDrawBuffers(1);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysLightLayers::GetThrough(const double color[3], double opacity, double through[3])
 {
   const double most = std::max({ color[0], color[1], color[2] });
@@ -78,7 +76,6 @@ void vtkGodRaysLightLayers::GetThrough(const double color[3], double opacity, do
   }
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysLightLayers::Draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   std::vector<vtkProp*> props, vtkGodRaysTarget& opaque, vtkGodRaysCompositor* compositor,
   const DrawFaces& faces)
@@ -136,7 +133,6 @@ bool vtkGodRaysLightLayers::Draw(vtkOpenGLRenderWindow* window, vtkRenderer* ren
   return drawn;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysLightLayers::Render(const vtkRenderState* s)
 {
   this->Opaque->Activate();
@@ -155,7 +151,6 @@ void vtkGodRaysLightLayers::Render(const vtkRenderState* s)
   this->Opaque->Deactivate();
 }
 
-//------------------------------------------------------------------------------
 // After the lights, whose code stays in place for what else it says, colours are those without lights;
 // textures are times them.
 bool vtkGodRaysLightLayers::PreReplaceShaderValues(
@@ -187,7 +182,6 @@ bool vtkGodRaysLightLayers::PreReplaceShaderValues(
   return true;
 }
 
-//------------------------------------------------------------------------------
 // Depth is compared as it is stored; where the mapper does not set it, this does.
 bool vtkGodRaysLightLayers::PostReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
@@ -197,7 +191,6 @@ bool vtkGodRaysLightLayers::PostReplaceShaderValues(
   return true;
 }
 
-//------------------------------------------------------------------------------
 // Called between the actor, which keeps what is translucent from writing depth, and the drawing.
 bool vtkGodRaysLightLayers::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
@@ -210,7 +203,6 @@ bool vtkGodRaysLightLayers::SetShaderParameters(
   return true;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysLightLayers::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);

@@ -31,13 +31,11 @@ double GetDiagonal(const double bounds[6])
 }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysMediumEffect::vtkGodRaysMediumEffect(vtkGodRaysMediumModel* model)
   : Model(model)
 {
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysMediumEffect::FindObstacle(vtkRenderer* renderer,
   vtkGodRaysCompositor* compositor, const vtkGodRaysView& view, const int size[2])
 {
@@ -62,13 +60,11 @@ std::string vtkGodRaysMediumEffect::FindObstacle(vtkRenderer* renderer,
       "another shape under a vtkDepthOfFieldPass, or a vtkGodRaysRadialModel";
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysMediumEffect::HasOwnProps(vtkRenderer* renderer) const
 {
   return vtkGodRaysVolumeMedium::HasVolumes(renderer);
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysMedium vtkGodRaysMediumEffect::GetMedium(
   vtkRenderer* renderer, const vtkGodRaysView& view, const double bounds[6]) const
 {
@@ -76,19 +72,16 @@ vtkGodRaysMedium vtkGodRaysMediumEffect::GetMedium(
     view.WorldToView, renderer->GetActiveCamera()->GetClippingRange()[1], GetDiagonal(bounds));
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysMediumEffect::DimsScene() const
 {
   return this->Model->GetAttenuateScene();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysMediumEffect::SetUp(vtkGodRaysLightFinder& finder) const
 {
   finder.LightsMedium = true;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysMediumEffect::SetUp(
   vtkGodRaysOcclusionPass::Request& request, vtkGodRaysIntegrator*) const
 {
@@ -96,7 +89,6 @@ void vtkGodRaysMediumEffect::SetUp(
   request.Dims = false;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysMediumEffect::Begin(const Frame& frame)
 {
   this->LastError = frame.Integrator->GetErrorEstimate();
@@ -135,7 +127,6 @@ void vtkGodRaysMediumEffect::Begin(const Frame& frame)
   }
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysMediumEffect::Describe() const
 {
   std::ostringstream text;
@@ -151,7 +142,6 @@ std::string vtkGodRaysMediumEffect::Describe() const
   return text.str();
 }
 
-//------------------------------------------------------------------------------
 // Between the limits pictures are believable.
 std::string vtkGodRaysMediumEffect::FindConcern() const
 {
@@ -168,7 +158,6 @@ std::string vtkGodRaysMediumEffect::FindConcern() const
   return text.str();
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysMediumIntegrator::Request vtkGodRaysMediumEffect::MakeRequest(
   const Frame& frame, const vtkGodRaysLight& light)
 {
@@ -188,7 +177,6 @@ vtkGodRaysMediumIntegrator::Request vtkGodRaysMediumEffect::MakeRequest(
   return request;
 }
 
-//------------------------------------------------------------------------------
 // With the shadows that the light in the air has, so that what data take of it is no more than there is.
 bool vtkGodRaysMediumEffect::DrawData(const vtkGodRaysMediumIntegrator::Request& request,
   bool hasAir, vtkGodRaysMediumIntegrator* integrator)
@@ -207,7 +195,6 @@ bool vtkGodRaysMediumEffect::DrawData(const vtkGodRaysMediumIntegrator::Request&
   return this->HadData;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysMediumEffect::IsInGround(const vtkGodRaysLight& light) const
 {
   const vtkGodRaysMedium& medium = this->Medium;
@@ -217,7 +204,6 @@ bool vtkGodRaysMediumEffect::IsInGround(const vtkGodRaysLight& light) const
     vtkGodRays::MediumStart(medium.PlanetRadius, medium.EyeHeight, up, place, up).x < 0.0;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysMediumEffect::DrawLight(const Frame& frame, const vtkGodRaysLight& light)
 {
   if (!frame.Scatters)
@@ -257,7 +243,6 @@ bool vtkGodRaysMediumEffect::DrawLight(const Frame& frame, const vtkGodRaysLight
   return done;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysMediumEffect::Join(vtkGodRaysBlendPass::Request& request) const
 {
   request.LargestExposure = 4.0; // its lights' unit is anybody's
@@ -271,7 +256,6 @@ void vtkGodRaysMediumEffect::Join(vtkGodRaysBlendPass::Request& request) const
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysMediumEffect::End()
 {
   this->Depths.End();
@@ -280,7 +264,6 @@ void vtkGodRaysMediumEffect::End()
   this->View = nullptr;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysMediumEffect::FillNumbers(const Reading& reading, vtkImageData* image) const
 {
   if (this->HasNumbers)
@@ -301,7 +284,6 @@ bool vtkGodRaysMediumEffect::FillNumbers(const Reading& reading, vtkImageData* i
   return this->HasNumbers;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysMediumEffect::Release(vtkWindow* window)
 {
   this->Depths.Release(window);

@@ -4,19 +4,16 @@
 
 #include "vtkGodRaysMediumModel.h"
 
-//------------------------------------------------------------------------------
 void vtkGodRaysMediumIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysMediumIntegrator::Contribute(const Request&)
 {
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysMediumIntegrator::Supports(vtkGodRaysModel* model)
 {
   return vtkGodRaysMediumModel::SafeDownCast(model) != nullptr;

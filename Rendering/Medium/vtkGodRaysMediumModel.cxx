@@ -23,7 +23,6 @@ const double Identity[16] = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 
   0.0, 1.0 };
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysMedium vtkGodRaysMediumModel::GetMedium(
   const double worldToView[16], double farDepth, double diagonal) const
 {
@@ -38,13 +37,11 @@ vtkGodRaysMedium vtkGodRaysMediumModel::GetMedium(
   return medium;
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysMediumModel::GetUnit() const
 {
   return this->WorldUnitInMeters > 0.0 ? std::max(this->WorldUnitInMeters, 1e-12) : 1.0;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysMediumModel::CanScatter() const
 {
   const vtkGodRaysMedium medium = this->GetMedium(Identity, 1.0, 0.0);
@@ -60,19 +57,16 @@ bool vtkGodRaysMediumModel::CanScatter() const
   return most > 0.0;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysIntegrator* vtkGodRaysMediumModel::MakeIntegrator() const
 {
   return vtkGodRaysAutomaticIntegrator::New();
 }
 
-//------------------------------------------------------------------------------
 std::unique_ptr<vtkGodRaysEffect> vtkGodRaysMediumModel::MakeEffect()
 {
   return std::make_unique<vtkGodRaysMediumEffect>(this);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysMediumModel::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -195,7 +195,6 @@ private:
 };
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysMediumNumbers::Fill(const vtkGodRaysEffect::Reading& reading,
   const vtkGodRaysView& view, const vtkGodRaysMedium& medium, double unit, const float* veil,
   double veilError, vtkImageData* image)
@@ -274,7 +273,6 @@ void vtkGodRaysMediumNumbers::Fill(const vtkGodRaysEffect::Reading& reading,
   AddNumber(image, "WorldUnitInMeters", unit, "m");
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysMediumNumbers::AddDataErrors(
   double mean, double largest, double unit, vtkImageData* image)
 {

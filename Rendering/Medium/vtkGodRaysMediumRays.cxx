@@ -65,7 +65,6 @@ const ComponentNames& GetNames(int number)
 }
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysMediumRays::Complete(const char* shader)
 {
   std::string text = shader;
@@ -73,7 +72,6 @@ std::string vtkGodRaysMediumRays::Complete(const char* shader)
   return text;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysMediumRays::vtkGodRaysMediumRays(
   const vtkGodRaysMediumIntegrator::Request& request, const int layerSize[2])
   : Request(request)
@@ -82,7 +80,6 @@ vtkGodRaysMediumRays::vtkGodRaysMediumRays(
   request.View->GetPinhole(layerSize, this->Pinhole);
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSingleScattering::Parameters vtkGodRaysMediumRays::GetWorldParameters(
   const vtkGodRaysMediumIntegrator::Request& request)
 {
@@ -107,31 +104,26 @@ vtkGodRaysSingleScattering::Parameters vtkGodRaysMediumRays::GetWorldParameters(
   return parameters;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysMediumRays::IsParallel() const
 {
   return this->Request.View->Parallel;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysMediumRays::IsInfinite() const
 {
   return this->Request.Light->IsInfinite();
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysMediumRays::IsGrey() const
 {
   return this->Request.Medium->IsGrey();
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysMediumRays::IsUniform() const
 {
   return this->IsInfinite() && !this->Request.Medium->HasExponentialDensity();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysMediumRays::Set(vtkShaderProgram* program) const
 {
   const vtkGodRaysMedium& medium = *this->Request.Medium;
@@ -167,7 +159,6 @@ void vtkGodRaysMediumRays::Set(vtkShaderProgram* program) const
   this->SetComponents(program);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysMediumRays::SetComponents(vtkShaderProgram* program) const
 {
   const vtkGodRaysMedium& medium = *this->Request.Medium;

@@ -119,7 +119,6 @@ vtkMTimeType GetTime(vtkProp* prop)
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysMediumVerification::TakeOccluders(const std::vector<vtkProp*>& props)
 {
   std::vector<std::pair<const void*, vtkMTimeType>> now;
@@ -170,7 +169,6 @@ void vtkGodRaysMediumVerification::TakeOccluders(const std::vector<vtkProp*>& pr
   this->Exact.SetOccluders(all->GetNumberOfInputConnections(0) > 0 ? all->GetOutput() : nullptr);
 }
 
-//------------------------------------------------------------------------------
 // Of one opacity and colour all over; false if it is not.
 bool vtkGodRaysMediumVerification::AddVeil(vtkActor* actor, vtkMatrix4x4* matrix)
 {
@@ -189,7 +187,6 @@ bool vtkGodRaysMediumVerification::AddVeil(vtkActor* actor, vtkMatrix4x4* matrix
   return true;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysMediumVerification::Measure(
   const vtkGodRaysMediumIntegrator::Request& request, vtkGodRaysVerification& verification)
 {
@@ -220,7 +217,6 @@ void vtkGodRaysMediumVerification::Measure(
     });
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysMediumVerification::Describe() const
 {
   return this->LeftOut > 0

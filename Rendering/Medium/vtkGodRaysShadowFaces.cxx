@@ -106,7 +106,6 @@ void GetAlong(
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysShadowFaces::Fit(
   const vtkGodRaysMediumIntegrator::Request& request, int size, int levels)
 {
@@ -140,7 +139,6 @@ void vtkGodRaysShadowFaces::Fit(
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysShadowFaces::SetSize(int size)
 {
   this->Size = size;
@@ -155,7 +153,6 @@ void vtkGodRaysShadowFaces::SetSize(int size)
   }
 }
 
-//------------------------------------------------------------------------------
 // Across the light, of the occluders' shadow what may be seen; all of it, which is the same wherever the
 // eye is, for one face if that is no more than four times as large.
 void vtkGodRaysShadowFaces::FitDirectional(const vtkGodRaysMediumIntegrator::Request& request)
@@ -227,7 +224,6 @@ void vtkGodRaysShadowFaces::FitDirectional(const vtkGodRaysMediumIntegrator::Req
   this->Nest(axes, low, high);
 }
 
-//------------------------------------------------------------------------------
 // Finer faces, each of half of the one before about the axis through the eye. A face that the axis does
 // not go through ends where the coarsest one does.
 void vtkGodRaysShadowFaces::Nest(const double axes[3][3], const double low[2], const double high[2])
@@ -250,7 +246,6 @@ void vtkGodRaysShadowFaces::Nest(const double axes[3][3], const double low[2], c
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysShadowFaces::FitPoint(const vtkGodRaysMediumIntegrator::Request& request)
 {
   const double* light = request.Light->Position;
@@ -317,7 +312,6 @@ void vtkGodRaysShadowFaces::FitPoint(const vtkGodRaysMediumIntegrator::Request& 
   this->Grids.Levels = 6;
 }
 
-//------------------------------------------------------------------------------
 // Between low and high across the light, or, for a point light, across it at distance 1.
 void vtkGodRaysShadowFaces::SetFace(int face, const double axes[3][3], const double origin[3],
   const double low[2], const double high[2])
@@ -355,7 +349,6 @@ void vtkGodRaysShadowFaces::SetFace(int face, const double axes[3][3], const dou
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysShadowFaces::Set(vtkShaderProgram* program) const
 {
   program->SetUniformi("mapSize", this->Size);

@@ -23,11 +23,9 @@
 #include <string>
 #include <utility>
 
-//------------------------------------------------------------------------------
 vtkGodRaysShadowMap::vtkGodRaysShadowMap() = default;
 vtkGodRaysShadowMap::~vtkGodRaysShadowMap() = default;
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysShadowMap::Draw(
   const vtkGodRaysMediumIntegrator::Request& request, int size, int levels, bool translucent)
 {
@@ -59,7 +57,6 @@ bool vtkGodRaysShadowMap::Draw(
   return true;
 }
 
-//------------------------------------------------------------------------------
 // Which props have not changed since the map was drawn last, or, once there is a map of such props, since it
 // was drawn: one that has changed stays out of it until none is left in it. False if there are none.
 bool vtkGodRaysShadowMap::FindRest()
@@ -89,7 +86,6 @@ bool vtkGodRaysShadowMap::FindRest()
   return resting > 0;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysShadowMap::Render(
   const vtkGodRaysMediumIntegrator::Request& request, vtkGodRaysTarget& map, bool hasRest)
 {
@@ -130,7 +126,6 @@ bool vtkGodRaysShadowMap::Render(
   return true;
 }
 
-//------------------------------------------------------------------------------
 // Of those that rest, those that change, or both.
 void vtkGodRaysShadowMap::RenderProps(
   const vtkGodRaysMediumIntegrator::Request& request, bool resting, bool changed)
@@ -154,7 +149,6 @@ void vtkGodRaysShadowMap::RenderProps(
     });
 }
 
-//------------------------------------------------------------------------------
 // Look through each face in turn, and draw into it.
 void vtkGodRaysShadowMap::ForFaces(
   const vtkGodRaysMediumIntegrator::Request& request, const std::function<void()>& draw)
@@ -172,7 +166,6 @@ void vtkGodRaysShadowMap::ForFaces(
   }
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysShadowMap::RenderTranslucent(
   const vtkGodRaysMediumIntegrator::Request& request, vtkGodRaysTarget& map)
 {
@@ -231,7 +224,6 @@ bool vtkGodRaysShadowMap::RenderTranslucent(
   return true;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysShadowMap::DescribeLayers() const
 {
   if (this->Faces.Count == 0)
@@ -259,7 +251,6 @@ std::string vtkGodRaysShadowMap::DescribeLayers() const
   return text;
 }
 
-//------------------------------------------------------------------------------
 const vtkGodRaysShadowGrids& vtkGodRaysShadowMap::GetGrids()
 {
   if (this->Faces.Count == 0)
@@ -286,7 +277,6 @@ const vtkGodRaysShadowGrids& vtkGodRaysShadowMap::GetGrids()
   return this->Faces.Grids;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysShadowMap::Release(vtkWindow* window)
 {
   this->Drawn = vtkGodRaysShadowState();

@@ -27,7 +27,6 @@ vtkStandardNewMacro(vtkGodRaysShadowMapIntegrator);
 
 vtkGodRaysSetFiniteMacro(vtkGodRaysShadowMapIntegrator, LineSpacing, 0.5, 2.0);
 
-//------------------------------------------------------------------------------
 struct vtkGodRaysShadowMapIntegrator::Internals
 {
   vtkGodRaysQuad March{ "vtkGodRaysShadowMapFS",
@@ -53,7 +52,6 @@ struct vtkGodRaysShadowMapIntegrator::Internals
     const Request& request, const vtkGodRaysMediumRays& rays, bool rows, vtkGodRaysTarget& lit);
 };
 
-//------------------------------------------------------------------------------
 // Processes that have no picture have no frames, and keep no maps.
 void vtkGodRaysShadowMapIntegrator::Internals::CountLight(const Request& request)
 {
@@ -62,7 +60,6 @@ void vtkGodRaysShadowMapIntegrator::Internals::CountLight(const Request& request
   this->LightsFrame = frame;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysShadowMapIntegrator::Internals::Bind(
   vtkGodRaysTarget& target, const Request& request, bool grey)
 {
@@ -74,7 +71,6 @@ bool vtkGodRaysShadowMapIntegrator::Internals::Bind(
   return target.Bind();
 }
 
-//------------------------------------------------------------------------------
 vtkShaderProgram* vtkGodRaysShadowMapIntegrator::Internals::Begin(
   vtkGodRaysQuad& quad, const Request& request, const vtkGodRaysMediumRays& rays, bool rows)
 {
@@ -90,7 +86,6 @@ vtkShaderProgram* vtkGodRaysShadowMapIntegrator::Internals::Begin(
   return program;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysShadowMapIntegrator::Internals::DrawMean(
   const Request& request, const vtkGodRaysMediumRays& rays, bool rows, vtkGodRaysTarget& lit)
 {
@@ -103,16 +98,13 @@ bool vtkGodRaysShadowMapIntegrator::Internals::DrawMean(
   return true;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysShadowMapIntegrator::vtkGodRaysShadowMapIntegrator()
   : Internal(new Internals)
 {
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysShadowMapIntegrator::~vtkGodRaysShadowMapIntegrator() = default;
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysShadowMapIntegrator::Integrate(const Request& request)
 {
   Internals& self = *this->Internal;
@@ -160,7 +152,6 @@ bool vtkGodRaysShadowMapIntegrator::Integrate(const Request& request)
     request.Result->BindToAdd() && self.DrawMean(request, rays, false, rows);
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysShadowMapIntegrator::DrawMap(const Request& request)
 {
   Internals& self = *this->Internal;
@@ -170,7 +161,6 @@ bool vtkGodRaysShadowMapIntegrator::DrawMap(const Request& request)
     request, this->MapSize, self.IsSwept ? this->NumberOfNestedMaps : 1, self.IsSwept);
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysShadowMapIntegrator::Sweep(const Request& request)
 {
   Internals& self = *this->Internal;
@@ -190,26 +180,22 @@ bool vtkGodRaysShadowMapIntegrator::Sweep(const Request& request)
   return self.Swept.Add(request, parameters, size);
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysShadowMapIntegrator::Contribute(const Request& request)
 {
   return this->DrawMap(request);
 }
 
-//------------------------------------------------------------------------------
 const vtkGodRaysShadowGrids* vtkGodRaysShadowMapIntegrator::GetShadows()
 {
   return &this->Internal->GetMap().GetGrids();
 }
 
-//------------------------------------------------------------------------------
 const vtkGodRaysShadowGrids* vtkGodRaysShadowMapIntegrator::DrawShadows(const Request& request)
 {
   this->Internal->ShadowsAlone = true;
   return this->DrawMap(request) ? this->GetShadows() : nullptr;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysShadowMapIntegrator::Describe(vtkGodRaysModel*)
 {
   std::ostringstream text;
@@ -237,7 +223,6 @@ std::string vtkGodRaysShadowMapIntegrator::Describe(vtkGodRaysModel*)
   return text.str();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysShadowMapIntegrator::ReleaseGraphicsResources(vtkWindow* window)
 {
   Internals& self = *this->Internal;
@@ -255,7 +240,6 @@ void vtkGodRaysShadowMapIntegrator::ReleaseGraphicsResources(vtkWindow* window)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysShadowMapIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

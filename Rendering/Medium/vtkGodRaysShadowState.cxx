@@ -50,7 +50,6 @@ bool AddState(vtkProp* prop, std::vector<const void*>& objects, std::vector<doub
 }
 }
 
-//------------------------------------------------------------------------------
 // Nothing, if another frame cannot be told to be the same.
 void vtkGodRaysShadowState::Find(const vtkGodRaysMediumIntegrator::Request& request,
   const vtkGodRaysShadowFaces& faces, const void* map, bool translucent)
@@ -88,7 +87,6 @@ void vtkGodRaysShadowState::Find(const vtkGodRaysMediumIntegrator::Request& requ
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysShadowState::Clear()
 {
   this->Objects.clear();
@@ -97,14 +95,12 @@ void vtkGodRaysShadowState::Clear()
   this->Ends.clear();
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysShadowState::IsSame(const vtkGodRaysShadowState& other) const
 {
   return this->Objects == other.Objects && this->Numbers == other.Numbers &&
     this->HasSameFaces(other);
 }
 
-//------------------------------------------------------------------------------
 // And as many props.
 bool vtkGodRaysShadowState::HasSameFaces(const vtkGodRaysShadowState& other) const
 {
@@ -126,7 +122,6 @@ bool vtkGodRaysShadowState::HasSameFaces(const vtkGodRaysShadowState& other) con
       [=](double one, double two) { return std::abs(one - two) <= 1e-9 * largest; });
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysShadowState::HasSameProp(const vtkGodRaysShadowState& other, std::size_t prop) const
 {
   const auto isSame = [&](const auto& own, const auto& others, int kind)

@@ -52,7 +52,6 @@ const std::string TestOfSurface = MakeTest("gl_FragCoord.z");
 const std::string TestOfWritten = MakeTest("gl_FragDepth");
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSolidLayers::Draw(const vtkGodRaysMediumIntegrator::Request& request, int planes)
 {
   vtkTextureObject* const first = request.Depths->GetOccluderWindowDepth();
@@ -92,7 +91,6 @@ bool vtkGodRaysSolidLayers::Draw(const vtkGodRaysMediumIntegrator::Request& requ
   return drawn;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSolidLayers::Render(const vtkRenderState* s)
 {
   this->Last->Activate();
@@ -111,7 +109,6 @@ void vtkGodRaysSolidLayers::Render(const vtkRenderState* s)
   this->Last->Deactivate();
 }
 
-//------------------------------------------------------------------------------
 // Numbers are uniforms, so that all planes have one shader.
 bool vtkGodRaysSolidLayers::PreReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
@@ -121,7 +118,6 @@ bool vtkGodRaysSolidLayers::PreReplaceShaderValues(
   return true;
 }
 
-//------------------------------------------------------------------------------
 // What is known of the mapper now: mappers of impostors, as of spheres, write the depth. The first surface is
 // that of the scene, in whose format depths may be rounded to 24 bits.
 bool vtkGodRaysSolidLayers::PostReplaceShaderValues(
@@ -137,7 +133,6 @@ bool vtkGodRaysSolidLayers::PostReplaceShaderValues(
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSolidLayers::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
 {
@@ -147,7 +142,6 @@ bool vtkGodRaysSolidLayers::SetShaderParameters(
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSolidLayers::Read(
   const vtkGodRaysMediumIntegrator::Request& request, int plane, float* depths, int rowLength)
 {
@@ -161,7 +155,6 @@ bool vtkGodRaysSolidLayers::Read(
   return target != nullptr;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSolidLayers::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);

@@ -22,7 +22,6 @@ bool IsGrey(const vtkGodRaysMediumIntegrator::Request& request,
 }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysCoverageSweep::Parameters vtkGodRaysSweptLight::GetParameters(
   const vtkGodRaysMediumIntegrator::Request& request, const int size[2],
   const vtkGodRaysShadowGrids* shadows)
@@ -45,7 +44,6 @@ vtkGodRaysCoverageSweep::Parameters vtkGodRaysSweptLight::GetParameters(
   return parameters;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSweptLight::Add(const vtkGodRaysMediumIntegrator::Request& request,
   const vtkGodRaysCoverageSweep::Parameters& parameters, const int size[2])
 {
@@ -62,7 +60,6 @@ bool vtkGodRaysSweptLight::Add(const vtkGodRaysMediumIntegrator::Request& reques
   return request.Result->Lend(sum, request.Light->Color, request.View->ViewScale);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSweptLight::Release(vtkWindow* window)
 {
   this->Rays[0].Release(window);

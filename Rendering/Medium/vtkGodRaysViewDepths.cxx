@@ -62,16 +62,13 @@ void FindViewDepths(float* depths, vtkIdType count, bool isFixedPoint, const flo
 }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysViewDepths::vtkGodRaysViewDepths()
   : Quad("vtkGodRaysViewDepthsFS", vtkGodRaysViewDepthsFS)
 {
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysViewDepths::~vtkGodRaysViewDepths() = default;
 
-//------------------------------------------------------------------------------
 void vtkGodRaysViewDepths::Begin(vtkOpenGLRenderWindow* window, const vtkGodRaysView& view,
   vtkTextureObject* occluders, vtkTextureObject* seen)
 {
@@ -85,7 +82,6 @@ void vtkGodRaysViewDepths::Begin(vtkOpenGLRenderWindow* window, const vtkGodRays
   this->Frame = ++frames;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysViewDepths::End()
 {
   this->Window = nullptr;
@@ -94,19 +90,16 @@ void vtkGodRaysViewDepths::End()
   this->Sources[1] = nullptr;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysTarget* vtkGodRaysViewDepths::GetOccluders()
 {
   return this->Get(0);
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysTarget* vtkGodRaysViewDepths::GetEnds()
 {
   return this->Get(this->HasEnds() ? 1 : 0);
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysTarget* vtkGodRaysViewDepths::Get(int which)
 {
   vtkGodRaysTarget& target = this->Depths[which];
@@ -143,14 +136,12 @@ vtkGodRaysTarget* vtkGodRaysViewDepths::Get(int which)
   return &target;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysViewDepths::GetSize(int size[2]) const
 {
   size[0] = static_cast<int>(this->Sources[0]->GetWidth());
   size[1] = static_cast<int>(this->Sources[0]->GetHeight());
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysViewDepths::ReadEnds(float* depths)
 {
   if (this->HasEnds() || this->Drawn[0])
@@ -184,7 +175,6 @@ bool vtkGodRaysViewDepths::ReadEnds(float* depths)
   return true;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysViewDepths::Release(vtkWindow* window)
 {
   this->Layer.Release(window); // before the depth that it borrows

@@ -247,7 +247,6 @@ vtkGodRaysVolumeGrid::Error FindError(const std::vector<vtkGodRaysVolumeImage::S
 }
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysVolumeGrid::Read(vtkProp* prop, const Numbers& numbers,
   vtkGodRaysVolumeImage& data, vtkGodRaysGrid& grid, Error& error)
 {

@@ -321,7 +321,6 @@ void March(const Field& field, const T* values, const Rays& rays,
 }
 }
 
-//------------------------------------------------------------------------------
 vtkVolume* vtkGodRaysVolumeHaze::GetVolume(vtkProp* prop)
 {
   auto volume = vtkVolume::SafeDownCast(prop);
@@ -340,7 +339,6 @@ vtkVolume* vtkGodRaysVolumeHaze::GetVolume(vtkProp* prop)
   return fits ? volume : nullptr;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysVolumeHaze::AddState(
   vtkVolume* volume, std::vector<const void*>& objects, std::vector<double>& numbers)
 {
@@ -361,7 +359,6 @@ void vtkGodRaysVolumeHaze::AddState(
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysVolumeHaze::Make(const vtkGodRaysMediumIntegrator::Request& request,
   const std::vector<vtkVolume*>& volumes, const vtkGodRaysShadowGrids& grids, int size, Haze& haze)
 {

@@ -271,7 +271,6 @@ bool FindSpacing(const std::vector<vtkDataSet*>& parts, double spacing[3])
 }
 }
 
-//------------------------------------------------------------------------------
 vtkMTimeType vtkGodRaysVolumeImage::GetTime(vtkDataObject* data)
 {
   vtkMTimeType time = data->GetMTime();
@@ -285,7 +284,6 @@ vtkMTimeType vtkGodRaysVolumeImage::GetTime(vtkDataObject* data)
   return time;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysVolumeImage::Update(vtkAbstractVolumeMapper* mapper, int resolution)
 {
   this->Forget();
@@ -397,7 +395,6 @@ std::string vtkGodRaysVolumeImage::Update(vtkAbstractVolumeMapper* mapper, int r
   return this->Scalars ? "" : "could not be resampled. Resample it with vtkResampleToImage";
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysVolumeImage::Resample(
   vtkDataObject* data, const char* name, bool ofCells, int resolution)
 {
@@ -451,7 +448,6 @@ void vtkGodRaysVolumeImage::Resample(
   this->Resampled = resample->GetOutput();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysVolumeImage::Forget()
 {
   this->Image = nullptr;

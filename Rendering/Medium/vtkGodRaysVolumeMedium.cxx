@@ -45,13 +45,11 @@ std::vector<vtkProp*> FindProps(vtkRenderer* renderer)
 }
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysVolumeMedium::HasVolumes(vtkRenderer* renderer)
 {
   return !FindProps(renderer).empty();
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysVolumeMedium::Take(vtkRenderer* renderer, vtkGodRaysCompositor* compositor,
   const vtkGodRaysVolumeGrid::Numbers& numbers)
 {
@@ -94,7 +92,6 @@ std::string vtkGodRaysVolumeMedium::Take(vtkRenderer* renderer, vtkGodRaysCompos
   return fault;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysVolumeMedium::Read(const vtkGodRaysVolumeGrid::Numbers& numbers)
 {
   std::vector<const void*> objects;
@@ -164,7 +161,6 @@ std::string vtkGodRaysVolumeMedium::Read(const vtkGodRaysVolumeGrid::Numbers& nu
   return "";
 }
 
-//------------------------------------------------------------------------------
 // Of the picture, from those of the layer, which may have a margin; once a frame.
 bool vtkGodRaysVolumeMedium::ReadDepths(const vtkGodRaysMediumIntegrator::Request& request)
 {
@@ -203,7 +199,6 @@ bool vtkGodRaysVolumeMedium::ReadDepths(const vtkGodRaysMediumIntegrator::Reques
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysVolumeMedium::Draw(
   const vtkGodRaysMediumIntegrator::Request& request, const vtkGodRaysShadowGrids* shadows)
 {
@@ -271,7 +266,6 @@ bool vtkGodRaysVolumeMedium::Draw(
   return request.Result->Lend(this->Rays, white, 1.0);
 }
 
-//------------------------------------------------------------------------------
 // Lights that are gone do not keep data that were.
 void vtkGodRaysVolumeMedium::End()
 {
@@ -287,7 +281,6 @@ void vtkGodRaysVolumeMedium::End()
   this->Props.clear();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysVolumeMedium::GetResamplingErrors(double& mean, double& largest) const
 {
   mean = 0.0;
@@ -299,7 +292,6 @@ void vtkGodRaysVolumeMedium::GetResamplingErrors(double& mean, double& largest) 
   }
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysVolumeMedium::Describe() const
 {
   if (this->Light == 0)
@@ -327,7 +319,6 @@ std::string vtkGodRaysVolumeMedium::Describe() const
   return text.str();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysVolumeMedium::Release(vtkWindow* window)
 {
   this->Rays.Release(window);

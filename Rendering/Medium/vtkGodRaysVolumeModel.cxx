@@ -7,21 +7,18 @@
 
 vtkStandardNewMacro(vtkGodRaysVolumeModel);
 
-//------------------------------------------------------------------------------
 void vtkGodRaysVolumeModel::FillMedium(vtkGodRaysMedium& medium, const double*) const
 {
   medium.NumberOfComponents = 1;
   medium.Components[0] = vtkGodRaysMedium::Component();
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysVolumeModel::Describe() const
 {
   return std::string("volumes tagged MEDIUM alone") +
     (this->AttenuateScene ? ", the scene is dimmed" : ", the scene is not dimmed");
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysVolumeModel::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

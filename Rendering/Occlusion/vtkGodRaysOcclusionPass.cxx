@@ -178,7 +178,6 @@ void JoinOpacity(vtkGodRaysTarget& target, vtkGodRaysCompositor* compositor)
 }
 }
 
-//------------------------------------------------------------------------------
 struct vtkGodRaysOcclusionPass::Internals
 {
   vtkGodRaysQuad Quad{ "vtkGodRaysOcclusionFS", vtkGodRaysOcclusionFS };
@@ -202,17 +201,14 @@ struct vtkGodRaysOcclusionPass::Internals
   bool Distributed = false;
 };
 
-//------------------------------------------------------------------------------
 vtkGodRaysOcclusionPass::vtkGodRaysOcclusionPass()
   : Internal(new Internals)
 {
   this->SetActiveDrawBuffers(1); // volume mappers ask for it
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysOcclusionPass::~vtkGodRaysOcclusionPass() = default;
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysOcclusionPass::SceneDepthServes(const Request& request)
 {
   vtkGodRaysSortedProps& sorted = this->Internal->SortedProps;
@@ -220,7 +216,6 @@ bool vtkGodRaysOcclusionPass::SceneDepthServes(const Request& request)
   return sorted.SceneDepthServes(request);
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysOcclusionPass::Begin(const Request& request)
 {
   Internals& self = *this->Internal;
@@ -292,7 +287,6 @@ bool vtkGodRaysOcclusionPass::Begin(const Request& request)
   return true;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysOcclusionPass::End()
 {
   this->Internal->Frame = Request();
@@ -303,7 +297,6 @@ void vtkGodRaysOcclusionPass::End()
   this->Internal->Depth = nullptr;
 }
 
-//------------------------------------------------------------------------------
 vtkTextureObject* vtkGodRaysOcclusionPass::FindOpacity()
 {
   Internals& self = *this->Internal;
@@ -337,7 +330,6 @@ vtkTextureObject* vtkGodRaysOcclusionPass::FindOpacity()
   return this->RenderedOpacity ? self.Opacity.GetColor() : nullptr;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysOcclusionPass::RenderTranslucent(vtkProp* const* props, std::size_t count)
 {
   vtkRenderer* renderer = this->Internal->Frame.Renderer;
@@ -359,7 +351,6 @@ void vtkGodRaysOcclusionPass::RenderTranslucent(vtkProp* const* props, std::size
   this->Render(&state);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysOcclusionPass::Render(const vtkRenderState* s)
 {
   this->PreRender(s);
@@ -370,7 +361,6 @@ void vtkGodRaysOcclusionPass::Render(const vtkRenderState* s)
   this->PostRender(s);
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysLight& light)
 {
   Internals& self = *this->Internal;
@@ -470,7 +460,6 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysLight& light)
   return part.GetArea() == 0.0 || this->Draw(light, light.Prop ? PROP : DISC, hazy);
 }
 
-//------------------------------------------------------------------------------
 // Draw the glow into the bound framebuffer, alone or with the disc or prop.
 bool vtkGodRaysOcclusionPass::Draw(const vtkGodRaysLight& light, Part part, bool hazy)
 {
@@ -531,7 +520,6 @@ bool vtkGodRaysOcclusionPass::Draw(const vtkGodRaysLight& light, Part part, bool
   return true;
 }
 
-//------------------------------------------------------------------------------
 // Of the parts of a prop on all processes, the nearest.
 void vtkGodRaysOcclusionPass::JoinEmitter()
 {
@@ -553,31 +541,26 @@ void vtkGodRaysOcclusionPass::JoinEmitter()
   self.Emitter.WriteColor(color);
 }
 
-//------------------------------------------------------------------------------
 vtkTextureObject* vtkGodRaysOcclusionPass::GetDimming()
 {
   return this->Internal->Dimmed ? this->Internal->Dimming.GetColor() : nullptr;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysTarget* vtkGodRaysOcclusionPass::GetLayer()
 {
   return this->Internal->Composed;
 }
 
-//------------------------------------------------------------------------------
 vtkTextureObject* vtkGodRaysOcclusionPass::GetDepth()
 {
   return this->Internal->Depth;
 }
 
-//------------------------------------------------------------------------------
 const std::vector<vtkProp*>& vtkGodRaysOcclusionPass::GetOccludingProps() const
 {
   return this->Internal->SortedProps.OccludingProps;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysOcclusionPass::Describe() const
 {
   std::ostringstream text;
@@ -594,7 +577,6 @@ std::string vtkGodRaysOcclusionPass::Describe() const
   return text.str();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysOcclusionPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
@@ -610,7 +592,6 @@ void vtkGodRaysOcclusionPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Internal->Depth = nullptr;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysOcclusionPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -101,8 +101,8 @@ public:
   VTK_WRAPEXCLUDE vtkTextureObject* FindOpacity();
 
   /**
-   * How much of the light translucent props and volumes that block it take, in alpha, of the layer's size; null
-   * if there are none. It is there from Begin() on.
+   * How much of the light translucent props and volumes that block it take, in alpha, of the layer's size;
+   * null if there are none. It is there from Begin() on.
    */
   VTK_WRAPEXCLUDE vtkTextureObject* GetDimming();
 

@@ -43,7 +43,6 @@ bool IsTranslucent(vtkProp* prop)
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSortedProps::Sort(const vtkGodRaysOcclusionPass::Request& request)
 {
   this->OccludingProps.clear();
@@ -71,7 +70,6 @@ void vtkGodRaysSortedProps::Sort(const vtkGodRaysOcclusionPass::Request& request
     });
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSortedProps::SceneDepthServes(const vtkGodRaysOcclusionPass::Request& request) const
 {
   vtkGodRaysCompositor* compositor = request.Compositor;
@@ -86,7 +84,6 @@ bool vtkGodRaysSortedProps::SceneDepthServes(const vtkGodRaysOcclusionPass::Requ
   return request.Margin == 0.0 && this->NotOccluding == 0 && !this->Labels;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSortedProps::FindShown(
   const vtkGodRaysOcclusionPass::Request& request, std::vector<vtkProp*>& shown)
 {

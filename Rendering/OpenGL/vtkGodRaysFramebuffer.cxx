@@ -19,7 +19,6 @@ bool Has(unsigned int attachment)
 }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysStateKeeper::vtkGodRaysStateKeeper(vtkOpenGLState* state)
   : State(state)
   , Viewport(state)
@@ -55,7 +54,6 @@ vtkGodRaysStateKeeper::vtkGodRaysStateKeeper(vtkOpenGLState* state)
   state->vtkglDepthFunc(GL_LEQUAL);
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysStateKeeper::~vtkGodRaysStateKeeper()
 {
   this->State->vtkglClearDepth(this->ClearDepth);
@@ -66,7 +64,6 @@ vtkGodRaysStateKeeper::~vtkGodRaysStateKeeper()
   }
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysFramebuffer::HasSeveralBuffers()
 {
   int second = GL_NONE;
@@ -74,7 +71,6 @@ bool vtkGodRaysFramebuffer::HasSeveralBuffers()
   return second != GL_NONE;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysFramebuffer::vtkGodRaysFramebuffer()
 {
   int value = 0;
@@ -107,7 +103,6 @@ vtkGodRaysFramebuffer::vtkGodRaysFramebuffer()
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysFramebuffer::CopyTo(
   vtkOpenGLState* state, const int rectangle[4], unsigned int buffers) const
 {

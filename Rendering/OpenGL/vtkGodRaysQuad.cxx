@@ -87,17 +87,14 @@ std::string IncludeTopics(const std::string& text, std::set<std::string>& includ
 }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysQuad::vtkGodRaysQuad(const char* name, const std::string& source)
   : Name(name)
   , Source(source)
 {
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysQuad::~vtkGodRaysQuad() = default;
 
-//------------------------------------------------------------------------------
 vtkShaderProgram* vtkGodRaysQuad::Begin(
   vtkOpenGLRenderWindow* window, std::initializer_list<Term> terms)
 {
@@ -151,13 +148,11 @@ vtkShaderProgram* vtkGodRaysQuad::Begin(
   return this->Helper->Program;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysQuad::GetNumberOfFailures()
 {
   return NumberOfFailures;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysQuad::SetVector(vtkShaderProgram* program, const char* name, const double value[3])
 {
   const float values[3] = { static_cast<float>(value[0]), static_cast<float>(value[1]),
@@ -165,7 +160,6 @@ void vtkGodRaysQuad::SetVector(vtkShaderProgram* program, const char* name, cons
   program->SetUniform3f(name, values);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysQuad::SetTexture(const char* sampler, vtkTextureObject* texture)
 {
   // one that serves two samplers is activated once: a second time would lose its unit
@@ -177,7 +171,6 @@ void vtkGodRaysQuad::SetTexture(const char* sampler, vtkTextureObject* texture)
   this->Helper->Program->SetUniformi(sampler, texture->GetTextureUnit());
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysQuad::End(Place place)
 {
   vtkOpenGLState* state = this->Window->GetState();
@@ -205,7 +198,6 @@ void vtkGodRaysQuad::End(Place place)
   this->Textures.clear();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysQuad::Release()
 {
   this->Helper = nullptr;

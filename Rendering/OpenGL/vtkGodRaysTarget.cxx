@@ -69,11 +69,9 @@ vtkSmartPointer<vtkTextureObject> MakeDepth(
 }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysTarget::vtkGodRaysTarget() = default;
 vtkGodRaysTarget::~vtkGodRaysTarget() = default;
 
-//------------------------------------------------------------------------------
 void vtkGodRaysTarget::Prepare(vtkOpenGLRenderWindow* window, int width, int height, Format format)
 {
   if (this->IsReady() && this->IsOf(window) && this->Width == width && this->Height == height &&
@@ -96,7 +94,6 @@ void vtkGodRaysTarget::Prepare(vtkOpenGLRenderWindow* window, int width, int hei
   this->Attach(window);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysTarget::Prepare(
   vtkOpenGLRenderWindow* window, unsigned int color, vtkTextureObject* depth)
 {
@@ -116,7 +113,6 @@ void vtkGodRaysTarget::Prepare(
   this->Attach(window);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysTarget::Attach(vtkOpenGLRenderWindow* window)
 {
   vtkOpenGLState* state = window->GetState();
@@ -142,13 +138,11 @@ void vtkGodRaysTarget::Attach(vtkOpenGLRenderWindow* window)
   state->PopFramebufferBindings();
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysTarget::IsOf(vtkOpenGLRenderWindow* window) const
 {
   return this->Framebuffer && this->Framebuffer->GetContext() == window;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysTarget::Bind()
 {
   ++this->Version;
@@ -161,7 +155,6 @@ bool vtkGodRaysTarget::Bind()
     vtkOpenGLFramebufferObject::GetDrawMode(), description);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysTarget::Release(vtkWindow* window)
 {
   ++this->Version;
@@ -187,13 +180,11 @@ void vtkGodRaysTarget::Release(vtkWindow* window)
   this->Height = 0;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysTarget::HasOneChannel() const
 {
   return ::HasOneChannel(this->Formats.Color);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysTarget::Read(unsigned int format, unsigned int type, void* pixels, int rowLength)
 {
   vtkOpenGLState* state = this->Framebuffer->GetContext()->GetState();
@@ -210,7 +201,6 @@ void vtkGodRaysTarget::Read(unsigned int format, unsigned int type, void* pixels
   state->PopReadFramebufferBinding();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysTarget::Write(unsigned int format, unsigned int type, const void* pixels)
 {
   ++this->Version;
@@ -221,7 +211,6 @@ void vtkGodRaysTarget::Write(unsigned int format, unsigned int type, const void*
   this->Color->Deactivate();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysTarget::Download(vtkImageData* image, const double tint[3])
 {
   image->SetDimensions(this->Width, this->Height, 1);
@@ -244,7 +233,6 @@ void vtkGodRaysTarget::Download(vtkImageData* image, const double tint[3])
   }
 }
 
-//------------------------------------------------------------------------------
 std::vector<float> vtkGodRaysTarget::ReadDepth()
 {
   std::vector<float> depth(static_cast<std::size_t>(this->Width) * this->Height);
@@ -252,7 +240,6 @@ std::vector<float> vtkGodRaysTarget::ReadDepth()
   return depth;
 }
 
-//------------------------------------------------------------------------------
 std::vector<float> vtkGodRaysTarget::ReadColor()
 {
   std::vector<float> color(4 * static_cast<std::size_t>(this->Width) * this->Height);
@@ -260,7 +247,6 @@ std::vector<float> vtkGodRaysTarget::ReadColor()
   return color;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysTarget::WriteDepth(const std::vector<float>& depth)
 {
   this->Depth->Activate();
@@ -270,7 +256,6 @@ void vtkGodRaysTarget::WriteDepth(const std::vector<float>& depth)
   this->Depth->Deactivate();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysTarget::WriteColor(const std::vector<float>& color)
 {
   this->Write(GL_RGBA, GL_FLOAT, color.data());

@@ -9,11 +9,9 @@
 #include <algorithm>
 #include <chrono>
 
-//------------------------------------------------------------------------------
 vtkGodRaysTimers::vtkGodRaysTimers() = default;
 vtkGodRaysTimers::~vtkGodRaysTimers() = default;
 
-//------------------------------------------------------------------------------
 void vtkGodRaysTimers::BeginFrame(bool measure)
 {
   this->Measure = measure;
@@ -21,7 +19,6 @@ void vtkGodRaysTimers::BeginFrame(bool measure)
   this->Running = false;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysTimers::Start(Stage stage)
 {
   this->Running = this->Measure && vtkOpenGLRenderTimer::IsSupported();
@@ -39,7 +36,6 @@ void vtkGodRaysTimers::Start(Stage stage)
   timer.second->Start();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysTimers::Stop()
 {
   if (this->Running)
@@ -49,7 +45,6 @@ void vtkGodRaysTimers::Stop()
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysTimers::GetTimes(double seconds[NUMBER_OF_STAGES])
 {
   std::fill_n(seconds, static_cast<int>(NUMBER_OF_STAGES), 0.0);
@@ -71,7 +66,6 @@ void vtkGodRaysTimers::GetTimes(double seconds[NUMBER_OF_STAGES])
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysTimers::Release(vtkRenderWindow* window)
 {
   auto context = vtkOpenGLRenderWindow::SafeDownCast(window);

@@ -44,7 +44,6 @@ void SetVector(vtkShaderProgram* program, const char* name, double x, double y)
   program->SetUniform2f(name, values);
 }
 
-//------------------------------------------------------------------------------
 void SetWedges(vtkShaderProgram* program, const Plan& plan)
 {
   float lines[NumberOfWedges][4];
@@ -72,7 +71,6 @@ void SetWedges(vtkShaderProgram* program, const Plan& plan)
 }
 }
 
-//------------------------------------------------------------------------------
 struct vtkGodRaysBlockMeans::Internals
 {
   vtkGodRaysQuad MeansQuad{ "vtkGodRaysBlockMeansFS", vtkGodRaysBlockMeansFS };
@@ -95,7 +93,6 @@ struct vtkGodRaysBlockMeans::Internals
     const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan, bool lends, bool isNear);
 };
 
-//------------------------------------------------------------------------------
 Plan* vtkGodRaysBlockMeans::Internals::Prepare(
   const vtkGodRaysRadialIntegrator::Request& request, const vtkGodRaysMarch& march)
 {
@@ -129,7 +126,6 @@ Plan* vtkGodRaysBlockMeans::Internals::Prepare(
   return this->Plans.back().get();
 }
 
-//------------------------------------------------------------------------------
 // Draw into the lower left part of a target that is at least as large.
 bool vtkGodRaysBlockMeans::Internals::Bind(vtkOpenGLRenderWindow* window, vtkGodRaysTarget& target,
   int width, int height, unsigned int format)
@@ -149,7 +145,6 @@ bool vtkGodRaysBlockMeans::Internals::Bind(vtkOpenGLRenderWindow* window, vtkGod
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysBlockMeans::Internals::DrawMeans(
   const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan)
 {
@@ -176,7 +171,6 @@ bool vtkGodRaysBlockMeans::Internals::DrawMeans(
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysBlockMeans::Internals::DrawSums(
   const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan)
 {
@@ -199,7 +193,6 @@ bool vtkGodRaysBlockMeans::Internals::DrawSums(
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysBlockMeans::Internals::DrawPicture(
   const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan)
 {
@@ -232,7 +225,6 @@ bool vtkGodRaysBlockMeans::Internals::DrawPicture(
     (!lends || request.Result->Lend(this->Rays, request.Light->Color, 1.0));
 }
 
-//------------------------------------------------------------------------------
 // Draw into the bound target what is in the box near the light, or else the rest of the picture.
 bool vtkGodRaysBlockMeans::Internals::DrawPart(
   const vtkGodRaysRadialIntegrator::Request& request, const Plan& plan, bool lends, bool isNear)
@@ -286,16 +278,13 @@ bool vtkGodRaysBlockMeans::Internals::DrawPart(
   return true;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysBlockMeans::vtkGodRaysBlockMeans()
   : Internal(new Internals)
 {
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysBlockMeans::~vtkGodRaysBlockMeans() = default;
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysBlockMeans::Keeps(
   const vtkGodRaysRadialIntegrator::Request& request, const vtkGodRaysMarch& march)
 {
@@ -319,7 +308,6 @@ bool vtkGodRaysBlockMeans::Keeps(
   return Plan::CountLines(march, *effort) <= largest;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysBlockMeans::Integrate(
   const vtkGodRaysRadialIntegrator::Request& request, const vtkGodRaysMarch& march)
 {
@@ -332,7 +320,6 @@ bool vtkGodRaysBlockMeans::Integrate(
     self.DrawPicture(request, *plan);
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysBlockMeans::Describe() const
 {
   if (this->Internal->Plans.empty())
@@ -352,7 +339,6 @@ std::string vtkGodRaysBlockMeans::Describe() const
   return text.str();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysBlockMeans::Release(vtkWindow* window)
 {
   Internals& self = *this->Internal;

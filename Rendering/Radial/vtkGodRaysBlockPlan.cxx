@@ -47,7 +47,6 @@ const vtkGodRaysBlockPlan::Effort Efforts[] = {
 };
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysBlockPlan::CountLines(const vtkGodRaysMarch& march, const Effort& effort)
 {
   const auto sizes = std::minmax(march.LayerSize[0], march.LayerSize[1]);
@@ -55,7 +54,6 @@ double vtkGodRaysBlockPlan::CountLines(const vtkGodRaysMarch& march, const Effor
   return (2.0 * sizes.second + sizes.first + ofStrip) / effort.Spacing + 256.0;
 }
 
-//------------------------------------------------------------------------------
 const vtkGodRaysBlockPlan::Effort* vtkGodRaysBlockPlan::ChooseEffort(
   const vtkGodRaysMarch& march, double tolerance, int largest, bool& kept)
 {
@@ -77,7 +75,6 @@ const vtkGodRaysBlockPlan::Effort* vtkGodRaysBlockPlan::ChooseEffort(
   return chosen;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysBlockPlan::Table::Upload(vtkOpenGLRenderWindow* window)
 {
   if (!this->Texture || this->TextureWidth < this->Width || this->TextureHeight < this->Height)
@@ -103,7 +100,6 @@ void vtkGodRaysBlockPlan::Table::Upload(vtkOpenGLRenderWindow* window)
   this->Texture->Deactivate();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysBlockPlan::Table::Release(vtkWindow* window)
 {
   if (this->Texture)
@@ -113,7 +109,6 @@ void vtkGodRaysBlockPlan::Table::Release(vtkWindow* window)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysBlockPlan::Fill()
 {
   this->FindLight();
@@ -147,7 +142,6 @@ void vtkGodRaysBlockPlan::Fill()
   this->PlaceNearBox(this->MakeRowTable());
 }
 
-//------------------------------------------------------------------------------
 // The light at the end of all marches, if it is not too far away.
 void vtkGodRaysBlockPlan::FindLight()
 {
@@ -172,7 +166,6 @@ void vtkGodRaysBlockPlan::FindLight()
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysBlockPlan::FillWedge(Wedge& wedge)
 {
   const int axis = wedge.Axis;
@@ -221,7 +214,6 @@ void vtkGodRaysBlockPlan::FillWedge(Wedge& wedge)
   this->MakeNodes(wedge);
 }
 
-//------------------------------------------------------------------------------
 // About slope 0; nearest and last are the distances of the first and last rows from the light.
 void vtkGodRaysBlockPlan::PlaceStrip(Wedge& wedge, double nearest, double last) const
 {
@@ -234,7 +226,6 @@ void vtkGodRaysBlockPlan::PlaceStrip(Wedge& wedge, double nearest, double last) 
   wedge.Strip[1] = static_cast<int>(std::min(std::max(std::ceil(axis + reach), 0.0), end));
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysBlockPlan::MakeNodes(Wedge& wedge)
 {
   const double ratio = this->Chosen->Ratio / std::max(2.0, std::abs(this->March.K));
@@ -250,7 +241,6 @@ void vtkGodRaysBlockPlan::MakeNodes(Wedge& wedge)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysBlockPlan::MakeBlockTable()
 {
   this->Blocks.Resize(this->BlockColumns, 2);
@@ -266,7 +256,6 @@ void vtkGodRaysBlockPlan::MakeBlockTable()
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysBlockPlan::MakeNodeTable()
 {
   const int fours = RoundUp(this->GetNodes(), 4) / 4;
@@ -293,7 +282,6 @@ void vtkGodRaysBlockPlan::MakeNodeTable()
   }
 }
 
-//------------------------------------------------------------------------------
 // The kernel's integral over each block as seen from a node; first and last are the fours of them.
 void vtkGodRaysBlockPlan::MakeWeights(const Wedge& wedge, int node, int row, int& first, int& last)
 {
@@ -328,7 +316,6 @@ void vtkGodRaysBlockPlan::MakeWeights(const Wedge& wedge, int node, int row, int
   }
 }
 
-//------------------------------------------------------------------------------
 // Returns how far from the light the ends of marches within a block count, along either axis [pixels].
 double vtkGodRaysBlockPlan::MakeRowTable()
 {
@@ -368,7 +355,6 @@ double vtkGodRaysBlockPlan::MakeRowTable()
   return reach;
 }
 
-//------------------------------------------------------------------------------
 // Where the march ends within a block; false if that does not count.
 bool vtkGodRaysBlockPlan::MakeTail(const Wedge& wedge, double r, double march, int row, int index)
 {
@@ -391,7 +377,6 @@ bool vtkGodRaysBlockPlan::MakeTail(const Wedge& wedge, double r, double march, i
   return true;
 }
 
-//------------------------------------------------------------------------------
 // What is drawn by taps, or has ends of marches that count, as far from the light.
 void vtkGodRaysBlockPlan::PlaceNearBox(double reach)
 {

@@ -19,7 +19,6 @@ namespace
 // Beyond t = KernelEnd/k, e^(-k t) is below a float's precision.
 constexpr double KernelEnd = 17.0;
 
-//------------------------------------------------------------------------------
 // On black and white noise from pixel to pixel, with steps of h <= 1 pixels, the error is at most
 // NoiseError h^2/sqrt(pixels that are summed) [of the peak]; measured.
 constexpr double NoiseError = 0.1;
@@ -40,13 +39,11 @@ double ChooseTapsPerPixel(const vtkGodRaysMarch& march, double tolerance)
 }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysClippedTaps::vtkGodRaysClippedTaps()
   : Quad("vtkGodRaysClippedTapsFS", vtkGodRaysClippedTapsFS)
 {
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysClippedTaps::Integrate(
   const vtkGodRaysRadialIntegrator::Request& request, const vtkGodRaysMarch& march)
 {
@@ -90,14 +87,12 @@ bool vtkGodRaysClippedTaps::Integrate(
   return true;
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysClippedTaps::CountTaps(const vtkGodRaysMarch& march, double tolerance)
 {
   return ChooseTapsPerPixel(march, tolerance) * march.GetLengthWithin() * march.PictureSize[0] *
     march.PictureSize[1];
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysClippedTaps::Describe() const
 {
   std::ostringstream text;
@@ -105,7 +100,6 @@ std::string vtkGodRaysClippedTaps::Describe() const
   return text.str();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysClippedTaps::Release()
 {
   this->Quad.Release();

@@ -42,7 +42,6 @@ bool IsSoftware()
 }
 }
 
-//------------------------------------------------------------------------------
 struct vtkGodRaysEpipolarIntegrator::Internals
 {
   vtkNew<vtkGodRaysTapsIntegrator> Taps;
@@ -71,7 +70,6 @@ struct vtkGodRaysEpipolarIntegrator::Internals
   bool IntegrateOnGraphics(const Request& request);
 };
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysEpipolarIntegrator::Internals::IntegrateOnProcessor(const Request& request)
 {
   const bool oneColor = request.Layer->HasOneChannel();
@@ -130,7 +128,6 @@ bool vtkGodRaysEpipolarIntegrator::Internals::IntegrateOnProcessor(const Request
   return request.Result->Lend(rays, request.Light->Color, request.ViewScale);
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysEpipolarIntegrator::Internals::IntegrateOnGraphics(const Request& request)
 {
   const vtkGodRaysMarch march = request.GetMarch();
@@ -142,16 +139,13 @@ bool vtkGodRaysEpipolarIntegrator::Internals::IntegrateOnGraphics(const Request&
   return done;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysEpipolarIntegrator::vtkGodRaysEpipolarIntegrator()
   : Internal(new Internals)
 {
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysEpipolarIntegrator::~vtkGodRaysEpipolarIntegrator() = default;
 
-//------------------------------------------------------------------------------
 unsigned int vtkGodRaysEpipolarIntegrator::GetOneColorFormat(
   vtkOpenGLRenderWindow* window, vtkGodRaysModel* model, unsigned int precision)
 {
@@ -163,7 +157,6 @@ unsigned int vtkGodRaysEpipolarIntegrator::GetOneColorFormat(
   return processor || precision == GL_RGBA32F ? GL_R32F : GL_R16F; // nothing to convert
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysEpipolarIntegrator::Integrate(const Request& request)
 {
   Internals& self = *this->Internal;
@@ -175,7 +168,6 @@ bool vtkGodRaysEpipolarIntegrator::Integrate(const Request& request)
                                                            : self.IntegrateOnGraphics(request);
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysEpipolarIntegrator::Describe(vtkGodRaysModel* model)
 {
   if (!vtkGodRaysRadialModel::SafeDownCast(model))
@@ -185,7 +177,6 @@ std::string vtkGodRaysEpipolarIntegrator::Describe(vtkGodRaysModel* model)
   return "epipolar, " + this->Internal->Plan;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysEpipolarIntegrator::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Taps->ReleaseGraphicsResources(window);
@@ -196,7 +187,6 @@ void vtkGodRaysEpipolarIntegrator::ReleaseGraphicsResources(vtkWindow* window)
   this->Internal->Window = nullptr;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysEpipolarIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

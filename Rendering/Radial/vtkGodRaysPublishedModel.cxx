@@ -30,7 +30,6 @@ struct Parameters
   double ClampMaximum;
 };
 
-//------------------------------------------------------------------------------
 // gain (originWeight s_0 + sum_{k=first}^{last} firstWeight decay^(k-first) s_k)
 TapSum MakeTapSum(
   const Parameters& p, int first, int last, double originWeight, double firstWeight, double gain)
@@ -47,20 +46,17 @@ TapSum MakeTapSum(
   return sum;
 }
 
-//------------------------------------------------------------------------------
 TapSums SumMitchell(const Parameters& p)
 {
   return { MakeTapSum(p, 1, p.NumberOfSamples, 1.0, p.Weight, p.Exposure) };
 }
 
-//------------------------------------------------------------------------------
 // The weight decays before it is used, and the loop starts at 1.
 TapSums SumGianassi(const Parameters& p)
 {
   return { MakeTapSum(p, 1, p.NumberOfSamples - 1, 1.0, p.Weight * p.Decay, p.Exposure) };
 }
 
-//------------------------------------------------------------------------------
 // The decay starts at 0.1, not 1.
 TapSums SumLayers(const Parameters& p)
 {
@@ -69,7 +65,6 @@ TapSums SumLayers(const Parameters& p)
   return { sum };
 }
 
-//------------------------------------------------------------------------------
 TapSums SumLayersAsPublished(const Parameters& p)
 {
   TapSums sums = SumLayers(p);
@@ -77,14 +72,12 @@ TapSums SumLayersAsPublished(const Parameters& p)
   return sums;
 }
 
-//------------------------------------------------------------------------------
 // n + 1 terms over n, as printed.
 TapSums SumEquation(const Parameters& p)
 {
   return { MakeTapSum(p, 0, p.NumberOfSamples, 0.0, p.Weight, p.Exposure / p.NumberOfSamples) };
 }
 
-//------------------------------------------------------------------------------
 TapSums SumPostprocessing(const Parameters& p)
 {
   TapSum sum = MakeTapSum(p, 1, p.NumberOfSamples, 0.0, p.Weight, p.Exposure);
@@ -92,7 +85,6 @@ TapSums SumPostprocessing(const Parameters& p)
   return { sum };
 }
 
-//------------------------------------------------------------------------------
 // The occluders, 1 - s, are blurred three times with 6 taps, 1/6, 1/36 and 1/216 of the picture apart;
 // what is left of the light is e (1 - blur).
 TapSums SumThreeJS(const Parameters& p)
@@ -116,13 +108,11 @@ TapSums SumThreeJS(const Parameters& p)
   return sums;
 }
 
-//------------------------------------------------------------------------------
 TapSums SumBabylon(const Parameters& p)
 {
   return { MakeTapSum(p, 1, p.NumberOfSamples, 1.0, p.Weight, 0.4 * p.Exposure) };
 }
 
-//------------------------------------------------------------------------------
 // The loop ends one tap late, but never after 100.
 TapSums SumErkaman(const Parameters& p)
 {
@@ -130,7 +120,6 @@ TapSums SumErkaman(const Parameters& p)
   return { MakeTapSum(p, 1, last, 0.0, p.Weight, p.Exposure) };
 }
 
-//------------------------------------------------------------------------------
 // All that distinguishes the formulations, in the order of FormulationType; the numbers are their
 // authors'.
 using Model = vtkGodRaysPublishedModel;
@@ -177,13 +166,11 @@ const Row Rows[] = {
 static_assert(std::size(Rows) == Model::ARAUJO + 1, "one row for each formulation");
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysPublishedModel::vtkGodRaysPublishedModel()
 {
   this->ApplyPreset(Rows[MITCHELL].Name);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysPublishedModel::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -191,7 +178,6 @@ void vtkGodRaysPublishedModel::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ClampMaximum: " << this->ClampMaximum << "\n";
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysPublishedModel::SetFormulation(int formulation)
 {
   if (formulation < MITCHELL || formulation > ARAUJO)
@@ -207,13 +193,11 @@ void vtkGodRaysPublishedModel::SetFormulation(int formulation)
   }
 }
 
-//------------------------------------------------------------------------------
 const char* vtkGodRaysPublishedModel::GetFormulationAsString() const
 {
   return Rows[this->Formulation].Name;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysPublishedModel::ApplyPreset(const char* name)
 {
   const Row* row = vtkGodRaysFindPreset(this, Rows, name);
@@ -227,25 +211,21 @@ bool vtkGodRaysPublishedModel::ApplyPreset(const char* name)
   return row != nullptr;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysPublishedModel::GetNumberOfPresets()
 {
   return static_cast<int>(std::size(Rows));
 }
 
-//------------------------------------------------------------------------------
 const char* vtkGodRaysPublishedModel::GetPresetName(int index)
 {
   return index >= 0 && index < GetNumberOfPresets() ? Rows[index].Name : nullptr;
 }
 
-//------------------------------------------------------------------------------
 const char* vtkGodRaysPublishedModel::GetPresetDescription(int index)
 {
   return index >= 0 && index < GetNumberOfPresets() ? Rows[index].Description : nullptr;
 }
 
-//------------------------------------------------------------------------------
 // Always the authors' own number of taps.
 void vtkGodRaysPublishedModel::GetTapSums(std::vector<TapSum>& passes, int) const
 {
@@ -253,38 +233,32 @@ void vtkGodRaysPublishedModel::GetTapSums(std::vector<TapSum>& passes, int) cons
     this->NumberOfSamples, this->ClampMaximum });
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysPublishedModel::GetBorder() const
 {
   return Rows[this->Formulation].Border;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysPublishedModel::GetLinearLight() const
 {
   return Rows[this->Formulation].LinearLight;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysPublishedModel::GetBlend() const
 {
   return Rows[this->Formulation].Blend;
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysPublishedModel::GetSceneGain() const
 {
   return Rows[this->Formulation].SceneGain;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysPublishedModel::CanScatter() const
 {
   return this->Superclass::CanScatter() &&
     (this->ClampMaximum > 0.0 || !Rows[this->Formulation].Clamps);
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysPublishedModel::Describe() const
 {
   std::ostringstream text;

@@ -17,43 +17,37 @@
 #include "vtkNew.h"
 
 #include <algorithm>
-#include <cmath>
 #include <array>
+#include <cmath>
 #include <vector>
 
-//------------------------------------------------------------------------------
 vtkGodRaysRadialEffect::vtkGodRaysRadialEffect(vtkGodRaysRadialSumModel* model)
   : Model(model)
 {
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysRadialEffect::FindObstacle(
   vtkRenderer*, vtkGodRaysCompositor*, const vtkGodRaysView&, const int[2])
 {
   return "";
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysRadialEffect::SumsShownValues() const
 {
   return !this->Model->GetLinearLight();
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysRadialEffect::UsesCoverage() const
 {
   return this->Model->GetStreaks() > 0.0;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRadialEffect::SetUp(vtkGodRaysLightFinder& finder) const
 {
   finder.CapsMarch = this->Model->CapsMarch();
   finder.LightsMedium = false;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRadialEffect::SetUp(
   vtkGodRaysOcclusionPass::Request& request, vtkGodRaysIntegrator* integrator) const
 {
@@ -63,7 +57,6 @@ void vtkGodRaysRadialEffect::SetUp(
                              ->GetOneColorFormat(request.Window, this->Model, request.ColorFormat);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRadialEffect::Begin(const Frame& frame)
 {
   frame.Integrator->BeginVerification(!frame.Interactive);
@@ -73,7 +66,6 @@ void vtkGodRaysRadialEffect::Begin(const Frame& frame)
   this->KeepsAll = frame.NumberOfLights == 1 || frame.KeepsLayers;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysRadialEffect::DrawLight(const Frame& frame, const vtkGodRaysLight& light)
 {
   frame.Timers->Start(vtkGodRaysTimers::OCCLUSION);
@@ -106,7 +98,6 @@ bool vtkGodRaysRadialEffect::DrawLight(const Frame& frame, const vtkGodRaysLight
   return done;
 }
 
-//------------------------------------------------------------------------------
 /**
  * The response of a light. Streaks are as strong as the model has them where the data make at most 3 shafts,
  * and fade where the data make more of their own, up to 8.
@@ -125,26 +116,25 @@ vtkGodRaysResponse vtkGodRaysRadialEffect::GetResponse(
   {
     const double most = farthest * std::max(std::abs(light.Clip[2]), 1e-30);
     const double clip = light.Clip[2] < 0.0 ? -light.Clip[i] : light.Clip[i];
-    const double place =
-      std::clamp(clip, -most, most) / std::max(std::abs(light.Clip[2]), 1e-30) / frame.View->ViewScale;
+    const double place = std::clamp(clip, -most, most) / std::max(std::abs(light.Clip[2]), 1e-30) /
+      frame.View->ViewScale;
     response.Light[i] = 0.5 + 0.5 * place;
-    const double beyond = std::max({ picture[i] - response.Light[i],
-      response.Light[i] - picture[i] - picture[i + 2], 0.0 });
+    const double beyond = std::max(
+      { picture[i] - response.Light[i], response.Light[i] - picture[i] - picture[i + 2], 0.0 });
     outside = std::hypot(outside, beyond * response.Heights[i]);
   }
   response.Nearest = outside;
   double& streaks = this->Streaks[this->Drawn++];
   if (frame.Placer)
   {
-    const double shafts = frame.Placer->GetShaftsAt((response.Light[0] - picture[0]) / picture[2],
-      (response.Light[1] - picture[1]) / picture[3]);
+    const double shafts = frame.Placer->GetShaftsAt(
+      (response.Light[0] - picture[0]) / picture[2], (response.Light[1] - picture[1]) / picture[3]);
     streaks = std::clamp((8.0 - shafts) / 5.0, 0.0, 1.0);
   }
   response.Streaks = frame.InventsStreaks ? this->Model->GetStreaks() * streaks : 0.0;
   return response;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRadialEffect::Verify(
   const vtkGodRaysRadialIntegrator::Request& request, vtkGodRaysVerification& verification) const
 {
@@ -173,7 +163,6 @@ void vtkGodRaysRadialEffect::Verify(
     });
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysRadialEffect::ComposeLayer(const Frame& frame, const vtkGodRaysLight& light)
 {
   if (!frame.Occlusion->Compose(light))
@@ -194,7 +183,6 @@ bool vtkGodRaysRadialEffect::ComposeLayer(const Frame& frame, const vtkGodRaysLi
                                    : this->Layers.Add(layer, light.Color, 1.0);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRadialEffect::Join(vtkGodRaysBlendPass::Request& request) const
 {
   constexpr double largest = 4.0; // two stops of a camera
@@ -203,13 +191,11 @@ void vtkGodRaysRadialEffect::Join(vtkGodRaysBlendPass::Request& request) const
   request.Screen = this->Model->GetBlend() == vtkGodRaysRadialSumModel::SCREEN;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSum* vtkGodRaysRadialEffect::GetLayers()
 {
   return this->HasLayers() && this->KeepsAll ? &this->Layers : nullptr;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRadialEffect::Release(vtkWindow* window)
 {
   this->Layers.Release(window);

@@ -51,7 +51,7 @@ private:
   vtkGodRaysSum Layers; // of all lights; of several only if they are asked for
   int Composed = 0;     // layers of this frame
   bool KeepsAll = false;
-  int Drawn = 0;                // lights of this frame
+  int Drawn = 0;               // lights of this frame
   std::vector<double> Streaks; // of each light; kept while the picture's coverage is
 };
 

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 
-//------------------------------------------------------------------------------
 vtkGodRaysMarchParameters vtkGodRaysRadialIntegrator::Request::GetMarchParameters() const
 {
   vtkGodRaysMarchParameters march;
@@ -24,7 +23,6 @@ vtkGodRaysMarchParameters vtkGodRaysRadialIntegrator::Request::GetMarchParameter
   return march;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysMarch vtkGodRaysRadialIntegrator::Request::GetMarch() const
 {
   const int layer[2] = { this->Layer->GetWidth(), this->Layer->GetHeight() };
@@ -32,20 +30,17 @@ vtkGodRaysMarch vtkGodRaysRadialIntegrator::Request::GetMarch() const
   return vtkGodRaysMarch(this->GetMarchParameters(), layer, picture, this->ViewScale);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRadialIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
 }
 
-//------------------------------------------------------------------------------
 unsigned int vtkGodRaysRadialIntegrator::GetOneColorFormat(
   vtkOpenGLRenderWindow*, vtkGodRaysModel*, unsigned int)
 {
   return 0;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysRadialIntegrator::Supports(vtkGodRaysModel* model)
 {
   return vtkGodRaysRadialSumModel::SafeDownCast(model) != nullptr;

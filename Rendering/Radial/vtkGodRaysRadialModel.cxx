@@ -31,16 +31,17 @@ struct Preset
 
 const Preset Presets[] = {
   { "default", "Crisp shafts, for any scene", 0.97, 1.0, 0.013, 1.0, 100, 0.75, 0.22 },
-  { "low-sun", "Strong, long shafts of a sun near the horizon", 0.98, 0.99, 0.028, 1.0, 100, 1.2, 0.3 },
+  { "low-sun", "Strong, long shafts of a sun near the horizon", 0.98, 0.99, 0.028, 1.0, 100, 1.2,
+    0.3 },
   { "long-shafts", "Even light, and shafts to the edges of the picture", 1.0, 1.015, 0.0028, 1.0,
     100, 0.0, 0.22 },
   { "cathedral", "Broad beams that cross a tall room", 1.2, 0.985, 0.016, 1.0, 100, 0.9, 0.1 },
   { "soft-haze", "Short shafts that melt into a haze", 0.85, 0.97, 0.041, 1.0, 100, 0.6, 0.0 },
-  { "halo", "A glow about the light, with short shafts in it", 0.7, 0.96, 0.09, 1.0, 100, 0.3, 0.0 },
+  { "halo", "A glow about the light, with short shafts in it", 0.7, 0.96, 0.09, 1.0, 100, 0.3,
+    0.0 },
 };
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRadialModel::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -48,7 +49,6 @@ void vtkGodRaysRadialModel::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Streaks: " << this->Streaks << "\n";
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysRadialModel::ApplyPreset(const char* name)
 {
   const Preset* preset = vtkGodRaysFindPreset(this, Presets, name);
@@ -62,25 +62,21 @@ bool vtkGodRaysRadialModel::ApplyPreset(const char* name)
   return preset != nullptr;
 }
 
-//------------------------------------------------------------------------------
 int vtkGodRaysRadialModel::GetNumberOfPresets()
 {
   return static_cast<int>(std::size(Presets));
 }
 
-//------------------------------------------------------------------------------
 const char* vtkGodRaysRadialModel::GetPresetName(int index)
 {
   return index >= 0 && index < GetNumberOfPresets() ? Presets[index].Name : nullptr;
 }
 
-//------------------------------------------------------------------------------
 const char* vtkGodRaysRadialModel::GetPresetDescription(int index)
 {
   return index >= 0 && index < GetNumberOfPresets() ? Presets[index].Description : nullptr;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRadialModel::GetTapSums(std::vector<vtkGodRays::TapSum>& passes, int taps) const
 {
   const int count = taps > 0 ? taps : this->NumberOfSamples;
@@ -97,7 +93,6 @@ void vtkGodRaysRadialModel::GetTapSums(std::vector<vtkGodRays::TapSum>& passes, 
   passes.assign(1, sum);
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysRadialModel::Describe() const
 {
   return "radial sum: " + this->DescribeParameters();

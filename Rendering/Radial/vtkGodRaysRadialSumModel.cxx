@@ -25,7 +25,6 @@ using vtkGodRays::TapSum;
 using vtkGodRays::Vec2;
 using vtkGodRays::Vec3;
 
-//------------------------------------------------------------------------------
 // Evaluate one pass on all pixels of an image that covers the part extent of the layer about its
 // centre.
 template <typename Scalar>
@@ -53,7 +52,6 @@ std::vector<double> EvaluatePass(const vtkGodRays::ImageLayerOf<Scalar>& layer, 
   return result;
 }
 
-//------------------------------------------------------------------------------
 // Why the arguments of Evaluate() cannot be used; empty if they can.
 std::string FindFault(vtkImageData* layer, const double lightClip[3], double marchScale,
   double viewScale, const int size[2], vtkImageData* scattering)
@@ -86,7 +84,6 @@ std::string FindFault(vtkImageData* layer, const double lightClip[3], double mar
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRadialSumModel::SetParameters(
   double density, double decay, double weight, double exposure, int numberOfSamples)
 {
@@ -97,7 +94,6 @@ void vtkGodRaysRadialSumModel::SetParameters(
   this->SetNumberOfSamples(numberOfSamples);
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysRadialSumModel::DescribeParameters() const
 {
   std::ostringstream text;
@@ -106,7 +102,6 @@ std::string vtkGodRaysRadialSumModel::DescribeParameters() const
   return text.str();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysRadialSumModel::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -121,7 +116,6 @@ void vtkGodRaysRadialSumModel::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SceneGain: " << this->GetSceneGain() << "\n";
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysRadialSumModel::Evaluate(vtkImageData* layer, const double lightClip[3],
   double marchScale, double viewScale, const int size[2], vtkImageData* scattering, int taps)
 {
@@ -169,13 +163,11 @@ bool vtkGodRaysRadialSumModel::Evaluate(vtkImageData* layer, const double lightC
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysRadialSumModel::CanScatter() const
 {
   return this->Density > 0.0 && this->Weight > 0.0 && this->Exposure > 0.0;
 }
 
-//------------------------------------------------------------------------------
 double vtkGodRaysRadialSumModel::GetFlatGain() const
 {
   std::vector<TapSum> passes;
@@ -195,13 +187,11 @@ double vtkGodRaysRadialSumModel::GetFlatGain() const
   return value;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysIntegrator* vtkGodRaysRadialSumModel::MakeIntegrator() const
 {
   return vtkGodRaysEpipolarIntegrator::New();
 }
 
-//------------------------------------------------------------------------------
 std::unique_ptr<vtkGodRaysEffect> vtkGodRaysRadialSumModel::MakeEffect()
 {
   return std::make_unique<vtkGodRaysRadialEffect>(this);

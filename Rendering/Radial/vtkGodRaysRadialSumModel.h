@@ -155,8 +155,8 @@ public:
 
   ///@{
   /**
-   * The response of the sum: the distance from the light over which rays fade to 1/e [heights of the picture],
-   * 0 if they do not; the largest amplitude of streaks [no unit].
+   * The response of the sum: the distance from the light over which rays fade to 1/e [heights of the
+   * picture], 0 if they do not; the largest amplitude of streaks [no unit].
    */
   virtual double GetReach() const { return 0.0; }
   virtual double GetStreaks() const { return 0.0; }

@@ -56,7 +56,6 @@ void SetBorder(vtkTextureObject* texture, int border)
 }
 }
 
-//------------------------------------------------------------------------------
 struct vtkGodRaysTapsIntegrator::Internals
 {
   vtkGodRaysQuad Quad{ "vtkGodRaysTapsFS", vtkGodRaysTapsFS };
@@ -92,22 +91,18 @@ struct vtkGodRaysTapsIntegrator::Internals
   }
 };
 
-//------------------------------------------------------------------------------
 vtkGodRaysTapsIntegrator::vtkGodRaysTapsIntegrator()
   : Internal(new Internals)
 {
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysTapsIntegrator::~vtkGodRaysTapsIntegrator() = default;
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysTapsIntegrator::IsJittered(vtkGodRaysRadialSumModel* model) const
 {
   return this->Jitter && vtkGodRaysRadialModel::SafeDownCast(model);
 }
 
-//------------------------------------------------------------------------------
 // sum_{k<m^p} w d^k s(k) = sum_{i<m} w d^i sum_{j<m} (d^m)^j s(i + m j), and so on.
 void vtkGodRaysTapsIntegrator::GetPasses(
   vtkGodRaysRadialSumModel* model, std::vector<vtkGodRays::TapSum>& passes) const
@@ -135,7 +130,6 @@ void vtkGodRaysTapsIntegrator::GetPasses(
   }
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysTapsIntegrator::Integrate(const Request& request)
 {
   vtkGodRaysRadialSumModel* model = request.Model;
@@ -164,7 +158,6 @@ bool vtkGodRaysTapsIntegrator::Integrate(const Request& request)
       request.Result->GetHeight(), request.ViewScale, jitter && passes.size() == 1);
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysTapsIntegrator::Describe(vtkGodRaysModel* model)
 {
   auto radial = vtkGodRaysRadialSumModel::SafeDownCast(model);
@@ -185,7 +178,6 @@ std::string vtkGodRaysTapsIntegrator::Describe(vtkGodRaysModel* model)
   return text.str();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysTapsIntegrator::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Quad.Release();
@@ -193,7 +185,6 @@ void vtkGodRaysTapsIntegrator::ReleaseGraphicsResources(vtkWindow* window)
   this->Internal->Between[1].Release(window);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysTapsIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -50,9 +50,11 @@ public:
     vtkGodRaysSum* Light = nullptr; ///< the light scattered by all lights: add to it
     unsigned int Format = 0;        ///< of layers: GL_RGBA16F or GL_RGBA32F
     int NumberOfLights = 0;
-    double Picture[4] = { 0.0, 0.0, 1.0, 1.0 }; ///< the whole picture, where this is a tile: corner and size
-    const vtkGodRaysSunPlacer* Placer = nullptr; ///< with the coverage of this picture, if that is new
-    bool InventsStreaks = true;                  ///< a look may have streaks that are not of the data
+    double Picture[4] = { 0.0, 0.0, 1.0,
+      1.0 }; ///< the whole picture, where this is a tile: corner and size
+    const vtkGodRaysSunPlacer* Placer =
+      nullptr;                  ///< with the coverage of this picture, if that is new
+    bool InventsStreaks = true; ///< a look may have streaks that are not of the data
     double ErrorTolerance = 1.0 / 255.0;
     bool Interactive = false; ///< the user drags the camera, or the like
     bool KeepsLayers = false; ///< the occlusion layers of all lights are asked for

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-//------------------------------------------------------------------------------
 void vtkGodRaysIntegrator::BeginVerification(bool isStill)
 {
   this->ErrorEstimate = -1.0;
@@ -21,14 +20,12 @@ void vtkGodRaysIntegrator::BeginVerification(bool isStill)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysIntegrator::TakeErrors(double rootMeanSquare, double largest)
 {
   this->ErrorEstimate = std::max(this->ErrorEstimate, rootMeanSquare);
   this->LargestVerifiedError = std::max(this->LargestVerifiedError, largest);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

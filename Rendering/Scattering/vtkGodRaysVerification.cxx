@@ -32,7 +32,6 @@ std::vector<std::int64_t> ChoosePixels(std::int64_t total, std::int64_t wanted)
 }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysVerification::vtkGodRaysVerification(vtkGodRaysIntegrator* integrator, vtkGodRaysSum& sum)
   : Integrator(integrator)
   , Sum(sum)
@@ -43,16 +42,13 @@ vtkGodRaysVerification::vtkGodRaysVerification(vtkGodRaysIntegrator* integrator,
   }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysVerification::~vtkGodRaysVerification() = default;
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysVerification::IsWanted() const
 {
   return this->Integrator->IsVerified();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysVerification::Measure(
   const std::function<std::array<double, 3>(int x, int y)>& exact)
 {

@@ -35,7 +35,6 @@ Vec3 ToFrame(const double vector[3], const vtkGodRaysView& view, const Vec3 axes
 }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkyObserver::Set(const vtkGodRaysView& view, const vtkGodRaysPlanet& planet)
 {
   const Vec3 way = planet.WorldUnitInMeters * (GetEye(view) - planet.Origin);
@@ -67,7 +66,6 @@ void vtkGodRaysSkyObserver::Set(const vtkGodRaysView& view, const vtkGodRaysPlan
   this->Axis = normalize(ToFrame(ahead, view, axes));
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysSkyObserver::Describe() const
 {
   std::ostringstream text;

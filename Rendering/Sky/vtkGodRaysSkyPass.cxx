@@ -91,7 +91,6 @@ void SetVector(vtkShaderProgram* program, const char* name, const Vec3& value)
 }
 }
 
-//------------------------------------------------------------------------------
 struct vtkGodRaysSkyPass::Internals
 {
   vtkNew<vtkGodRaysSkySource> Source; // of the atmosphere's tables and of the sun's colour
@@ -130,7 +129,6 @@ struct vtkGodRaysSkyPass::Internals
   }
 };
 
-//------------------------------------------------------------------------------
 vtkGodRaysSkyPass::vtkGodRaysSkyPass()
   : Internal(new Internals)
 {
@@ -143,10 +141,8 @@ vtkGodRaysSkyPass::vtkGodRaysSkyPass()
   self.Environment->MipmapOn();
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSkyPass::~vtkGodRaysSkyPass() = default;
 
-//------------------------------------------------------------------------------
 vtkGodRaysSkyPass* vtkGodRaysSkyPass::Attach(vtkRenderer* renderer)
 {
   if (!renderer)
@@ -163,7 +159,6 @@ vtkGodRaysSkyPass* vtkGodRaysSkyPass::Attach(vtkRenderer* renderer)
   return sky;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSkyPass::Detach(vtkRenderer* renderer)
 {
   const vtkSmartPointer<vtkGodRaysSkyPass> sky = Find(renderer);
@@ -181,13 +176,11 @@ bool vtkGodRaysSkyPass::Detach(vtkRenderer* renderer)
   return Find(renderer) != sky;
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSkyPass* vtkGodRaysSkyPass::Find(vtkRenderer* renderer)
 {
   return renderer ? vtkGodRaysAttachment::Find<vtkGodRaysSkyPass>(renderer) : nullptr;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkyPass::SetAtmosphere(vtkGodRaysAtmosphere* atmosphere)
 {
   if (!atmosphere || atmosphere != this->GetAtmosphere())
@@ -197,13 +190,11 @@ void vtkGodRaysSkyPass::SetAtmosphere(vtkGodRaysAtmosphere* atmosphere)
   }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysAtmosphere* vtkGodRaysSkyPass::GetAtmosphere()
 {
   return this->Internal->Source->GetAtmosphere();
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkyPass::SetCompositor(vtkGodRaysCompositor* compositor)
 {
   if (this->Internal->Compositor != compositor)
@@ -213,13 +204,11 @@ void vtkGodRaysSkyPass::SetCompositor(vtkGodRaysCompositor* compositor)
   }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysCompositor* vtkGodRaysSkyPass::GetCompositor()
 {
   return this->Internal->Compositor;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkyPass::SetSun(vtkGodRaysSun* sun)
 {
   if (!sun || sun != this->GetSun())
@@ -229,13 +218,11 @@ void vtkGodRaysSkyPass::SetSun(vtkGodRaysSun* sun)
   }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSun* vtkGodRaysSkyPass::GetSun()
 {
   return this->Internal->Source->GetSun();
 }
 
-//------------------------------------------------------------------------------
 #define vtkGodRaysForwardAngleMacro(name)                                                          \
   void vtkGodRaysSkyPass::SetSun##name(double degrees)                                             \
   {                                                                                                \
@@ -248,7 +235,6 @@ vtkGodRaysSun* vtkGodRaysSkyPass::GetSun()
 vtkGodRaysForwardAngleMacro(Elevation);
 vtkGodRaysForwardAngleMacro(Azimuth);
 
-//------------------------------------------------------------------------------
 #define vtkGodRaysForwardAxisMacro(name)                                                           \
   void vtkGodRaysSkyPass::Set##name(const double direction[3])                                     \
   {                                                                                                \
@@ -267,13 +253,11 @@ vtkGodRaysForwardAngleMacro(Azimuth);
 vtkGodRaysForwardAxisMacro(Up);
 vtkGodRaysForwardAxisMacro(North);
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkyPass::PrepareSource()
 {
   this->Internal->Source->SetMultipleScattering(this->MultipleScattering);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkyPass::GetSunColor(double irradiance[3])
 {
   this->PrepareSource();
@@ -282,7 +266,6 @@ void vtkGodRaysSkyPass::GetSunColor(double irradiance[3])
   std::transform(irradiance, irradiance + 3, &weights[0], irradiance, std::multiplies<>());
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSkyPass::GetSkyColor(const double direction[3], double radiance[3])
 {
   this->PrepareSource();
@@ -292,7 +275,6 @@ bool vtkGodRaysSkyPass::GetSkyColor(const double direction[3], double radiance[3
   return done;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSkyPass::UpdateLight(vtkLight* light)
 {
   if (!this->GetSun()->UpdateLight(light))
@@ -311,7 +293,6 @@ bool vtkGodRaysSkyPass::UpdateLight(vtkLight* light)
   return true;
 }
 
-//------------------------------------------------------------------------------
 vtkTexture* vtkGodRaysSkyPass::GetEnvironmentTexture()
 {
   Internals& self = *this->Internal;
@@ -340,13 +321,11 @@ vtkTexture* vtkGodRaysSkyPass::GetEnvironmentTexture()
   return self.Environment;
 }
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysSkyPass::GetPlan() const
 {
   return this->Internal->Plan;
 }
 
-//------------------------------------------------------------------------------
 const char* vtkGodRaysSkyPass::FindReasonForNoSky(
   const vtkRenderState* s, vtkOpenGLRenderWindow* window)
 {
@@ -394,7 +373,6 @@ const char* vtkGodRaysSkyPass::FindReasonForNoSky(
   return nullptr;
 }
 
-//------------------------------------------------------------------------------
 // The camera and the sun as this frame has them.
 void vtkGodRaysSkyPass::SetObserver(const vtkRenderState* s)
 {
@@ -421,7 +399,6 @@ void vtkGodRaysSkyPass::SetObserver(const vtkRenderState* s)
   self.Sun.Place(self.View, sun, vtkGodRays::GetDiscRadius(this->GetSun(), this->GetAtmosphere()));
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkyPass::Render(const vtkRenderState* s)
 {
   Internals& self = *this->Internal;
@@ -504,7 +481,6 @@ void vtkGodRaysSkyPass::Render(const vtkRenderState* s)
   vtkOpenGLCheckErrorMacro("failed after Render");
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkyPass::RenderScene(const vtkRenderState* s)
 {
   Internals& self = *this->Internal;
@@ -520,7 +496,6 @@ void vtkGodRaysSkyPass::RenderScene(const vtkRenderState* s)
   this->NumberOfRenderedProps = scene->GetNumberOfRenderedProps();
 }
 
-//------------------------------------------------------------------------------
 // Why there is no air before the scene, or null.
 const char* vtkGodRaysSkyPass::FindReasonForNoAir(const vtkRenderState* s)
 {
@@ -558,7 +533,6 @@ const char* vtkGodRaysSkyPass::FindReasonForNoAir(const vtkRenderState* s)
   return nullptr;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSkyPass::UpdateTable(vtkGodRaysSkyTable& table, const char* name)
 {
   Internals& self = *this->Internal;
@@ -589,13 +563,11 @@ bool vtkGodRaysSkyPass::UpdateTable(vtkGodRaysSkyTable& table, const char* name)
   return done;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSkyPass::JoinsPictures() const
 {
   return this->Internal->Compositor && this->Internal->Compositor->IsDistributed();
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSkyPass::DrawSky(const vtkRenderState* s)
 {
   Internals& self = *this->Internal;
@@ -623,7 +595,6 @@ bool vtkGodRaysSkyPass::DrawSky(const vtkRenderState* s)
   return drawn && (!this->JoinsPictures() || this->Draw(viewport, whole, SKY));
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSkyPass::DrawAir(const vtkRenderState* s)
 {
   Internals& self = *this->Internal;
@@ -647,7 +618,6 @@ bool vtkGodRaysSkyPass::DrawAir(const vtkRenderState* s)
   return this->Draw(viewport, whole, AIR);
 }
 
-//------------------------------------------------------------------------------
 // Draw a part of the viewport: first and past the last column, first and past the last row.
 bool vtkGodRaysSkyPass::Draw(const int viewport[4], const int part[4], Stage stage)
 {
@@ -711,7 +681,6 @@ bool vtkGodRaysSkyPass::Draw(const int viewport[4], const int part[4], Stage sta
   return true;
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkyPass::Complain(const char* what, const std::string& reason)
 {
   const std::string complaint = std::string("without ") + what + ": " + reason;
@@ -722,7 +691,6 @@ void vtkGodRaysSkyPass::Complain(const char* what, const std::string& reason)
   }
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkyPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
@@ -730,14 +698,12 @@ void vtkGodRaysSkyPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Internal->RendererSteps->ReleaseGraphicsResources(window);
 }
 
-//------------------------------------------------------------------------------
 vtkMTimeType vtkGodRaysSkyPass::GetMTime()
 {
   return std::max({ this->Superclass::GetMTime(), this->GetAtmosphere()->GetMTime(),
     this->GetSun()->GetMTime() });
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkyPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -47,17 +47,14 @@ void SetPhase(vtkShaderProgram* program, const std::string& name, const PhaseFun
 }
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSkyTable::vtkGodRaysSkyTable(Kind kind)
   : InParts(kind == PARTS)
   , Quad("vtkGodRaysSkyTableFS", vtkGodRaysSkyTableFS)
 {
 }
 
-//------------------------------------------------------------------------------
 vtkGodRaysSkyTable::~vtkGodRaysSkyTable() = default;
 
-//------------------------------------------------------------------------------
 std::string vtkGodRaysSkyTable::FindReason(const Request& request) const
 {
   if (!this->Table.IsReady())
@@ -79,7 +76,6 @@ std::string vtkGodRaysSkyTable::FindReason(const Request& request) const
   return {};
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkyTable::UploadRepeated(vtkOpenGLRenderWindow* window, vtkImageData* repeated)
 {
   if (this->Repeated.IsReady() && repeated->GetMTime() == this->RepeatedTime)
@@ -92,7 +88,6 @@ void vtkGodRaysSkyTable::UploadRepeated(vtkOpenGLRenderWindow* window, vtkImageD
   this->RepeatedTime = repeated->GetMTime();
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSkyTable::Update(vtkOpenGLRenderWindow* window, const Request& request)
 {
   this->Reason = this->FindReason(request);
@@ -121,7 +116,6 @@ bool vtkGodRaysSkyTable::Update(vtkOpenGLRenderWindow* window, const Request& re
   return made;
 }
 
-//------------------------------------------------------------------------------
 bool vtkGodRaysSkyTable::Draw(
   vtkOpenGLRenderWindow* window, vtkGodRaysTarget& target, bool ofExtinction)
 {
@@ -150,13 +144,11 @@ bool vtkGodRaysSkyTable::Draw(
   return true;
 }
 
-//------------------------------------------------------------------------------
 Vec2 vtkGodRaysSkyTable::GetEdges() const
 {
   return SkyEdges(this->Made.Sky.GroundRadius, this->Made.Sky.TopHeight, this->Made.Height);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkyTable::SetLayout(vtkShaderProgram* program) const
 {
   const Layout& layout = GetLayout(this->InParts, this->Made);
@@ -169,7 +161,6 @@ void vtkGodRaysSkyTable::SetLayout(vtkShaderProgram* program) const
   program->SetUniformi("extinctionSlices", ExtinctionSlices);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkyTable::SetUniforms(vtkGodRaysQuad& quad, vtkShaderProgram* program) const
 {
   quad.SetTexture("table", this->Table.GetColor());
@@ -180,7 +171,6 @@ void vtkGodRaysSkyTable::SetUniforms(vtkGodRaysQuad& quad, vtkShaderProgram* pro
   this->SetLayout(program);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkyTable::SetAtmosphere(vtkShaderProgram* program, const SkyAtmosphere& sky)
 {
   program->SetUniformf("sky.GroundRadius", static_cast<float>(sky.GroundRadius));
@@ -197,7 +187,6 @@ void vtkGodRaysSkyTable::SetAtmosphere(vtkShaderProgram* program, const SkyAtmos
   vtkGodRaysQuad::SetVector(program, "sky.AerosolAsymmetry", &sky.AerosolAsymmetry[0]);
 }
 
-//------------------------------------------------------------------------------
 void vtkGodRaysSkyTable::Release(vtkWindow* window)
 {
   this->Quad.Release();

@@ -281,8 +281,9 @@ TEST(Exposure, PictureIsTheFormula)
   for (int i = 0; i < Width * Height; ++i)
   {
     const Vec3 scene = ColorStage::Get(stage.Without, i);
-    const Vec3 rays = exposure * Vec3(GetValue(light, i % Width, i / Width, 0),
-      GetValue(light, i % Width, i / Width, 1), GetValue(light, i % Width, i / Width, 2));
+    const Vec3 rays = exposure *
+      Vec3(GetValue(light, i % Width, i / Width, 0), GetValue(light, i % Width, i / Width, 1),
+        GetValue(light, i % Width, i / Width, 2));
     const Vec3 over =
       glm::mix(overDark, overData, vtkGodRays::SeenPart(scene)) * vtkGodRays::CapLight(rays);
     const Vec3 sum =
@@ -406,7 +407,8 @@ TEST(LightBackground, IsDarkerInShadows)
     if (!stage.IsData(i))
     {
       const double shadow = 1.0 - std::cbrt(std::min(luminance[i] / reference, 1.0));
-      const double parts[3] = { 0.555, 0.491, 0.369 }; // a cool grey: sRGB's (178, 189, 208) in full shadow
+      const double parts[3] = { 0.555, 0.491,
+        0.369 }; // a cool grey: sRGB's (178, 189, 208) in full shadow
       for (int c = 0; c < 3; ++c)
       {
         const double value = vtkGodRays::EncodeDisplay(1.0 - parts[c] * shadow);

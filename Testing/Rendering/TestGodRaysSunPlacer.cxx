@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Where a sun is put behind a scene: where it makes the most shafts, for props of any kind, and again when that
-// changes.
+// Where a sun is put behind a scene: where it makes the most shafts, for props of any kind, and again when
+// that changes.
 
 #include "GodRaysTesting.h"
 
@@ -365,7 +365,8 @@ TEST_F(GodRaysSunPlacer, FollowsIfAsked)
   EXPECT_EQ(this->GetSun().size(), 3u);
 }
 
-// An orbit has rays in each of its pictures, and none of a sun that stays and leaves the picture without a word.
+// An orbit has rays in each of its pictures, and none of a sun that stays and leaves the picture without a
+// word.
 TEST_F(GodRaysSunPlacer, IsSeenAllAlongAnOrbit)
 {
   this->AddBoxes();
@@ -462,8 +463,9 @@ TEST_F(GodRaysSunPlacer, SeesPropsOfAllKinds)
   vtkNew<vtkAssembly> assembly;
   assembly->AddPart(MakeBox({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }));
   const std::vector<std::pair<const char*, std::function<vtkProp*()>>> props = {
-    { "data set", [&] { return makeActor(ofData); } }, { "line", [&] { return makeActor(ofLine); } },
-    { "splats", [&] { return makeActor(splats); } }, { "glyphs", [&] { return makeActor(glyphs); } },
+    { "data set", [&] { return makeActor(ofData); } },
+    { "line", [&] { return makeActor(ofLine); } }, { "splats", [&] { return makeActor(splats); } },
+    { "glyphs", [&] { return makeActor(glyphs); } },
     { "blocks", [&] { return makeActor(ofBlocks); } }, { "volume", [&] { return volume.Get(); } },
     { "slice", [&] { return slice.Get(); } }, { "assembly", [&] { return assembly.Get(); } }
   };
