@@ -182,8 +182,8 @@ void main()
     light = intensity * (oneChannel ? ray.r * tint : ray.rgb);
     if (responds)
     {
-      light *= RadialResponse((uv - responsePlace.xy) * responsePlace.zw, responseNumbers.x, responseNumbers.y,
-        responseNumbers.z);
+      vec2 offset = (uv - responsePlace.xy) * responsePlace.zw;
+      light *= RadialResponse(offset, responseNumbers.x, responseNumbers.y, responseNumbers.z);
     }
   }
   if (showRays)
