@@ -46,7 +46,7 @@ bool vtkGodRaysPass::LookAtPicture(
     self.Compositor->Reduce(static_cast<float*>(coverage->GetScalarPointer()),
       static_cast<std::size_t>(coverage->GetNumberOfPoints()), vtkGodRaysCompositor::GREATEST);
   }
-  self.Placer->SetCoverage(coverage);
+  self.Placer->SetCoverageImage(coverage);
   if (this->IsSunMissing() || (self.PlacedSun && this->SunPlacement == SUN_EVERY_VIEW))
   {
     constexpr double leastLightness = 12.0; // [L*]
@@ -117,7 +117,7 @@ bool vtkGodRaysPass::Internals::FindExposure(
   request.DataExposure = this->Exposure.OverData;
   request.DarkExposure = this->Exposure.OverDark;
   request.DataGain = this->Exposure.DataGain;
-  request.CapsData = pass.AutomaticExposure;
+  request.CapsData = pass.AutomaticExposure && request.SparesData; // shafts in a room are over data
   request.SurroundPart = this->Surround.Part;
   request.SurroundLight = this->Surround.Light;
   request.SurroundRays = this->Surround.Rays;

@@ -435,7 +435,8 @@ bool vtkGodRaysPass::DrawLights(
   self.Effect->Begin(frame);
   self.HasRays = true;
   return std::all_of(lights.begin(), lights.end(),
-    [&](const vtkGodRaysLight& light) { return self.Effect->DrawLight(frame, light); });
+           [&](const vtkGodRaysLight& light) { return self.Effect->DrawLight(frame, light); }) &&
+    self.Scattering.Finish();
 }
 
 unsigned int vtkGodRaysPass::GetLayerFormat() const

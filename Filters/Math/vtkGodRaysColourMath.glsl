@@ -155,12 +155,12 @@ FUNCTION Real OrderedNoise(IN(Vec2) pixel)
 // A light background with rays before it, which have no room to make it lighter: it keeps its colour where
 // rays are as bright as a reference, and is a cool grey where there are none, as a bright haze is in the
 // shadow
-// of things: of white, sRGB's (178, 189, 208). The root makes up for rays that are weaker far from their
-// light. Formula: a (1 - s (1 - g) (1 - min(Y/Y_ref, 1)^(1/3))), g = (0.445, 0.509, 0.631). [linear light]
+// of things: of white, sRGB's (178, 189, 208). The power makes up for rays that are weaker far from their
+// light. Formula: a (1 - s (1 - g) (1 - min(Y/Y_ref, 1)^0.45)), g = (0.445, 0.509, 0.631). [linear light]
 FUNCTION Vec3 BlendSurround(IN(Vec3) scene, IN(Vec3) rays, IN(Real) reference, IN(Real) part)
 {
   GODRAYS_EXPECT(reference > 0.0 && part >= 0.0 && part <= 1.0);
-  Real dark = part * (1.0 - pow(min(Luminance(rays) / reference, 1.0), 1.0 / 3.0));
+  Real dark = part * (1.0 - pow(min(Luminance(rays) / reference, 1.0), 0.45));
   return scene * (Vec3(1.0) - dark * Vec3(0.555, 0.491, 0.369));
 }
 

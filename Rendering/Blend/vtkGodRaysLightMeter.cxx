@@ -197,7 +197,8 @@ public:
     {
       const double over = glm::mix(overDark, overLit, each.Lit);
       const Vec3 full = exposure * each.Rays;
-      const Vec3 rays = glm::mix(full, over * vtkGodRays::CapLight(full), each.Part);
+      const Vec3 rays =
+        glm::mix(full, over * (this->LimitsTint ? vtkGodRays::CapLight(full) : full), each.Part);
       const Vec3 after = ToLab(this->Shoulder ? vtkGodRays::BlendShoulder(each.Base, rays)
                                               : vtkGodRays::BlendAdd(each.Base, rays));
       sum.Add(each.Part * (kind == LIT ? each.Lit : 1.0), glm::length(after - each.Before),

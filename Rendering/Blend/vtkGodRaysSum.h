@@ -60,6 +60,12 @@ public:
   bool Settle();
   ///@}
 
+  /**
+   * End a frame: what is lent is added, unless it is all that there is. Returns false, after an error, if
+   * that failed.
+   */
+  bool Finish() { return !this->Drawn || this->Settle(); }
+
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
   unsigned int GetFormat() const { return this->Format; }

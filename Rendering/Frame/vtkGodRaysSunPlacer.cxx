@@ -475,15 +475,15 @@ vtkGodRaysSunPlacer::vtkGodRaysSunPlacer()
 
 vtkGodRaysSunPlacer::~vtkGodRaysSunPlacer() = default;
 
-bool vtkGodRaysSunPlacer::SetCoverage(vtkImageData* coverage)
+bool vtkGodRaysSunPlacer::SetCoverageImage(vtkImageData* coverage)
 {
   const int* size = coverage ? coverage->GetDimensions() : nullptr;
   if (!size || size[0] < 8 || size[1] < 8 || size[2] != 1 ||
     coverage->GetScalarType() != VTK_FLOAT || coverage->GetNumberOfScalarComponents() != 1)
   {
-    vtkErrorMacro(
-      "SetCoverage needs an image of one 32-bit float a cell, of at least 8 x 8 cells; nothing is "
-      "changed.");
+    vtkErrorMacro("SetCoverageImage needs an image of one 32-bit float a cell, of at least 8 x 8 "
+                  "cells; nothing is "
+                  "changed.");
     return false;
   }
   const auto covered = static_cast<const float*>(coverage->GetScalarPointer());

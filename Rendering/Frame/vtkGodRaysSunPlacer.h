@@ -48,14 +48,16 @@ public:
 
   ///@{
   /**
-   * Set the coverage, and find the best place for it. coverage: one 32-bit float a cell, the fraction of it
-   * that is covered, in [0, 1]; rows from the picture's lower edge; cells are square. 50 to 70 rows are
-   * enough. SetCoverage() returns false, after an error, and changes nothing for any other image. Find()
-   * returns whether there is a place that makes shafts; if not, Place is the most open one, or the usual
-   * one if nothing is covered. With a renderer, places below the far edge of its ground are left out, where
-   * a sun would stand under it: that of a flat box of visible props that is seen from above.
+   * Set the coverage, and find the best place for it. coverage: one 32-bit float a cell, the fraction of
+   * it that is covered, in [0, 1];
+   * rows from the picture's lower edge; cells are square. 50 to 70 rows are enough. SetCoverageImage()
+   * returns false, after an error, and changes nothing for any other image. Find() returns whether there is a
+   * place that makes shafts; if not, Place is the most open one, or the usual one if nothing is covered.
+   * With a
+   * renderer, places below the far edge of its ground are left out, where a sun would stand under it: that
+   * of a flat box of visible props that is seen from above.
    */
-  bool SetCoverage(vtkImageData* coverage);
+  bool SetCoverageImage(vtkImageData* coverage);
   bool Find(vtkRenderer* renderer = nullptr);
   ///@}
 

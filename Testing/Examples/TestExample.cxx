@@ -50,12 +50,12 @@ public:
     vtkNew<vtkImageData> after;
     vtkNew<vtkImageData> layer;
     vtkNew<vtkImageData> expected;
-    const bool hasLight = request.Result->Download(before);
+    const bool hasLight = request.Result->IsLinear() && request.Result->Download(before);
     if (!this->Superclass::Integrate(request))
     {
       return false;
     }
-    request.Result->Download(after);
+    request.Result->DownloadLinear(after);
     request.Layer->Download(layer, request.Light->Color);
     const int size[2] = { request.Result->GetWidth(), request.Result->GetHeight() };
     auto model = vtkGodRaysRadialModel::SafeDownCast(request.Model);

@@ -440,6 +440,7 @@ TEST_F(GodRaysBlockMeans, KeepTheToleranceInStrips)
 TEST_F(GodRaysBlockMeans, AreTakenInLongStrips)
 {
   const int sizes[][2] = { { 7000, 16 }, { 16, 7000 }, { 4096, 48 } };
+  this->Model->SetDecay(0.98);
   for (const auto& size : sizes)
   {
     this->MakeLayer(size[0], size[1], 1, [](int, int) { return 1.0; });

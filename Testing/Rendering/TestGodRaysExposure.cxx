@@ -406,7 +406,7 @@ TEST(LightBackground, IsDarkerInShadows)
   {
     if (!stage.IsData(i))
     {
-      const double shadow = 1.0 - std::cbrt(std::min(luminance[i] / reference, 1.0));
+      const double shadow = 1.0 - std::pow(std::min(luminance[i] / reference, 1.0), 0.45);
       const double parts[3] = { 0.555, 0.491,
         0.369 }; // a cool grey: sRGB's (178, 189, 208) in full shadow
       for (int c = 0; c < 3; ++c)
@@ -425,7 +425,7 @@ TEST(LightBackground, IsDarkerInShadows)
 
   stage.Rays->SetDarkenLightBackground(false);
   const auto off = GetPixels(stage.Window);
-  stage.Renderer->SetBackground(0.6, 0.6, 0.6);
+  stage.Renderer->SetBackground(0.4, 0.4, 0.4);
   stage.Rays->SetDarkenLightBackground(true);
   stage.Window->Render();
   EXPECT_FALSE(Says(stage.Rays->GetPlan(), "darken the background"));
@@ -496,6 +496,51 @@ TEST(LightBackground, IsSeenThroughAMedium)
   EXPECT_GT(lightest, darkest + 10);
   EXPECT_EQ(lightest, 255);
   EXPECT_TRUE(Says(stage.Rays->GetPlan(), "darken the background"));
+}
+
+//------------------------------------------------------------------------------
+// Each light fades and has streaks about its own place; together they are the sum of both.
+TEST(Response, LightsAddUp)
+{
+  Messages messages;
+  ColorStage stage;
+  auto* look = vtkGodRaysRadialModel::SafeDownCast(stage.Rays->GetModel());
+  look->SetReach(0.75);
+  look->SetStreaks(0.22);
+  const auto sun = MakeSun({ -0.2, 0.15, -1.0 }, { 0.3, 0.6, 1.0 });
+  const auto get = [&](bool first, bool second)
+  {
+    stage.Rays->RemoveAllLights();
+    for (const auto& [has, light] : { std::make_pair(first, stage.Sun), { second, sun } })
+    {
+      if (has)
+      {
+        stage.Rays->AddLight(light);
+      }
+    }
+    stage.Renderer->GetActiveCamera()->Azimuth(1e-9); // its coverage is found again
+    stage.Window->Render();
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    EXPECT_TRUE(stage.Rays->GetScatteringImage(image));
+    return image;
+  };
+  const auto both = get(true, true);
+  const auto one = get(true, false);
+  const auto other = get(false, true);
+  double largest = 0.0;
+  double worst = 0.0;
+  double without = 0.0;
+  for (int i = 0; i < 3 * Width * Height; ++i)
+  {
+    const int x = i / 3 % Width;
+    const int y = i / 3 / Width;
+    const double sum = GetValue(one, x, y, i % 3) + GetValue(other, x, y, i % 3);
+    largest = std::max(largest, sum);
+    worst = std::max(worst, std::abs(GetValue(both, x, y, i % 3) - sum));
+    without = std::max(without, GetValue(one, x, y, i % 3));
+  }
+  EXPECT_LT(worst, 1e-4 * largest);
+  EXPECT_GT(without, 0.2 * largest); // a control: the first light is much of it
 }
 
 //------------------------------------------------------------------------------

@@ -163,7 +163,7 @@ TEST(GodRaysSunPlaces, AreNearlyTheBestOfAThousand)
   constexpr int count = 24;
   for (unsigned int seed = 0; seed < count; ++seed)
   {
-    ASSERT_TRUE(placer->SetCoverage(MakeCoverage(seed)));
+    ASSERT_TRUE(placer->SetCoverageImage(MakeCoverage(seed)));
     const auto begun = std::chrono::steady_clock::now();
     ASSERT_TRUE(placer->Find()) << seed;
     times.push_back(
@@ -208,7 +208,7 @@ TEST(GodRaysSunPlaces, AreAtHoles)
       values[i] = x >= 4 && x < 92 && y >= 4 && y < 56 && !isHole ? 1.0f : 0.0f;
     }
     vtkNew<vtkGodRaysSunPlacer> placer;
-    ASSERT_TRUE(placer->SetCoverage(image));
+    ASSERT_TRUE(placer->SetCoverageImage(image));
     placer->Find();
     const double* place = placer->GetPlace();
     const bool isWithin = place[0] > 0.2 && place[0] < 0.8 && place[1] > 0.3 && place[1] < 0.7;
@@ -302,8 +302,8 @@ TEST_F(GodRaysSunPlacer, HasAPlaceInAnyCase)
   EXPECT_GE(this->Placer->GetPlace()[1], 0.9 - 0.5 / Rows);
   EXPECT_EQ(this->Rays->PlaceSun(nullptr), nullptr);
   vtkNew<vtkImageData> other;
-  EXPECT_FALSE(this->Placer->SetCoverage(other));
-  EXPECT_FALSE(this->Placer->SetCoverage(nullptr));
+  EXPECT_FALSE(this->Placer->SetCoverageImage(other));
+  EXPECT_FALSE(this->Placer->SetCoverageImage(nullptr));
   EXPECT_EQ(this->VTKMessages.Take().size(), 3u);
 }
 
