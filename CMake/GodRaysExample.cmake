@@ -18,7 +18,7 @@
 function(godrays_add_example name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "WITHOUT_RAYS;SPLATS" "" "")
   set(components
-    CommonColor CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral
+    CommonColor CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersExtraction FiltersGeneral
     FiltersGeometry FiltersHybrid FiltersModeling FiltersSources IOGeometry IOImage IOImport IOLegacy
     IOOggTheora IOPLY IOXML ImagingCore ImagingSources InteractionStyle InteractionWidgets RenderingCore
     RenderingFreeType RenderingOpenGL2 RenderingUI RenderingVolumeOpenGL2 vtksys)

@@ -70,9 +70,11 @@ inline bool HasDisplay(vtkRenderWindow* window)
 }
 
 /**
- * Write what the window shows to a PNG file, without opening it. Returns the program's exit status.
+ * Write what the window shows to a PNG file, without opening it, with so many samples a pixel. Returns the
+ * program's exit status.
  */
-inline int WritePicture(vtkRenderWindow* window, std::array<int, 2> size, const std::string& file)
+inline int WritePicture(
+  vtkRenderWindow* window, std::array<int, 2> size, const std::string& file, int samples = 0)
 {
   const std::string suffix = ".png";
   if (file.size() < suffix.size() ||
@@ -85,7 +87,7 @@ inline int WritePicture(vtkRenderWindow* window, std::array<int, 2> size, const 
     return EXIT_FAILURE;
   }
   window->SetSize(size[0], size[1]);
-  window->SetMultiSamples(0);
+  window->SetMultiSamples(samples);
   window->SetOffScreenRendering(true);
   window->Render();
   vtkNew<vtkWindowToImageFilter> picture;
@@ -101,11 +103,11 @@ inline int WritePicture(vtkRenderWindow* window, std::array<int, 2> size, const 
 
 /**
  * Write what the window shows, in this size, to the PNG file that the first argument names, without opening
- * it; without an argument, open it and let the user look around, and let the scene advance 25 times a
- * second if it can. Returns the program's exit status.
+ * it, with so many samples a pixel; without an argument, open it and let the user look around, and let the
+ * scene advance 25 times a second if it can. Returns the program's exit status.
  */
 inline int ShowOrWrite(vtkRenderWindow* window, std::array<int, 2> size, int argc, char* argv[],
-  const std::function<void()>& advance = {})
+  const std::function<void()>& advance = {}, int samples = 0)
 {
   if (argc > 2)
   {
@@ -114,7 +116,7 @@ inline int ShowOrWrite(vtkRenderWindow* window, std::array<int, 2> size, int arg
   }
   if (argc > 1)
   {
-    return WritePicture(window, size, argv[1]);
+    return WritePicture(window, size, argv[1], samples);
   }
   if (!HasDisplay(window))
   {

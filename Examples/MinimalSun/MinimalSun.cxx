@@ -1,60 +1,61 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The least that god rays need: a sun, something before it, and three lines.
+// The shortest program with god rays: a scene with gaps and three lines.
 
 #include "../ExampleWindow.h"
 
 #include "vtkActor.h"
-#include "vtkAppendPolyData.h"
 #include "vtkCamera.h"
-#include "vtkCubeSource.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkExtractEdges.h"
 #include "vtkGodRaysPass.h"
-#include "vtkLight.h"
 #include "vtkPolyDataMapper.h"
-#include "vtkProperty.h"
+#include "vtkRTAnalyticSource.h"
 #include "vtkRenderer.h"
+#include "vtkTubeFilter.h"
 
 int main(int argc, char* argv[])
 {
   const auto size = TakeSize(argc, argv);
-  // A colonnade: the ground, a beam and eleven pillars, all boxes.
-  vtkNew<vtkAppendPolyData> boxes;
-  const auto addBox = [&boxes](double x0, double x1, double y0, double y1, double z0, double z1)
-  {
-    vtkNew<vtkCubeSource> box;
-    box->SetBounds(x0, x1, y0, y1, z0, z1);
-    boxes->AddInputConnection(box->GetOutputPort());
-  };
-  addBox(-40.0, 40.0, -0.2, 0.0, -8.0, 20.0);
-  addBox(-12.0, 12.0, 4.0, 4.7, -0.5, 0.5);
-  for (int i = -5; i <= 5; ++i)
-  {
-    addBox(2.0 * i - 0.4, 2.0 * i + 0.4, 0.0, 4.0, -0.4, 0.4);
-  }
+  // The edges of a grid as tubes, in the colours of the grid's values
+  vtkNew<vtkRTAnalyticSource> grid;
+  grid->SetWholeExtent(0, 3, 0, 3, 0, 3);
+  vtkNew<vtkExtractEdges> edges;
+  edges->SetInputConnection(grid->GetOutputPort());
+  vtkNew<vtkTubeFilter> tubes;
+  tubes->SetInputConnection(edges->GetOutputPort());
+  tubes->SetRadius(0.08);
+  tubes->SetNumberOfSides(16);
+  vtkNew<vtkColorTransferFunction> colors;
+  colors->AddRGBPoint(-20.0, 0.95, 0.85, 0.3);
+  colors->AddRGBPoint(100.0, 0.15, 0.7, 0.6);
+  colors->AddRGBPoint(260.0, 0.3, 0.45, 0.95);
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(boxes->GetOutputPort());
-  vtkNew<vtkActor> colonnade;
-  colonnade->SetMapper(mapper);
-  colonnade->GetProperty()->SetAmbient(0.15);
+  mapper->SetInputConnection(tubes->GetOutputPort());
+  mapper->SetLookupTable(colors);
+  vtkNew<vtkActor> lattice;
+  lattice->SetMapper(mapper);
 
   vtkNew<vtkRenderer> renderer;
-  renderer->AddActor(colonnade);
-  renderer->SetBackground(0.03, 0.06, 0.14);
-  renderer->GetActiveCamera()->SetPosition(-3.0, 1.3, 9.0);
-  renderer->GetActiveCamera()->SetFocalPoint(0.5, 2.5, 0.0);
-  renderer->GetActiveCamera()->SetViewAngle(60.0);
+  renderer->AddActor(lattice);
+  renderer->GradientBackgroundOn();
+  renderer->SetBackground(0.016, 0.02, 0.031); // shafts show before dark grounds
+  renderer->SetBackground2(0.055, 0.067, 0.094);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(0.0, -1.0, 0.0);
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  camera->Azimuth(25.0);
+  camera->Elevation(20.0);
+  renderer->ResetCamera();
+  camera->Dolly(1.12);
   renderer->ResetCameraClippingRange();
-  vtkNew<vtkLight> sun; // it shines from its position towards the origin
-  sun->SetPosition(0.645, 0.16, -1.0);
-  sun->SetColor(1.0, 0.85, 0.6);
-  renderer->AddLight(sun);
 
   vtkNew<vtkGodRaysPass> rays;
-  rays->AddLight(sun);
-  rays->SetBackgroundGlowFalloff(12.0);
+  rays->SetSunPlacement(vtkGodRaysPass::SUN_EVERY_VIEW); // behind the lattice, with the most shafts
   rays->Attach(renderer);
 
   vtkNew<vtkRenderWindow> window;
   window->AddRenderer(renderer);
-  return ShowOrWrite(window, size, argc, argv);
+  return ShowOrWrite(window, size, argc, argv, {}, 8);
 }

@@ -1,45 +1,55 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The least that god rays need: a sun, something before it, and one line."""
+"""The shortest program with god rays: a scene with gaps and one line."""
 
 import sys
 
 import godrays
 import vtkmodules.all as vtk
 
-# A colonnade: the ground, a beam and eleven pillars, all boxes.
-boxes = vtk.vtkAppendPolyData()
-pillars = [(2 * i - 0.4, 2 * i + 0.4, 0, 4, -0.4, 0.4) for i in range(-5, 6)]
-for bounds in [(-40, 40, -0.2, 0, -8, 20), (-12, 12, 4, 4.7, -0.5, 0.5), *pillars]:
-    box = vtk.vtkCubeSource()
-    box.SetBounds(bounds)
-    boxes.AddInputConnection(box.GetOutputPort())
+# The edges of a grid as tubes, in the colours of the grid's values
+grid = vtk.vtkRTAnalyticSource()
+grid.SetWholeExtent(0, 3, 0, 3, 0, 3)
+edges = vtk.vtkExtractEdges()
+edges.SetInputConnection(grid.GetOutputPort())
+tubes = vtk.vtkTubeFilter()
+tubes.SetInputConnection(edges.GetOutputPort())
+tubes.SetRadius(0.08)
+tubes.SetNumberOfSides(16)
+tubes.Update()
+colors = vtk.vtkColorTransferFunction()
+colors.AddRGBPoint(-20, 0.95, 0.85, 0.3)
+colors.AddRGBPoint(100, 0.15, 0.7, 0.6)
+colors.AddRGBPoint(260, 0.3, 0.45, 0.95)
 mapper = vtk.vtkPolyDataMapper()
-mapper.SetInputConnection(boxes.GetOutputPort())
-colonnade = vtk.vtkActor()
-colonnade.SetMapper(mapper)
-colonnade.GetProperty().SetAmbient(0.15)
+mapper.SetInputConnection(tubes.GetOutputPort())
+mapper.SetLookupTable(colors)
+lattice = vtk.vtkActor()
+lattice.SetMapper(mapper)
 
 renderer = vtk.vtkRenderer()
-renderer.AddActor(colonnade)
-renderer.SetBackground(0.03, 0.06, 0.14)
-renderer.GetActiveCamera().SetPosition(-3, 1.3, 9)
-renderer.GetActiveCamera().SetFocalPoint(0.5, 2.5, 0)
-renderer.GetActiveCamera().SetViewAngle(60)
+renderer.AddActor(lattice)
+renderer.GradientBackgroundOn()
+renderer.SetBackground(0.016, 0.02, 0.031)  # shafts show before dark grounds
+renderer.SetBackground2(0.055, 0.067, 0.094)
+camera = renderer.GetActiveCamera()
+camera.SetPosition(0, -1, 0)
+camera.SetFocalPoint(0, 0, 0)
+camera.SetViewUp(0, 0, 1)
+camera.Azimuth(25)
+camera.Elevation(20)
+renderer.ResetCamera()
+camera.Dolly(1.12)
 renderer.ResetCameraClippingRange()
-sun = vtk.vtkLight()  # it shines from its position towards the origin
-sun.SetPosition(0.645, 0.16, -1)
-sun.SetColor(1, 0.85, 0.6)
-renderer.AddLight(sun)
 
-rays = godrays.enable(renderer, light=sun, background_glow_falloff=12)
+rays = godrays.enable(renderer)  # a sun behind the lattice, at the place with the most shafts
 
 window = vtk.vtkRenderWindow()
 window.AddRenderer(renderer)
+window.SetMultiSamples(8)
 size = sys.argv[2] if len(sys.argv) > 2 else "1280x720"
 window.SetSize([int(each) for each in size.split("x")])
 if len(sys.argv) > 1:
-    window.SetMultiSamples(0)
     window.SetOffScreenRendering(True)
     window.Render()
     picture = vtk.vtkWindowToImageFilter()
