@@ -44,9 +44,9 @@ class Readme(unittest.TestCase):
                 done = subprocess.run(
                     [sys.executable, "-c", script], cwd=folder, capture_output=True, text=True)
                 self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
-                self.assertEqual(os.listdir(folder), ["torus.png"])
+                self.assertEqual(os.listdir(folder), ["cells.png"])
                 reader = vtk.vtkPNGReader()
-                reader.SetFileName(os.path.join(folder, "torus.png"))
+                reader.SetFileName(os.path.join(folder, "cells.png"))
                 reader.Update()
                 values = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(float)
                 pictures.append(values.max(axis=1))
