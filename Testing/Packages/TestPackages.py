@@ -170,7 +170,7 @@ print(godrays.__file__, picture.shape, picture.std() > 5)"
         run(cmake, "--build", project / "build")
         run(project / "build" / "program", cwd=project)
         width, height, levels = read_png(project / "picture.png")
-        self.assertEqual((width, height), (320, 240))
+        self.assertEqual((width, height), (1280, 720))
         self.assertGreater(levels, 40)
         self.assertIn(str(TREE), run("ldd", project / "build" / "program"))
 
