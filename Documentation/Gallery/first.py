@@ -70,7 +70,9 @@ def make_c60():
     both = vtk.vtkAppendPolyData()
     both.AddInputConnection(balls.GetOutputPort())
     both.AddInputConnection(sticks.GetOutputPort())
-    return color(default_scenes.actor(default_scenes.elevation(both)))
+    normals = vtk.vtkPolyDataNormals()  # the arrays of balls and sticks have different names and are dropped
+    default_scenes.through(both, normals)
+    return color(default_scenes.actor(default_scenes.elevation(normals)))
 
 
 def make_exploded_sphere():
