@@ -81,7 +81,6 @@ void Place(
   light->SetDiffuseColor(Color[0], Color[1], Color[2]);
   light->SetSpecularColor(0.0, 0.0, 0.0); // highlights would bleach the colours of data
   light->SetIntensity(intensity);
-  light->SetSwitch(intensity > 0.0);
 }
 }
 
@@ -107,9 +106,12 @@ void vtkGodRaysDataLights::Update(vtkRenderer* renderer, const double sunDirecti
   }
   for (vtkLight* light : { this->Key.Get(), this->Rim.Get() })
   {
-    if (!renderer->GetLights()->IsItemPresent(light))
+    // VTK 9.1 confuses lights in volumes if one of them is switched off.
+    const bool isOn = light->GetIntensity() > 0.0;
+    const bool isThere = renderer->GetLights()->IsItemPresent(light) != 0;
+    if (isOn != isThere)
     {
-      renderer->AddLight(light);
+      isOn ? renderer->AddLight(light) : renderer->RemoveLight(light);
     }
   }
 }
