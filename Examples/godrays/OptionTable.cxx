@@ -128,9 +128,9 @@ void AddLightOptions(Parser& parser, Options& options)
   parser.Add("--light-size", options.LightSize, 1e-6, 1e30,
     "Radius of the sun in degrees, or of the lamp in world units");
   parser.Add("--fill", options.Fill, 0.0, 10.0,
-    "Light from the eye on the data; 1 is VTK's headlight (0.85, or 1 where they are coloured by "
-    "an "
-    "array). With --sky or --date the sun lights the data, too, and this is also the sky's (0.5)");
+    "Light from the eye on the data; 1 is VTK's headlight (0.85, or 1 where an array colours "
+    "them). "
+    "With --sky the sun lights the data, too, and the sky is as bright as this (0.5)");
 }
 
 //------------------------------------------------------------------------------
@@ -266,6 +266,11 @@ void AddLookOptions(Parser& parser, Options& options)
     [&options](const std::string& text) { options.Color = ParseColor("--color", text); });
   parser.Add("--opacity", options.Opacity, 0.0, 1.0, "Opacity of surfaces");
   parser.AddFlag("--edges", options.Edges, "Draw the edges of the cells");
+  parser.App
+    .add_flag_function(
+      "--no-ambient-occlusion", [&options](std::int64_t) { options.AmbientOcclusion = false; },
+      "Surfaces without the shade that they have where little of their surroundings is open")
+    ->group(parser.Group);
   parser.AddFlag("--flat", options.Flat, "Draw elevation pictures flat");
   parser.AddCall("--elevation-scale", "FACTOR",
     "Vertical exaggeration; auto, for elevation pictures, makes them neither flat nor steep",

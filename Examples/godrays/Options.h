@@ -54,6 +54,7 @@ struct Options
   std::optional<Vector3> Color;
   double Opacity = 1.0;
   bool Edges = false;
+  bool AmbientOcclusion = true;
   bool Flat = false;
   std::optional<double> ElevationScale;
   std::optional<double> Isosurface;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Stage.h"
 
+#include "AmbientOcclusion.h"
 #include "Environment.h"
 #include "Values.h"
 
@@ -59,7 +60,7 @@ void PlaceLight(vtkLight* light, const Viewpoint& view)
  */
 bool SunLightsData(const Options& options)
 {
-  return !options.Sky.empty() || !options.Hdri.empty() || options.Place.has_value();
+  return !options.Sky.empty() || !options.Hdri.empty();
 }
 
 //------------------------------------------------------------------------------
@@ -72,6 +73,19 @@ bool IsColored(const vtkSmartPointer<vtkProp3D>& prop)
     (mapper->GetScalarVisibility() &&
       vtkAbstractMapper::GetScalars(mapper->GetInput(), mapper->GetScalarMode(),
         mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), ofCells));
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Whether a prop is an opaque surface. Ambient occlusion would only darken lines and spheres of points, and
+ * it has no place in volumes and glass.
+ */
+bool CanBeOccluded(const vtkSmartPointer<vtkProp3D>& prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  auto* surface = actor ? vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput()) : nullptr;
+  return surface && surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0 &&
+    !prop->HasTranslucentPolygonalGeometry();
 }
 
 //------------------------------------------------------------------------------
@@ -245,6 +259,14 @@ Stage::Stage(Scene scene, const Viewpoint& view, const Options& options)
   else
   {
     AddEnvironment(this->Renderer, this->Data, options.Hdri);
+  }
+  const auto& props = this->Data.Props;
+  if (options.AmbientOcclusion && std::all_of(props.begin(), props.end(), CanBeOccluded))
+  {
+    vtkNew<AmbientOcclusion> occlusion;
+    occlusion->SetUp(
+      this->Data.Bounds.GetDiagonalLength(), std::any_of(props.begin(), props.end(), IsColored));
+    this->Renderer->SetPass(occlusion); // the sky and the rays come over it
   }
   if (!options.Sky.empty())
   {

@@ -198,7 +198,7 @@ void Viewer::OnDragLight(double x, double y)
 //------------------------------------------------------------------------------
 void Viewer::TakeBackground()
 {
-  static const char* const backgrounds[] = { "#040508:#0e1118", "black", "#808890", "white" };
+  static const char* const backgrounds[] = { "#040508:#0e1118", "black", "white" };
   if (!this->Settings.Sky.empty() || !this->Settings.Hdri.empty())
   {
     this->Message = this->Settings.Hdri.empty() ? "the physical sky (--sky) is the background"

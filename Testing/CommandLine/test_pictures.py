@@ -9,6 +9,7 @@ import unittest
 
 import numpy
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
+from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource, vtkSuperquadricSource
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
@@ -139,6 +140,59 @@ class Pictures(ProgramTest):
                     self.assertTrue(light, done.stdout)
                     if light.group(1) == "--sun":
                         self.assertGreater(float(light.group(2).split(",")[1]), 0)
+
+
+class Lighting(ProgramTest):
+    CAMERA = ["--no-rays", "--background", "black", "--color", "white", "--camera-position", "3,-6,5",
+              "--focal-point", "0,0,0"]
+
+    def step(self):
+        """A wall on a floor."""
+        both = vtkAppendPolyData()
+        for bounds in (-2, 2, -2, 2, -0.1, 0), (-2, 2, 1.9, 2, 0, 2):
+            cube = vtkCubeSource()
+            cube.SetBounds(bounds)
+            cube.Update()
+            both.AddInputData(cube.GetOutput())
+        both.Update()
+        path = self.folder / "step.vtp"
+        sample_files.write(sample_files.vtkXMLPolyDataWriter(), both.GetOutput(), path)
+        return path
+
+    def test_ambient_occlusion_darkens_corners_alone(self):
+        without, drawn = (
+            self.draw(self.step(), *self.CAMERA, *option, size=(240, 180)).astype(float).mean(2)
+            for option in (["--no-ambient-occlusion"], []))
+        darker = without - drawn
+        self.assertGreater(darker.max(), 15)
+        self.assertLess(numpy.median(darker[without > 30]), 3)  # open surfaces
+        self.assertTrue((darker > -2).all())
+        self.assertTrue((darker[without == 0] == 0).all())  # the background
+
+    def test_ambient_occlusion_is_of_opaque_surfaces(self):
+        for file, *options in (self.mesh, "--opacity", 0.5), (self.folder / "cloud.vtp",):
+            if not file.exists():
+                self.write_cloud(file)
+            with self.subTest(file.name):
+                plain = self.draw(file, *options, "--no-rays", "--no-ambient-occlusion")
+                self.assertTrue((plain == self.draw(file, *options, "--no-rays")).all())
+
+    def write_cloud(self, path):
+        sphere = vtkSphereSource()
+        sphere.Update()
+        points = vtkVertexGlyphFilter()
+        points.SetInputData(sphere.GetOutput())
+        points.Update()
+        sample_files.write(sample_files.vtkXMLPolyDataWriter(), points.GetOutput(), path)
+
+    def test_a_sun_behind_the_data_does_not_darken_them(self):
+        """They are lit from the eye, wherever the sun is; with a physical sky the sun lights them."""
+        suns = [["--sun", f"{azimuth},20"] for azimuth in (0, 180)]
+        behind, before = (self.draw(self.step(), *self.CAMERA, *sun) for sun in suns)
+        self.assertTrue((behind == before).all())
+        sky = self.CAMERA[:1] + self.CAMERA[3:] + ["--sky", "earth-clear"]
+        behind, before = (self.draw(self.step(), *sky, *sun) for sun in suns)
+        self.assertGreater(abs(behind - before).max(), 20)
 
 
 class Composition(ProgramTest):
