@@ -137,7 +137,7 @@ vtkGodRaysSunPlacer* vtkGodRaysPass::GetSunPlacer()
   return this->Internal->Placer;
 }
 
-// Whether a sun is to be placed in this frame, as there is none or it was asked for.
+// Returns true if a sun is to be placed in this frame: there is none, or PlaceSun() asked for it.
 bool vtkGodRaysPass::IsSunMissing() const
 {
   const Internals& self = *this->Internal;
@@ -146,7 +146,7 @@ bool vtkGodRaysPass::IsSunMissing() const
   return isThere ? !self.SunIsKept : this->SunPlacement != SUN_BY_HAND;
 }
 
-// Whether the picture differs from the one whose coverage is known: by its view, or by its props. Pictures of
+// Returns true if view or props differ from those whose coverage is known. Pictures of
 // which the user drags the camera are not looked at, nor are tiles, which are parts.
 bool vtkGodRaysPass::SeesNewPicture(vtkRenderer* renderer)
 {

@@ -160,7 +160,7 @@ public:
   ///@}
 
   /**
-   * What finds the place of the sun: its settings, and what it found when the sun was last looked for.
+   * Returns the object that finds the place of the sun, with its settings and its last result.
    */
   vtkGodRaysSunPlacer* GetSunPlacer();
 

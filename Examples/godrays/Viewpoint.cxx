@@ -154,7 +154,7 @@ private:
 
   //----------------------------------------------------------------------------
   /**
-   * Of some views of a thing, take the one with the most shafts; not one that shows little of it, as of a
+   * Takes the view with the most shafts among some of a thing; not one that shows little of it, as of a
    * plate from its edge.
    */
   void ChooseSide()

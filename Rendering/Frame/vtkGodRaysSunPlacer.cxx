@@ -368,7 +368,7 @@ struct vtkGodRaysSunPlacer::Internals
     return below * sheet * dark * bare * cut * outside * third;
   }
 
-  /// Whether most of what a convex polygon with four corners has of the picture is covered.
+  /// Returns true if most of a convex polygon with four corners is covered, as far as it is in the picture.
   bool IsCovered(const double corners[4][2]) const
   {
     constexpr double most = 0.6;

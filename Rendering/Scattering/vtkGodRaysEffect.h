@@ -89,7 +89,7 @@ public:
   ///@}
 
   /**
-   * Whether the effect depends on the frame's Placer.
+   * Returns true if the effect depends on the frame's Placer.
    */
   virtual bool UsesCoverage() const { return false; }
 
