@@ -151,6 +151,7 @@ bool vtkGodRaysPass::IsSunMissing() const
 bool vtkGodRaysPass::SeesNewPicture(vtkRenderer* renderer)
 {
   Internals& self = *this->Internal;
+  self.CoverageIsCurrent = false;
   vtkRenderWindow* window = renderer->GetRenderWindow();
   int tiles[2];
   window->GetTileScale(tiles);
@@ -179,6 +180,7 @@ bool vtkGodRaysPass::SeesNewPicture(vtkRenderer* renderer)
   picture[33] = static_cast<double>(changed) + props->GetNumberOfItems();
   const bool isNew = picture != self.CoveredPicture || this->IsSunMissing();
   self.CoveredPicture = picture;
+  self.CoverageIsCurrent = true; // once a new one was looked at
   return isNew;
 }
 
@@ -234,7 +236,7 @@ void vtkGodRaysPass::MoveSun(vtkRenderer* renderer, bool isBlue)
       self.PlacedSun->SetDiffuseColor(color[0], color[1], color[2]);
     }
     self.SunMoved = true;
-    this->InvokeEvent(SunPlacedEvent);
+    this->InvokeEvent(SunPlacedEvent, self.PlacedSun);
   }
 }
 

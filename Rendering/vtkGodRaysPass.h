@@ -146,8 +146,8 @@ public:
   /// Events of the pass.
   enum Events
   {
-    SunPlacedEvent =
-      vtkCommand::UserEvent + 1 ///< in a frame that moved the sun; lights may be changed
+    /// A frame moved the sun, the vtkLight that the call data point to; lights may be changed.
+    SunPlacedEvent = vtkCommand::UserEvent + 1
   };
 
   ///@{

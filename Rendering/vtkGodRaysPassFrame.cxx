@@ -259,6 +259,11 @@ std::string vtkGodRaysPass::FindFault(vtkRenderer* renderer, const vtkGodRaysVie
     this->PlaceSun(renderer);
   }
   this->FindLights(renderer, view, lights);
+  if (lights.empty() && !movesSun)
+  {
+    self.IsNewPicture = self.CoverageIsCurrent = false; // nobody needs it
+    self.CoveredPicture = {};
+  }
   for (const std::string& faultOfLight : self.Finder.GetFaults())
   {
     this->Complain(" " + faultOfLight);
@@ -424,7 +429,7 @@ bool vtkGodRaysPass::DrawLights(
   {
     frame.ErrorTolerance *= 0.5;
   }
-  frame.Placer = self.IsNewPicture ? self.Placer.Get() : nullptr;
+  frame.Placer = self.CoverageIsCurrent ? self.Placer.Get() : nullptr;
   frame.InventsStreaks = !this->DataFirst;
   FindPicture(s->GetRenderer(), frame.Picture);
   frame.KeepsLayers = this->Output == OCCLUSION || self.KeepAllLayers;

@@ -54,6 +54,7 @@ struct vtkGodRaysPass::Internals
   bool SunMoved = false;                      // in this frame
   std::array<double, 34> CoveredPicture = {}; // of the placer's coverage: view and props
   bool IsNewPicture = false;                  // the coverage is to be found in this frame
+  bool CoverageIsCurrent = false;             // the placer's is that of this frame
   vtkSmartPointer<vtkGodRaysSun> Sun = vtkSmartPointer<vtkGodRaysSun>::New();
   vtkSmartPointer<vtkGodRaysModel> Model;
   std::unique_ptr<vtkGodRaysEffect> Effect; // the model's

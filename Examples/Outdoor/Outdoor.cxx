@@ -185,8 +185,12 @@ int main(int argc, char* argv[])
   if (mode == "baked")
   {
     // The shafts of the clouds alone, once, behind everything. They are made short enough to end within a
-    // face of the panorama: sums along lines of one picture do not go on in the next.
-    vtkGodRaysRadialModel::SafeDownCast(rays->GetModel())->SetDensity(0.85);
+    // face of the panorama: sums along lines of one picture do not go on in the next. Their fall is measured
+    // in heights of a picture, and streaks in angles in it: a face has others.
+    auto model = vtkGodRaysRadialModel::SafeDownCast(rays->GetModel());
+    model->SetDensity(0.85);
+    model->SetReach(0.0);
+    model->SetStreaks(0.0);
     const std::initializer_list<vtkProp*> scene = { ground, smoke, flames };
     for (vtkProp* prop : scene)
     {

@@ -158,8 +158,11 @@ def advance():
 advance()
 if mode == "baked":
     # The shafts of the clouds alone, once, behind everything. They are made short enough to end within a
-    # face of the panorama: sums along lines of one picture do not go on in the next.
+    # face of the panorama: sums along lines of one picture do not go on in the next. Their fall is measured
+    # in heights of a picture, and streaks in angles in it: a face has others.
     rays.GetModel().SetDensity(0.85)
+    rays.GetModel().SetReach(0)
+    rays.GetModel().SetStreaks(0)
     scene = ground, smoke, flames
     for prop in scene:
         prop.VisibilityOff()

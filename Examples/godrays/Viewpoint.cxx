@@ -3,6 +3,7 @@
 #include "Viewpoint.h"
 
 #include "CameraMaker.h"
+#include "Output.h"
 
 #include "vtkCamera.h"
 #include "vtkGodRaysPass.h"
@@ -172,6 +173,10 @@ private:
     {
       for (const double tilt : { 0.0, -18.0 })
       {
+        if (tilt != 0.0 && !this->Settings.Sky.empty())
+        {
+          continue; // the horizon stays in the picture, and the sun above it
+        }
         auto camera = this->Cameras.Make(this->GetLookAzimuth() + turn, this->GetPitch() + tilt);
         vtkGodRaysSunPlacer* placer = this->FindSun(camera, this->FindLowest(camera));
         views.push_back({ camera, placer->GetScore(), placer->GetCoverage() });
@@ -542,5 +547,6 @@ private:
 //------------------------------------------------------------------------------
 Viewpoint MakeViewpoint(const Scene& scene, const Options& options)
 {
+  CheckDisplay(); // since VTK 9.6 a window looks for the display as it is made
   return ViewpointMaker(scene, options).Make();
 }

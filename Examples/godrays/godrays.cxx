@@ -343,8 +343,7 @@ bool DrawAll(const Options& options)
 {
   Playlist list(options);
   Frames frames(options);
-  vtkSmartPointer<vtkRenderWindow>
-    window; // since VTK 9.6 a window looks for the display as it is made
+  vtkSmartPointer<vtkRenderWindow> window;
   bool isGood = true;
   const std::size_t items = IsWindow(options) ? 1 : list.GetSize();
   for (std::size_t item = 0; item < items; ++item)
@@ -365,7 +364,6 @@ bool DrawAll(const Options& options)
       {
         if (!window)
         {
-          CheckDisplay();
           window = MakeWindow(options);
         }
         view = stage->GetView();

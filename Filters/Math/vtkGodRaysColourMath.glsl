@@ -134,10 +134,9 @@ FUNCTION Vec3 BlendShoulder(IN(Vec3) scene, IN(Vec3) rays)
   return used <= 0.5 ? scene + rays : scene + rays * ((1.0 - 0.5 * exp(1.0 - 2.0 * used)) / used);
 }
 
-// Rays over data: faint ones as they are, strong ones up to a cap, so that the light's core before data
-// does not
-// make these look transparent. All channels alike. Formula: c (1 - exp(-m/c))/m, m the brightest channel.
-// [linear light]
+// Rays over data: faint ones as they are, strong ones up to a cap. Without it, the light's core makes data
+// before it look transparent. All channels have the same factor.
+// Formula: c (1 - exp(-m/c))/m, m being the brightest channel. [linear light]
 FUNCTION Vec3 CapLight(IN(Vec3) light)
 {
   Real cap = 0.1;
@@ -152,11 +151,10 @@ FUNCTION Real OrderedNoise(IN(Vec2) pixel)
   return 0.98 * (fract(52.9829189 * fract(dot(pixel, Vec2(0.06711056, 0.00583715)))) - 0.5);
 }
 
-// A light background with rays before it, which have no room to make it lighter: it keeps its colour where
-// rays are as bright as a reference, and is a cool grey where there are none, as a bright haze is in the
-// shadow
-// of things: of white, sRGB's (178, 189, 208). The power makes up for rays that are weaker far from their
-// light. Formula: a (1 - s (1 - g) (1 - min(Y/Y_ref, 1)^0.45)), g = (0.445, 0.509, 0.631). [linear light]
+// A light background, which rays cannot make lighter. It keeps its colour where rays are as bright as a
+// reference, and becomes a cool grey in their shadows: white becomes sRGB's (178, 189, 208). The power makes
+// up for rays that are weaker far from their light.
+// Formula: a (1 - s (1 - g) (1 - min(Y/Y_ref, 1)^0.45)), g = (0.445, 0.509, 0.631). [linear light]
 FUNCTION Vec3 BlendSurround(IN(Vec3) scene, IN(Vec3) rays, IN(Real) reference, IN(Real) part)
 {
   GODRAYS_EXPECT(reference > 0.0 && part >= 0.0 && part <= 1.0);

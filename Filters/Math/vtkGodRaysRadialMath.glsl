@@ -68,10 +68,6 @@ LAYER_TEMPLATE Vec3 SumTaps(IN(Layer) layer, IN(TapSum) taps, IN(Vec2) uv, IN(Ve
   }
 
   Vec3 result = Vec3(taps.OutputBias) + taps.OutputGain * sum;
-  if (taps.OutputBias != 0.0)
-  {
-    result = max(result, Vec3(0.0)); // bias and sum cancel each other but for rounding
-  }
   if (taps.Maximum > 0.0)
   {
     result = clamp(result, 0.0, taps.Maximum);

@@ -21,8 +21,8 @@
 struct vtkGodRaysMarchParameters
 {
   double Density = 0.97;
-  double Decay = 0.98;
-  double Weight = 0.03;
+  double Decay = 1.0;
+  double Weight = 0.013;
   double Exposure = 1.0;
   int NumberOfSamples = 100;
   double LightClip[3] = { 0.0, 0.0, 1.0 };

@@ -43,7 +43,7 @@ public:
   /**
    * Set/Get the factor from one of the NumberOfSamples samples to the next one towards the light
    * [no unit]. Above 1 the samples near the light count most. Valid range: [0, 1.05].
-   * Default is 0.98.
+   * Default is 1.
    */
   void SetDecay(double decay);
   vtkGetMacro(Decay, double);
@@ -52,7 +52,7 @@ public:
   ///@{
   /**
    * Set/Get the factor on each of the NumberOfSamples samples [no unit]. 0 means no rays.
-   * Valid range: [0, 100]. Default is 0.03.
+   * Valid range: [0, 100]. Default is 0.013.
    */
   void SetWeight(double weight);
   vtkGetMacro(Weight, double);
@@ -137,8 +137,8 @@ protected:
   bool TellProgress(double progress);
 
   double Density = 0.97;
-  double Decay = 0.98;
-  double Weight = 0.03;
+  double Decay = 1.0;
+  double Weight = 0.013;
   double Exposure = 1.0;
   double LightClip[3] = { 0.0, 0.0, 1.0 };
   double MarchScale = 1.0;

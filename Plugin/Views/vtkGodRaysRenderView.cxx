@@ -271,7 +271,7 @@ void vtkGodRaysRenderView::SetPlaceSun(bool place)
   this->Modified();
 }
 
-void vtkGodRaysRenderView::TakePlacedSun()
+void vtkGodRaysRenderView::TakePlacedSun(vtkObject*, unsigned long, void* light)
 {
   vtkInternals& self = *this->Internals;
   vtkCamera* camera = this->GetRenderer()->GetActiveCamera();
@@ -288,6 +288,12 @@ void vtkGodRaysRenderView::TakePlacedSun()
     this->PlacedSun[0] = self.Sun->GetAzimuth();
     this->PlacedSun[1] = self.Sun->GetElevation();
     this->PlacedSun[2] = 1.0;
+    const double* color = self.Sun->GetColor();
+    if (*std::min_element(color, color + 3) == 1.0) // white, which it is unless set
+    {
+      self.Sun->SetColor(static_cast<vtkLight*>(light)->GetDiffuseColor());
+    }
+    std::copy_n(color, 3, this->PlacedSun + 3);
     this->PlaceSun = false;
     self.Pass->SetSunPlacement(vtkGodRaysPass::SUN_BY_HAND);
   }

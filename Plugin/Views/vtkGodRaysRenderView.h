@@ -81,9 +81,9 @@ public:
 
   /**
    * Azimuth and elevation of the sun [degrees] if it was placed since SetPlaceSun(), and then 1; else 0, 0
-   * and 0.
+   * and 0. After these, its colour, which is that of the look unless one was set.
    */
-  vtkGetVector3Macro(PlacedSun, double);
+  vtkGetVectorMacro(PlacedSun, double, 6);
 
   /**
    * Set whether the sky is drawn behind the scene, in the light of the sun, whatever the source of the rays
@@ -151,7 +151,7 @@ private:
   void UpdatePasses();
   bool UpdateSun();
   void UpdateLights();
-  void TakePlacedSun();
+  void TakePlacedSun(vtkObject*, unsigned long, void* light);
   void UpdateRayTracing();
   void UpdateRoles();
 
@@ -161,7 +161,7 @@ private:
   bool UseGodRays = true;
   int LightSource = SUN;
   bool PlaceSun = false;
-  double PlacedSun[3] = { 0.0, 0.0, 0.0 };
+  double PlacedSun[6] = { 0.0, 0.0, 0.0, 1.0, 1.0, 1.0 };
   bool UseSky = false;
 };
 

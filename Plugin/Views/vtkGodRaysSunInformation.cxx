@@ -29,20 +29,20 @@ void vtkGodRaysSunInformation::AddInformation(vtkPVInformation* other)
   auto sun = vtkGodRaysSunInformation::SafeDownCast(other);
   if (sun && sun->PlacedSun[2] != 0.0)
   {
-    std::copy_n(sun->PlacedSun, 3, this->PlacedSun);
+    std::copy_n(sun->PlacedSun, 6, this->PlacedSun);
   }
 }
 
 void vtkGodRaysSunInformation::CopyToStream(vtkClientServerStream* stream)
 {
   stream->Reset();
-  *stream << vtkClientServerStream::Reply << vtkClientServerStream::InsertArray(this->PlacedSun, 3)
+  *stream << vtkClientServerStream::Reply << vtkClientServerStream::InsertArray(this->PlacedSun, 6)
           << vtkClientServerStream::End;
 }
 
 void vtkGodRaysSunInformation::CopyFromStream(const vtkClientServerStream* stream)
 {
-  if (!stream->GetArgument(0, 0, this->PlacedSun, 3))
+  if (!stream->GetArgument(0, 0, this->PlacedSun, 6))
   {
     vtkErrorMacro("The server did not say where it placed the sun; Place Sun stays on.");
   }

@@ -26,9 +26,9 @@ public:
   void CopyFromStream(const vtkClientServerStream* stream) override;
 
   /**
-   * Azimuth and elevation [degrees], and 1 if it was placed; else 0, 0, 0.
+   * Azimuth and elevation [degrees], and 1 if it was placed, else 0, 0, 0; then its colour.
    */
-  vtkGetVector3Macro(PlacedSun, double);
+  vtkGetVectorMacro(PlacedSun, double, 6);
 
 protected:
   vtkGodRaysSunInformation();
@@ -38,7 +38,7 @@ private:
   vtkGodRaysSunInformation(const vtkGodRaysSunInformation&) = delete;
   void operator=(const vtkGodRaysSunInformation&) = delete;
 
-  double PlacedSun[3] = { 0.0, 0.0, 0.0 };
+  double PlacedSun[6] = { 0.0, 0.0, 0.0, 1.0, 1.0, 1.0 };
 };
 
 #endif

@@ -109,6 +109,7 @@ void vtkSMGodRaysRenderViewProxy::PostRender(bool interactive)
     vtkSMPropertyHelper(this, "SunPosition").Set(vtkGodRaysSun::AZIMUTH_AND_ELEVATION);
     vtkSMPropertyHelper(this, "SunAzimuth").Set(sun[0]);
     vtkSMPropertyHelper(this, "SunElevation").Set(sun[1]);
+    vtkSMPropertyHelper(this, "SunColor").Set(sun + 3, 3);
     vtkSMPropertyHelper(this, "PlaceSun").Set(0);
     this->UpdateVTKObjects();
   }

@@ -246,7 +246,7 @@ void main()
   {
     vec3 change = abs(shownSum - shown); // colours that stay keep their bytes
     float amplitude = min(255.0 * max(change.x, max(change.y, change.z)), 1.0);
-    shownSum += amplitude * OrderedNoise(gl_FragCoord.xy) / 255.0;
+    shownSum += amplitude * OrderedNoise(vec2(pixel)) / 255.0;
   }
   gl_FragData[0] =
     vec4(shownSum - (dimmed || surround ? vec3(0.0) : under), 1.0);

@@ -27,5 +27,6 @@ void main()
     sum.TapOffset += InterleavedGradientNoise(floor(texCoord * size)) - 0.5;
   }
   vec2 march = MarchVector(lightClip, 2.0 * uv - 1.0, marchScale);
-  gl_FragData[0] = vec4(SumTaps(layer, sum, uv, march), 1.0);
+  // Where a published bias and its taps cancel each other, rounding can leave less than no light.
+  gl_FragData[0] = vec4(max(SumTaps(layer, sum, uv, march), 0.0), 1.0);
 }

@@ -53,7 +53,7 @@ public:
     double Picture[4] = { 0.0, 0.0, 1.0,
       1.0 }; ///< the whole picture, where this is a tile: corner and size
     const vtkGodRaysSunPlacer* Placer =
-      nullptr;                  ///< with the coverage of this picture, if that is new
+      nullptr;                  ///< with the coverage of this picture, if that is known
     bool InventsStreaks = true; ///< a look may have streaks that are not of the data
     double ErrorTolerance = 1.0 / 255.0;
     bool Interactive = false; ///< the user drags the camera, or the like

@@ -127,7 +127,7 @@ class Series(OutputTest):
         other = self.draw(self.mesh, "--camera", "60,10", "--sun", "200,20", told=told)
         self.assertLess(
             min(abs(self.picture("turn-0003.png") - each).mean() for each in (third, other)), 1)
-        self.assertGreater(abs(self.picture("turn-0003.png") - self.picture("turn-0001.png")).max(), 20)
+        self.assertGreater(abs(self.picture("turn-0003.png") - self.picture("turn-0001.png")).max(), 12)
 
     def test_time_steps(self):
         path = self.folder / "growing.pvd"
@@ -262,7 +262,7 @@ class Output(OutputTest):
                 was_told = True
 
     def test_over_black_a_transparent_picture_is_as_one_with_a_black_background(self):
-        camera = ["--camera", "180,0", "--sun", "5,10"]
+        camera = ["--camera", "180,0", "--sun", "5,10", "--no-ambient-occlusion"]
         for rays in [], ["--no-rays"]:
             path = self.folder / "transparent.png"
             self.write(self.mesh, *camera, *rays, "--transparent", "--output", path)
@@ -291,7 +291,7 @@ class Output(OutputTest):
 
     def test_pictures_of_light(self):
         """Encoded as screens have it, they are the PNG, and above white they go on."""
-        camera = ["--camera", "180,0", "--sun", "5,10"]
+        camera = ["--camera", "180,0", "--sun", "5,10", "--no-ambient-occlusion"]
         names = {"scene": ["--no-rays"], "rays": ["--exposure", 2, "--show", "rays"],
                  "both": ["--exposure", 2]}
         light = {}
@@ -319,7 +319,7 @@ class Output(OutputTest):
 
     def test_an_exr_has_opacity(self):
         """Premultiplied, as OpenEXR has it: over black it is the picture with a black background."""
-        camera = ["--camera", "180,0", "--sun", "5,10"]
+        camera = ["--camera", "180,0", "--sun", "5,10", "--no-ambient-occlusion"]
         opacities = []
         for rays in ["--exposure", 2], ["--no-rays"]:
             path = self.folder / "transparent.exr"
@@ -434,7 +434,7 @@ class Volumes(OutputTest):
 
         def share(*arguments):
             picture = self.draw(head, *camera, *arguments).astype(int)
-            return (abs(picture - (0, 0, 32)).max(axis=2) > 12).mean()
+            return (abs(picture - (0, 0, 32)).max(axis=2) > 8).mean()
         bone, skin = share("--volume-preset", "ct-bone"), share("--volume-preset", "ct-skin")
         self.assertAlmostEqual(skin / bone, 4, delta=1)
         both = self.draw(head, *camera, "--volume-preset", "ct-skin-bone").sum(axis=2)

@@ -68,12 +68,13 @@ def with_and_without_rays():
 
 
 def check_nothing_is_blurred():
-    """With rays, each pixel is its own light and the rays', and nothing of its neighbours'."""
+    """With rays, each pixel is its own light and the rays', but for rounding and noise of half a level each,
+    and nothing of its neighbours'."""
     rays.HighlightShoulderOff()  # the plain sum
     with_rays, light, without = with_and_without_rays()
     rays.HighlightShoulderOn()
     error = numpy.abs(encoded(linear(without) + light) - with_rays).max()
-    check("the picture is the scene and the rays", error <= 0.51, f"{error:.2f} levels")
+    check("the picture is the scene and the rays", error <= 1.01, f"{error:.2f} levels")
     blurred = (without + numpy.roll(without, 1, axis=1)) // 2
     error = numpy.abs(encoded(linear(blurred) + light) - with_rays).max()
     check("a blur over two pixels would be seen", error > 10, f"{error:.2f} levels")

@@ -292,8 +292,8 @@ TEST(RadialModel, ParametersAreClampedAndNeverNaN)
   };
   const Row rows[] = {
     { "Density", &Model::SetDensity, &Model::GetDensity, 0.97, 2.0 },
-    { "Decay", &Model::SetDecay, &Model::GetDecay, 0.98, 1.05 },
-    { "Weight", &Model::SetWeight, &Model::GetWeight, 0.03, 100.0 },
+    { "Decay", &Model::SetDecay, &Model::GetDecay, 1.0, 1.05 },
+    { "Weight", &Model::SetWeight, &Model::GetWeight, 0.013, 100.0 },
     { "Exposure", &Model::SetExposure, &Model::GetExposure, 1.0, 100.0 },
   };
   std::size_t count = 0;

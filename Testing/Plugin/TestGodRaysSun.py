@@ -22,13 +22,13 @@ def place(view):
 
 class Placed(Case):
     def assert_best(self, view):
-        placer = godrays.vtkGodRaysSunPlacer()
-        placer.SetLowest(0.55)
-        self.assertTrue(placer.Find(view.GetClientSideObject().GetRenderer()))
-        best = placer.GetPlace()
+        placer = rays(view).GetSunPlacer()
         pixel = 1.0 / min(view.ViewSize)  # a tenth of a degree is less
-        for actual, expected in zip(place(view), best):
+        for actual, expected in zip(place(view), placer.GetPlace()):
             self.assertAlmostEqual(actual, expected, delta=pixel)
+        others = numpy.linspace(0.1, 0.9, 9), numpy.linspace(0.52, 0.92, 5)
+        best = max(placer.GetScoreAt(x, y) for x in others[0] for y in others[1])
+        self.assertGreater(placer.GetScore(), max(0.95 * best, 1.0))
 
     def test_a_new_view_places_it_once(self):
         self.assertEqual(simple.CreateView(VIEW).PlaceSun, 1)
@@ -44,6 +44,7 @@ class Placed(Case):
         self.assertEqual(placed, tuple(round(angle, 1) for angle in placed))
         sun = view.GetClientSideObject().GetSun()
         self.assertEqual((sun.GetAzimuth(), sun.GetElevation()), placed)
+        self.assertEqual(tuple(view.SunColor), (1.0, 0.85, 0.62))
         # the same in the next frame, and where the camera goes
         self.assert_alike(pixels(view), first)
         where = place(view)
@@ -71,6 +72,12 @@ class Placed(Case):
                 add_pillars(view)
                 simple.Render(view)
                 self.assertEqual((getattr(view, name), *angles(view)), (value, *expected))
+
+    def test_a_colour_that_is_set_stays(self):
+        view = make_view(PlaceSun=1, SunColor=[0.2, 1.0, 0.4])
+        add_pillars(view)
+        simple.Render(view)
+        self.assertEqual((view.PlaceSun, tuple(view.SunColor)), (0, (0.2, 1.0, 0.4)))
 
     def test_again_in_the_world(self):
         view = make_view(SunFrame="World, Y up", SunAzimuth=40.0)

@@ -335,6 +335,8 @@ class Robustness(unittest.TestCase):
                 scene.renderer.GetActiveCamera().Azimuth(20)
                 scene.renderer.AddViewProp(make(scene.renderer.GetActiveCamera()))
                 scene.rays.SetLayerMargin(margin)
+                scene.rays.SetBackgroundGlowRadius(2)  # a glow that reaches into the picture
+                scene.rays.SetBackgroundGlowFalloff(6)
                 scene.rays.SetIntensity(0)
                 without = scene.pixels()
                 scene.rays.SetIntensity(1e-9)
