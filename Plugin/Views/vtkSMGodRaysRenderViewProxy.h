@@ -5,8 +5,8 @@
  * @brief   a vtkGodRaysRenderView as its user has it
  *
  * Where the sun was placed is written into its properties SunAzimuth and SunElevation, and its colour into
- * SunColor, unless that was set, so that it stays there, also in state files. To set SunAzimuth, SunElevation,
- * SunPosition or SunFrame ends PlaceSun.
+ * SunColor, unless that was set, so that it stays there, also in state files. To set SunAzimuth, SunPosition,
+ * SunElevation or SunFrame ends PlaceSun.
  *
  * ParaView makes a screenshot that is larger than its view of tiles, one after the other. Shafts
  * reach from one tile into the next, so that this view is made as large as the picture instead, for

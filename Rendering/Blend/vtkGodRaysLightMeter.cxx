@@ -455,7 +455,7 @@ vtkGodRaysLightMeter::Surround vtkGodRaysLightMeter::FindSurround(double exposur
   {
     lightness /= static_cast<double>(light.size());
     result.Light = *rank;
-    result.Part = glm::smoothstep(60.0, 80.0, lightness);
+    result.Part = glm::smoothstep(55.0, 78.0, lightness);
     result.Rays = 1.0 - glm::smoothstep(75.0, 90.0, lightness);
   }
   return result;

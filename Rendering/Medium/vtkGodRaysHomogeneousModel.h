@@ -99,8 +99,8 @@ public:
    * | name       | scattering [1/m]       | absorption [1/m]  | phase function | source | depth |
    * |------------|------------------------|-------------------|----------------|--------|-------|
    * | clear-air  | 5.802, 13.558, 33.1e-6 | 0                 | Rayleigh       | air at sea level without aerosols [Bruneton2017] | 0.15 |
-   * | haze       | 7.49e-4                | 0                 | HG 0.85        | a visibility of 4 km, 3.00/V [WMO8]; g between that of aerosols, 0.76 [Bruneton2017], and the 0.9 of hazy days, for shafts | 0.3 |
-   * | fog        | 1.5e-2                 | 0                 | HG 0.85        | a visibility of 200 m; g of droplets [HansenTravis1974] | 0.45 |
+   * | haze       | 7.49e-4                | 0                 | HG 0.9         | a visibility of 4 km, 3.00/V [WMO8]; g above the 0.76 of aerosols [Bruneton2017], for clear shafts | 0.3 |
+   * | fog        | 1.5e-2                 | 0                 | HG 0.85        | a visibility of 200 m; g of droplets [HansenTravis1974] | 0.6 |
    * | dust       | 5.64, 5.28, 4.56e-3    | 0.36, 0.72, 1.44e-3 | HG 0.67      | 10 mg/m3, the limit for a workplace, times 0.6 m2/g of coarse dust [Pitchford2007]; g of a desert's and three times its part of absorption [Dubovik2002], for grains three times as large; its albedo in green, 0.88, is among the 0.70 to 0.97 measured over the Sahara [Ryder2013] | 0.5 |
    * | smoke      | 1.71, 2.58, 3.93e-3    | 0.33, 0.42, 0.54e-3 | HG 0.6       | a visibility of 1 km; albedo, g and colour of burning savanna [Dubovik2002] | 0.4 |
    * | sea-water  | 0.219                  | 0.61, 0.20, 0.151 | HG 0.924       | coastal [Petzold1972]: 0.219 and 0.179 at 514 nm; colours as pure water's [PopeFry1997] | 0.4 |
