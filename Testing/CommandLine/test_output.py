@@ -76,7 +76,7 @@ class Data(OutputTest):
             with self.subTest(preset):
                 changes = [abs(self.get_lightness(*rays, *first) - before)[covered].max()
                     for first in ([], ["--data-first"])]
-                self.assertGreater(changes[0], 15)
+                self.assertGreater(changes[0], 5)
                 self.assertLess(changes[1], 11)
 
 
@@ -304,9 +304,9 @@ class Output(OutputTest):
                 shown <= 0.0031308, 12.92 * shown, 1.055 * shown ** (1 / 2.4) - 0.055)
             picture = self.draw(self.mesh, *camera, *arguments)
             difference = abs(shown - picture).max(axis=2)
-            # Samples of a pixel are averaged as light, not as shown; and below white a PNG's rays are
-            # compressed before they are clipped.
-            self.assertLess((difference[light[name].max(axis=2) < 0.3] > 0.6).mean(), 0.05, name)
+            # Samples of a pixel are averaged as light, not as shown; below white a PNG's rays are compressed
+            # before they are clipped; and a PNG is rounded after noise of half a level.
+            self.assertLess((difference[light[name].max(axis=2) < 0.3] > 1.1).mean(), 0.05, name)
             as_it_is = abs(255 * numpy.clip(light[name], 0, 1) - picture).max(axis=2)
             self.assertGreater((as_it_is > 10).mean(), 0.5, "it is not linear")
         self.assertGreater(light["both"].max(), 1.3)
