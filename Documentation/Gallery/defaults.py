@@ -84,7 +84,7 @@ PROMISES = (
     Promise("mud, in each picture [%]", "mud", max, 15),
 )
 BEFORE_WHITE = (
-    Promise("before white: shafts of 3 L\\*, in each picture", "shafts", min, 1, True),
+    Promise("before white: shafts of 3 L\\*, in each picture", "shafts", min, 3, True),
     Promise("before white: dE of lit data, in each picture", "difference", max, 1),
 )
 
