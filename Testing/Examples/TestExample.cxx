@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <string>
 
@@ -123,6 +124,13 @@ vtkStandardNewMacro(CheckedPass);
 /// Largest difference of a picture from the baseline, in levels of 255.
 int GetDifference(const std::string& picture, const std::string& baseline)
 {
+  // As VTK has it, name_1.png is another baseline: newer VTK places a sun a little elsewhere.
+  const std::size_t end = baseline.rfind(".png");
+  const std::string other = baseline.substr(0, end) + "_1.png";
+  const int differenceFromOther = end != std::string::npos && std::ifstream(other).good() && end > 2 &&
+      baseline.compare(end - 2, 2, "_1") != 0
+    ? GetDifference(picture, other)
+    : 255;
   vtkNew<vtkPNGReader> readers[2];
   const std::string files[2] = { picture, baseline };
   for (int i = 0; i < 2; ++i)
@@ -146,7 +154,7 @@ int GetDifference(const std::string& picture, const std::string& baseline)
       std::abs(static_cast<unsigned char*>(a->GetScalarPointer())[i] -
         static_cast<unsigned char*>(b->GetScalarPointer())[i]));
   }
-  return worst;
+  return std::min(worst, differenceFromOther);
 }
 }
 

@@ -24,7 +24,9 @@ def difference(example, picture, baseline, **environment):
     values, expected = read(picture), read(baseline)
     if values.shape != expected.shape:
         sys.exit(f"{picture} is {values.shape}, its baseline {expected.shape}")
-    return int(numpy.abs(values - expected).max())
+    worst = int(numpy.abs(values - expected).max())
+    other = baseline.replace(".png", "_1.png")  # as VTK has it: newer VTK places a sun a little elsewhere
+    return min(worst, int(numpy.abs(values - read(other)).max())) if os.path.exists(other) else worst
 
 
 example, picture, baseline, *variant = sys.argv[1:]
