@@ -146,9 +146,15 @@ def clip(view, direction):
 
 
 def error_of_light(view, direction):
-    """Largest difference between the light scattered in the last frame and its evaluation on the
-    processor of the occlusion layer read back, as a fraction of the peak; for one sun."""
+    """Largest difference between the light scattered in a frame, without a look's response, and its evaluation
+    on the processor of the occlusion layer read back, as a fraction of the peak; for one sun."""
     model = rays(view).GetModel()
+    response = None
+    if model.IsA("vtkGodRaysRadialModel"):
+        response = model.GetReach(), model.GetStreaks()
+        model.SetReach(0)
+        model.SetStreaks(0)
+        simple.Render(view)
     image, expected = vtk.vtkImageData(), vtk.vtkImageData()
     if not rays(view).GetOcclusionImage(image):
         raise AssertionError("no rays: " + rays(view).GetPlan())
@@ -157,6 +163,10 @@ def error_of_light(view, direction):
         raise AssertionError("the model was not evaluated")
     scattered = layer(view)
     wanted = vtk_to_numpy(expected.GetPointData().GetScalars()).reshape(scattered.shape)
+    if response:
+        model.SetReach(response[0])
+        model.SetStreaks(response[1])
+        simple.Render(view)
     return abs(scattered - wanted).max() / wanted.max()
 
 
