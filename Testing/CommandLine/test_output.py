@@ -311,7 +311,9 @@ class Output(OutputTest):
             self.assertGreater((as_it_is > 10).mean(), 0.5, "it is not linear")
         self.assertGreater(light["both"].max(), 1.3)
         added = light["scene"] + light["rays"]
-        self.assertLess(numpy.percentile(abs(light["both"] - added), 99), 1e-3)
+        ground = light["scene"].max(axis=2) < 0.02  # over data, rays are capped, and the sun lights these
+        self.assertGreater(ground.mean(), 0.3)
+        self.assertLess(numpy.percentile(abs(light["both"] - added)[ground], 95), 1e-3)
         path = self.folder / "both.hdr"
         self.write(self.mesh, *camera, *names["both"], "--output", path)
         brightest = light["both"].max(axis=2, keepdims=True)
