@@ -31,8 +31,8 @@ struct Preset
 
 const Preset Presets[] = {
   { "default", "Crisp shafts, for any scene", 0.97, 1.0, 0.013, 1.0, 100, 0.75, 0.22 },
-  { "low-sun", "A fan of fine, long rays of a sun near the horizon", 1.0, 0.97, 0.041, 1.0, 100, 3.0,
-    0.33 },
+  { "low-sun", "A fan of fine, long rays of a sun near the horizon", 1.0, 0.97, 0.041, 1.0, 100,
+    3.0, 0.33 },
   { "long-shafts", "Even light, and shafts to the edges of the picture", 1.0, 1.015, 0.0028, 1.0,
     100, 0.0, 0.22 },
   { "cathedral", "Broad beams that cross a tall room", 1.2, 0.985, 0.016, 1.0, 100, 0.9, 0.1 },

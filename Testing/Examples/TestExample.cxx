@@ -127,8 +127,8 @@ int GetDifference(const std::string& picture, const std::string& baseline)
   // As VTK has it, name_1.png is another baseline: newer VTK places a sun a little elsewhere.
   const std::size_t end = baseline.rfind(".png");
   const std::string other = baseline.substr(0, end) + "_1.png";
-  const int differenceFromOther = end != std::string::npos && std::ifstream(other).good() && end > 2 &&
-      baseline.compare(end - 2, 2, "_1") != 0
+  const int differenceFromOther = end != std::string::npos && std::ifstream(other).good() &&
+      end > 2 && baseline.compare(end - 2, 2, "_1") != 0
     ? GetDifference(picture, other)
     : 255;
   vtkNew<vtkPNGReader> readers[2];
