@@ -151,7 +151,6 @@ bool vtkGodRaysPass::IsSunMissing() const
 bool vtkGodRaysPass::SeesNewPicture(vtkRenderer* renderer)
 {
   Internals& self = *this->Internal;
-  self.CoverageIsCurrent = false;
   vtkRenderWindow* window = renderer->GetRenderWindow();
   int tiles[2];
   window->GetTileScale(tiles);

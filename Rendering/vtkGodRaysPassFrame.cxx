@@ -251,6 +251,7 @@ std::string vtkGodRaysPass::FindFault(vtkRenderer* renderer, const vtkGodRaysVie
   }
   const bool movesSun =
     this->IsSunMissing() || (self.PlacedSun && this->SunPlacement == SUN_EVERY_VIEW);
+  self.CoverageIsCurrent = false;
   self.IsNewPicture = (movesSun || self.Effect->UsesCoverage()) &&
     vtkGodRaysCompositor::Any(self.Compositor, this->SeesNewPicture(renderer));
   if (!self.IsNewPicture &&

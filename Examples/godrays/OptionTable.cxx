@@ -153,7 +153,7 @@ void AddRayOptions(Parser& parser, Options& options)
     "Angle from the light over which that glow falls to 0, in degrees (3.6)");
   parser.Add("--optical-depth", options.OpticalDepth, 1e-6, 100.0,
     "How thick a medium is across the scene, in green: 1 lets a third of the light through (0.15 "
-    "to 0.45)");
+    "to 0.6)");
   parser.Add("--world-unit", options.WorldUnit, 1e-12, 1e12,
     "How long the scene's unit is in metres; a medium is as dense as suits the scene without it");
   parser.Add("--tolerance", options.Tolerance, 1e-6, 0.1,

@@ -125,7 +125,7 @@ vtkGodRaysResponse vtkGodRaysRadialEffect::GetResponse(
   }
   response.Nearest = outside;
   double& streaks = this->Streaks[this->Drawn++];
-  if (frame.Placer)
+  if (frame.Placer && this->UsesCoverage())
   {
     const double shafts = frame.Placer->GetShaftsAt(
       (response.Light[0] - picture[0]) / picture[2], (response.Light[1] - picture[1]) / picture[3]);

@@ -124,13 +124,6 @@ vtkStandardNewMacro(CheckedPass);
 /// Largest difference of a picture from the baseline, in levels of 255.
 int GetDifference(const std::string& picture, const std::string& baseline)
 {
-  // As VTK has it, name_1.png is another baseline: newer VTK places a sun a little elsewhere.
-  const std::size_t end = baseline.rfind(".png");
-  const std::string other = baseline.substr(0, end) + "_1.png";
-  const int differenceFromOther = end != std::string::npos && std::ifstream(other).good() &&
-      end > 2 && baseline.compare(end - 2, 2, "_1") != 0
-    ? GetDifference(picture, other)
-    : 255;
   vtkNew<vtkPNGReader> readers[2];
   const std::string files[2] = { picture, baseline };
   for (int i = 0; i < 2; ++i)
@@ -154,7 +147,16 @@ int GetDifference(const std::string& picture, const std::string& baseline)
       std::abs(static_cast<unsigned char*>(a->GetScalarPointer())[i] -
         static_cast<unsigned char*>(b->GetScalarPointer())[i]));
   }
-  return std::min(worst, differenceFromOther);
+  return worst;
+}
+
+/// From the nearest baseline: name_1.png is another one, as newer VTK places a sun a little elsewhere.
+int GetLeastDifference(const std::string& picture, const std::string& baseline)
+{
+  const std::string other = baseline.substr(0, baseline.rfind(".png")) + "_1.png";
+  const int difference = GetDifference(picture, baseline);
+  return std::ifstream(other).good() ? std::min(difference, GetDifference(picture, other))
+                                     : difference;
 }
 }
 
@@ -189,14 +191,14 @@ int main(int argc, char* argv[])
   const int levels = EXAMPLE_LEVELS;
 
   const int status = Run(picture, argv[3]);
-  const int difference = GetDifference(picture, baseline);
+  const int difference = GetLeastDifference(picture, baseline);
   std::cout << EXAMPLE_NAME << ": " << Checked << " layers checked, root mean square error "
             << WorstError << " of the peak, of a medium " << ErrorOfMedium << "; picture within "
             << difference << " levels of its baseline\n";
 
   setenv("GODRAYS_DISABLE", "1", 1);
   Run(picture + ".without-rays.png", argv[3]);
-  const int without = GetDifference(picture + ".without-rays.png", baseline);
+  const int without = GetLeastDifference(picture + ".without-rays.png", baseline);
   std::cout << "without rays: " << without << " levels\n";
 
   const bool good = status == 0 && Checked > 0 && WorstError <= 2e-3 && ErrorOfMedium <= 1e-2 &&

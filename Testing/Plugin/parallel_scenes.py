@@ -111,6 +111,7 @@ def volume(view):
     shown.SetRepresentationType("Volume")
     simple.ColorBy(shown, ("POINTS", "RTData"))
     shown.RescaleTransferFunctionToDataRange()
+    view.AutomaticExposure = 0  # which holds rays back over data, here nearly all of the picture
     view.CameraPosition = [0, 0, 60]
 
 
