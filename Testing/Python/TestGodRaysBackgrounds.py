@@ -6,6 +6,8 @@ import pathlib
 import sys
 import unittest
 
+import numpy
+
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "Gallery"))
 
 import default_scenes
@@ -26,8 +28,13 @@ class Backgrounds(unittest.TestCase):
                 defaults.expect_colors(self, numbers)
                 self.assertGreaterEqual(numbers.shafts, 2)
                 numbers = defaults.measure(before, medium, data, places[1])
-                print(f"{name}, a medium: {numbers.shafts} shafts")
-                self.assertGreater(numbers.shafts, 0)
+                ground = defaults.to_lab(medium)[..., 0][data < 0.1]
+                spread = numpy.percentile(ground, 95) - numpy.percentile(ground, 5)
+                print(f"{name}, a medium: {numbers.shafts} shafts, {spread:.1f} L* from light to dark")
+                # The glow of a medium outshines its shafts before white and light grey.
+                self.assertGreaterEqual(numbers.shafts, 0 if name in ("white", "light grey") else 1)
+                self.assertGreater(spread, 10)
+                self.assertGreater(ground.min(), 60 if name == "white" else 0)
                 # gradients and textures have none themselves
                 self.assertEqual(defaults.measure(before, before, data, places[0]).shafts, 0)
         for name, picture in pictures.items():  # they are what they are called

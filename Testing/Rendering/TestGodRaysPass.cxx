@@ -187,10 +187,10 @@ TEST(GodRaysPassParameters, APresetBringsItsModelAndKeepsOneOfItsClass)
   rays->SetModel(model);
   ASSERT_TRUE(rays->ApplyPreset("low-sun"));
   EXPECT_EQ(rays->GetModel(), model);
-  EXPECT_EQ(model->GetWeight(), 0.028);
+  EXPECT_EQ(model->GetWeight(), 0.041);
   ASSERT_TRUE(rays->ApplyPreset("published:mitchell"));
   EXPECT_TRUE(rays->GetModel()->IsA("vtkGodRaysPublishedModel"));
-  EXPECT_EQ(model->GetWeight(), 0.028) << "the former model";
+  EXPECT_EQ(model->GetWeight(), 0.041) << "the former model";
   EXPECT_EQ(rays->GetIntegrator(), integrator) << "which evaluates both";
   vtkSmartPointer<vtkGodRaysModel> published = rays->GetModel();
   ASSERT_TRUE(rays->ApplyPreset("published:babylon"));
