@@ -123,9 +123,7 @@ public:
    * Set/Get the radius of a planet, of which GroundLevel is the ground and whose centre is that far below
    * it along Up from the world's origin [m]. Its ground hides lights and ends the medium that is seen:
    * scenes should lie above it, and lamps in it give no light. It should be above 500 scale heights; the
-   * Earth's is 6.36e6. 0 is a plane without a horizon. Valid range: [0, 1e15]. Default is 0. A
-   * vtkGodRaysEpipolarCoverageIntegrator takes positional lights only, with one; see
-   * Documentation/ModelError.md.
+   * Earth's is 6.36e6. 0 is a plane without a horizon. Valid range: [0, 1e15]. Default is 0.
    */
   void SetPlanetRadius(double radius);
   vtkGetMacro(PlanetRadius, double);

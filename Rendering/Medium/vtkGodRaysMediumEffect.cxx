@@ -4,7 +4,6 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
-#include "vtkGodRaysAutomaticIntegrator.h"
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysGate.h"
 #include "vtkGodRaysLight.h"
@@ -183,14 +182,6 @@ bool vtkGodRaysMediumEffect::DrawData(const vtkGodRaysMediumIntegrator::Request&
 {
   const vtkGodRaysShadowGrids* shadows =
     hasAir ? integrator->GetShadows() : integrator->DrawShadows(request);
-  if (!shadows)
-  {
-    if (!this->DataShadows)
-    {
-      this->DataShadows = vtkSmartPointer<vtkGodRaysAutomaticIntegrator>::New();
-    }
-    shadows = this->DataShadows->DrawShadows(request);
-  }
   this->HadData = shadows && this->Data.Draw(request, shadows);
   return this->HadData;
 }
@@ -288,8 +279,4 @@ void vtkGodRaysMediumEffect::Release(vtkWindow* window)
 {
   this->Depths.Release(window);
   this->Data.Release(window);
-  if (this->DataShadows)
-  {
-    this->DataShadows->ReleaseGraphicsResources(window);
-  }
 }

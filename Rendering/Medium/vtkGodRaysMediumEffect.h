@@ -15,7 +15,6 @@
 #include "vtkGodRaysView.h"
 #include "vtkGodRaysViewDepths.h"
 #include "vtkGodRaysVolumeMedium.h"
-#include "vtkSmartPointer.h"
 
 class vtkGodRaysMediumModel;
 
@@ -60,7 +59,6 @@ private:
   vtkGodRaysMedium Medium; // of this frame, in scene units
   vtkGodRaysViewDepths Depths;
   vtkGodRaysVolumeMedium Data;
-  vtkSmartPointer<vtkGodRaysMediumIntegrator> DataShadows; // where the frame's integrator has none
   unsigned int VerifiedData = 0;
   double DataError = 0.0; // of the last frame
   bool HadData = false;   // alike

@@ -6,8 +6,7 @@
  *
  * vtkGodRaysPass calls Integrate() once for each light of a frame that has a vtkGodRaysMediumModel.
  *
- * @sa vtkGodRaysAutomaticIntegrator vtkGodRaysEpipolarCoverageIntegrator vtkGodRaysShadowMapIntegrator
- * vtkGodRaysMediumModel
+ * @sa vtkGodRaysAutomaticIntegrator vtkGodRaysShadowMapIntegrator vtkGodRaysMediumModel
  */
 
 #ifndef vtkGodRaysMediumIntegrator_h
@@ -69,7 +68,7 @@ public:
   ///@{
   /**
    * What hides the light of the last request, as numbers that are valid until the next one; or draw that
-   * alone, without light. Unless overridden, null: it is not known.
+   * alone, without light. Unless overridden, null: it is not known, and volumes in the medium are not drawn.
    */
   VTK_WRAPEXCLUDE virtual const vtkGodRaysShadowGrids* GetShadows() { return nullptr; }
   VTK_WRAPEXCLUDE virtual const vtkGodRaysShadowGrids* DrawShadows(const Request&)

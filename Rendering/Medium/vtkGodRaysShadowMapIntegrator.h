@@ -22,7 +22,7 @@
  * it; steps leave these out. Maps of the first four lights are kept while nothing in them changes. In a scene
  * on several processes the maps are joined.
  *
- * @sa vtkGodRaysMediumModel vtkGodRaysEpipolarCoverageIntegrator
+ * @sa vtkGodRaysMediumModel
  */
 
 #ifndef vtkGodRaysShadowMapIntegrator_h

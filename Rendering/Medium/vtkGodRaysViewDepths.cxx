@@ -76,8 +76,7 @@ void vtkGodRaysViewDepths::Begin(vtkOpenGLRenderWindow* window, const vtkGodRays
   this->View = &view;
   this->Sources[0] = occluders;
   this->Sources[1] = seen;
-  this->Drawn[0] = false;
-  this->Drawn[1] = false;
+  this->Drawn = false;
   static std::atomic<unsigned int> frames{ 0 };
   this->Frame = ++frames;
 }
@@ -90,33 +89,23 @@ void vtkGodRaysViewDepths::End()
   this->Sources[1] = nullptr;
 }
 
-vtkGodRaysTarget* vtkGodRaysViewDepths::GetOccluders()
-{
-  return this->Get(0);
-}
-
 vtkGodRaysTarget* vtkGodRaysViewDepths::GetEnds()
 {
-  return this->Get(this->HasEnds() ? 1 : 0);
-}
-
-vtkGodRaysTarget* vtkGodRaysViewDepths::Get(int which)
-{
-  vtkGodRaysTarget& target = this->Depths[which];
-  if (this->Drawn[which])
+  if (this->Drawn)
   {
-    return &target;
+    return &this->Ends;
   }
   int size[2];
   this->GetSize(size);
   vtkGodRaysView::Pinhole pinhole;
-  target.Prepare(this->Window, size[0], size[1], { GL_R32F, 0 });
-  if (!this->View->GetPinhole(size, pinhole) || !target.Bind())
+  this->Ends.Prepare(this->Window, size[0], size[1], { GL_R32F, 0 });
+  if (!this->View->GetPinhole(size, pinhole) || !this->Ends.Bind())
   {
     return nullptr;
   }
   this->Window->GetState()->vtkglDisable(GL_BLEND);
-  vtkShaderProgram* program = this->Quad.Begin(this->Window, { { "fromPicture", which == 1 } });
+  const bool fromPicture = this->Sources[1] != nullptr;
+  vtkShaderProgram* program = this->Quad.Begin(this->Window, { { "fromPicture", fromPicture } });
   if (!program)
   {
     return nullptr;
@@ -127,13 +116,13 @@ vtkGodRaysTarget* vtkGodRaysViewDepths::Get(int which)
   program->SetUniformf("openSky", OpenSky);
   program->SetUniformf("viewScale", static_cast<float>(this->View->ViewScale));
   this->Quad.SetTexture("occluders", this->Sources[0]);
-  if (which == 1)
+  if (fromPicture)
   {
     this->Quad.SetTexture("seen", this->Sources[1]);
   }
   this->Quad.End();
-  this->Drawn[which] = true;
-  return &target;
+  this->Drawn = true;
+  return &this->Ends;
 }
 
 void vtkGodRaysViewDepths::GetSize(int size[2]) const
@@ -144,7 +133,7 @@ void vtkGodRaysViewDepths::GetSize(int size[2]) const
 
 bool vtkGodRaysViewDepths::ReadEnds(float* depths)
 {
-  if (this->HasEnds() || this->Drawn[0])
+  if (this->Sources[1] || this->Drawn)
   {
     vtkGodRaysTarget* const ends = this->GetEnds();
     if (ends)
@@ -179,8 +168,5 @@ void vtkGodRaysViewDepths::Release(vtkWindow* window)
 {
   this->Layer.Release(window); // before the depth that it borrows
   this->Quad.Release();
-  for (vtkGodRaysTarget& target : this->Depths)
-  {
-    target.Release(window);
-  }
+  this->Ends.Release(window);
 }

@@ -40,25 +40,15 @@ public:
   void End();
 
   /**
-   * Window depths of the occluders.
-   */
-  vtkTextureObject* GetOccluderWindowDepth() const { return this->Sources[0]; }
-
-  /**
    * A number that no other frame has, of any of these objects.
    */
   unsigned int GetFrame() const { return this->Frame; }
 
-  ///@{
   /**
-   * Depths of the occluders, and of where view rays end, if that is not the same; of the layer's
-   * size. Null, after an error, if they cannot be drawn. The framebuffer drawn into may be another one
-   * after it.
+   * Depths at which view rays end, of the layer's size. Null, after an error, if they cannot be drawn. The
+   * framebuffer drawn into may be another one after it.
    */
-  vtkGodRaysTarget* GetOccluders();
   vtkGodRaysTarget* GetEnds();
-  bool HasEnds() const { return this->Sources[1] != nullptr; }
-  ///@}
 
   /**
    * The size of the layer.
@@ -74,13 +64,11 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  vtkGodRaysTarget* Get(int which);
-
   vtkGodRaysQuad Quad;
-  vtkGodRaysTarget Depths[2];
+  vtkGodRaysTarget Ends;
   vtkGodRaysTarget Layer; // the occluders' window depths, to be read
-  bool Drawn[2] = { false, false };
-  vtkTextureObject* Sources[2] = { nullptr, nullptr };
+  bool Drawn = false;
+  vtkTextureObject* Sources[2] = { nullptr, nullptr }; // the occluders, and what is seen or null
   vtkOpenGLRenderWindow* Window = nullptr;
   const vtkGodRaysView* View = nullptr;
   unsigned int Frame = 0;

@@ -5,8 +5,6 @@
 #include "MediumMethods.h"
 
 #include "vtkGodRaysAutomaticIntegrator.h"
-#include "vtkGodRaysDepthWeightedTapsIntegrator.h"
-#include "vtkGodRaysEpipolarCoverageIntegrator.h"
 #include "vtkGodRaysEpipolarIntegrator.h"
 #include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysShadowMapIntegrator.h"
@@ -31,12 +29,6 @@ std::vector<ModelMethod> MakeModelMethods()
   auto taps = vtkSmartPointer<vtkGodRaysTapsIntegrator>::New();
   taps->SetNumberOfTaps(100);
   add(CustomaryModel, "radial sum", taps);
-  for (const int count : { 32, 128 })
-  {
-    auto depths = vtkSmartPointer<vtkGodRaysDepthWeightedTapsIntegrator>::New();
-    depths->SetNumberOfTaps(count);
-    add(("depth-weighted taps, " + std::to_string(count)).c_str(), "depth-weighted taps", depths);
-  }
   add(ClosedForm, "closed form", vtkSmartPointer<ClosedFormIntegrator>::New());
   const int sizes[][3] = { { 80, 45, 32 }, { 160, 90, 64 }, { 240, 135, 128 } };
   for (const auto& size : sizes)
@@ -48,13 +40,6 @@ std::vector<ModelMethod> MakeModelMethods()
     add(name, "froxels", froxels);
   }
   add(TreeMethod, "min/max trees", vtkSmartPointer<TreesIntegrator>::New());
-  for (const int layers : { 0, 1, 2 })
-  {
-    auto coverage = vtkSmartPointer<vtkGodRaysEpipolarCoverageIntegrator>::New();
-    coverage->SetNumberOfLayers(layers);
-    const char* const names[] = { "coverage", "coverage, one layer", "coverage, two layers" };
-    add(names[layers], "coverage", coverage);
-  }
   for (const int steps : { 8, 16, 64, 256 })
   {
     auto shadows = vtkSmartPointer<vtkGodRaysShadowMapIntegrator>::New();

@@ -77,12 +77,6 @@ class Parallel(unittest.TestCase):
                 rays = abs(read(folder, name) - read(folder, name + "-plain")).max()
                 self.assertGreater(rays, 10 * LEVELS)
 
-    def test_solid_layers(self):
-        """There are none on several processes, which is told once."""
-        with self.assertRaises(AssertionError) as failed:
-            self.draw("layers", on_processes(2), ["layers"])
-        self.assertEqual(str(failed.exception).count("no solid layers"), 1)
-
     def test_four_processes(self):
         scenes = ["tagged", "lamp", "shadows", "sky", "placed", "one_process"]
         if LONG:

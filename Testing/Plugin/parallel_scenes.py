@@ -130,13 +130,6 @@ def shadows(view):
     view.Integrator = "Shadow Map"
 
 
-def layers(view):
-    """The same with solid layers, which several processes have not."""
-    medium(view)
-    view.Integrator = "Epipolar Coverage"
-    view.Integrator.NumberOfLayers = 1
-
-
 def sky(view):
     """A low sun behind the spheres, and its sky."""
     add_spheres(view)
@@ -161,7 +154,7 @@ def one_process(view):
 SCENES = {
     scene.__name__: scene
     for scene in (
-        opaque, gradient, tagged, lamp, bright, medium, shadows, layers, sky, translucent, veil, volume,
+        opaque, gradient, tagged, lamp, bright, medium, shadows, sky, translucent, veil, volume,
         placed, one_process,
     )  # fmt: skip
 }

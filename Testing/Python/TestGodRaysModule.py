@@ -290,14 +290,14 @@ class Parameters(unittest.TestCase):
 
     def test_a_medium_by_preset_or_name(self):
         window, renderer, _ = make_scene()
-        coverage = godrays.vtkGodRaysEpipolarCoverageIntegrator()
+        shadows = godrays.vtkGodRaysShadowMapIntegrator()
         rays = godrays.enable(
-            renderer, light=BEHIND, preset="fog", asymmetry=0.3, integrator=coverage, thickness=0.02
+            renderer, light=BEHIND, preset="fog", asymmetry=0.3, integrator=shadows, map_size=512
         )
         self.assertEqual(rays.GetModel().GetClassName(), "vtkGodRaysHomogeneousModel")
         self.assertEqual(rays.GetModel().GetScatteringCoefficient(), (0.015,) * 3)
         self.assertEqual(rays.GetModel().GetAsymmetry(), 0.3)
-        self.assertEqual(rays.GetIntegrator().GetThickness(), 0.02)
+        self.assertEqual(rays.GetIntegrator().GetMapSize(), 512)
         foggy = pixels(window)
         godrays.enable(renderer, model="atmosphere", mie_scattering=(0.01, 0.01, 0.01))
         self.assertEqual(rays.GetModel().GetClassName(), "vtkGodRaysAtmosphereModel")

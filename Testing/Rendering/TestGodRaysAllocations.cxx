@@ -6,7 +6,6 @@
 #include "GodRaysTesting.h"
 
 #include "vtkGodRaysAtmosphereModel.h"
-#include "vtkGodRaysEpipolarCoverageIntegrator.h"
 #include "vtkGodRaysEpipolarIntegrator.h"
 #include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysShadowMapIntegrator.h"
@@ -202,10 +201,6 @@ const Kind Kinds[] = {
     } },
   { "Medium", [](Stage& scene) { scene.Rays->SetModel(vtkNew<vtkGodRaysHomogeneousModel>()); } },
   { "Atmosphere", [](Stage& scene) { scene.Rays->SetModel(vtkNew<vtkGodRaysAtmosphereModel>()); } },
-  { "Coverage", [](Stage& scene) { SetMedium<vtkGodRaysEpipolarCoverageIntegrator>(scene); } },
-  { "Layers",
-    [](Stage& scene)
-    { SetMedium<vtkGodRaysEpipolarCoverageIntegrator>(scene)->SetNumberOfLayers(2); } },
   { "Steps",
     [](Stage& scene) { SetMedium<vtkGodRaysShadowMapIntegrator>(scene)->SetMapSize(64); } },
   { "SweptMap",

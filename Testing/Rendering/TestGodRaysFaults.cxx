@@ -7,7 +7,6 @@
 #include "CountOpenGLCalls.h"
 #include "GodRaysTesting.h"
 
-#include "vtkGodRaysEpipolarCoverageIntegrator.h"
 #include "vtkGodRaysEpipolarIntegrator.h"
 #include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysShadowMapIntegrator.h"
@@ -125,14 +124,6 @@ const Kind Kinds[] = {
       scene.Rays->SetLayerMargin(0.25);
     } },
   { "Medium", AddFog },
-  { "SolidLayers",
-    [](Stage& scene)
-    {
-      AddFog(scene);
-      vtkNew<vtkGodRaysEpipolarCoverageIntegrator> integrator;
-      integrator->SetNumberOfLayers(2);
-      scene.Rays->SetIntegrator(integrator);
-    } },
   { "Steps",
     [](Stage& scene)
     {

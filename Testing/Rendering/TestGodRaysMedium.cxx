@@ -7,8 +7,6 @@
 #include "GodRaysMediumTesting.h"
 
 #include "vtkGodRaysAutomaticIntegrator.h"
-#include "vtkGodRaysDepthWeightedTapsIntegrator.h"
-#include "vtkGodRaysEpipolarCoverageIntegrator.h"
 #include "vtkGodRaysEpipolarIntegrator.h"
 #include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysMath.h"
@@ -154,11 +152,9 @@ TEST_F(GodRaysMedium, SpotlightsShineInTheirCones)
   };
   const auto truth = GetTrueScattering(
     this->Renderer, setMedium, { 1.0, 2.0, -3.0, 1.0 }, this->Scene.Window->GetSize());
-  vtkNew<vtkGodRaysEpipolarCoverageIntegrator> coverage;
   vtkNew<vtkGodRaysShadowMapIntegrator> shadows;
-  vtkNew<vtkGodRaysDepthWeightedTapsIntegrator> taps;
   vtkNew<vtkGodRaysAutomaticIntegrator> automatic;
-  const std::array<vtkGodRaysIntegrator*, 4> integrators = { coverage, shadows, taps, automatic };
+  const std::array<vtkGodRaysIntegrator*, 2> integrators = { shadows, automatic };
   for (vtkGodRaysIntegrator* integrator : integrators)
   {
     this->Rays->SetIntegrator(integrator);
@@ -375,7 +371,8 @@ TEST_F(GodRaysMedium, GoesTogetherWithARadialSum)
 // A frame of another pass, at the place in memory where a former one was, is another frame.
 TEST_F(GodRaysMedium, AnIntegratorServesOnePassAfterAnother)
 {
-  vtkNew<vtkGodRaysEpipolarCoverageIntegrator> integrator;
+  vtkNew<vtkGodRaysShadowMapIntegrator> integrator;
+  integrator->SweepMapOn();
   double means[2];
   for (const bool pillars : { false, true })
   {

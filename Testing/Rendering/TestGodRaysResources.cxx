@@ -7,7 +7,6 @@
 #include "CountOpenGLCalls.h"
 #include "GodRaysTesting.h"
 
-#include "vtkGodRaysEpipolarCoverageIntegrator.h"
 #include "vtkGodRaysEpipolarIntegrator.h"
 #include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysPublishedModel.h"
@@ -466,28 +465,6 @@ TEST(GodRaysResources, AreNotMadeForShadowMaps)
   }
 }
 
-// The mappers' shaders are VTK's, from its cache: with and without the layers' part in turn.
-TEST(GodRaysResources, AreNotMadeForSolidLayers)
-{
-  Messages messages;
-  Stage scene(64, 48);
-  scene.AddPillarsAndSun();
-  vtkNew<vtkGodRaysHomogeneousModel> model;
-  scene.Rays->SetModel(model);
-  vtkNew<vtkGodRaysEpipolarCoverageIntegrator> integrator;
-  integrator->SetNumberOfLayers(2);
-  scene.Rays->SetIntegrator(integrator);
-  Count(scene.Window);
-  EXPECT_GT(Draw(scene).GetMade(), 10);
-  for (int frame = 2; frame < 5; ++frame)
-  {
-    const Counts steady = Draw(scene);
-    EXPECT_EQ(steady.GetMade(), 2 * 7) << "frame " << frame << ": " << steady;
-    EXPECT_EQ(steady.Objects, 2 * 7) << "a vertex array for each pillar and change: " << steady;
-    EXPECT_TRUE(steady.AliveAs(Counts())) << "frame " << frame << ": " << steady;
-  }
-}
-
 TEST(GodRaysResources, AreAsBeforeAfterFiftyToggles)
 {
   Messages messages;
@@ -574,14 +551,6 @@ TEST(GodRaysResources, ThatADriverRefusesLeaveTheSceneAsWithoutRays)
     { "in shaders", UseShaders },
     { "all", AddAll },
     { "medium", [](Stage& scene) { scene.Rays->SetModel(vtkNew<vtkGodRaysHomogeneousModel>()); } },
-    { "solid layers",
-      [](Stage& scene)
-      {
-        scene.Rays->SetModel(vtkNew<vtkGodRaysHomogeneousModel>());
-        vtkNew<vtkGodRaysEpipolarCoverageIntegrator> integrator;
-        integrator->SetNumberOfLayers(2);
-        scene.Rays->SetIntegrator(integrator);
-      } },
     { "steps",
       [](Stage& scene)
       {

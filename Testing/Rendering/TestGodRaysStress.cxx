@@ -7,7 +7,6 @@
 #include "CountOpenGLCalls.h"
 #include "GodRaysTesting.h"
 
-#include "vtkGodRaysEpipolarCoverageIntegrator.h"
 #include "vtkGodRaysEpipolarIntegrator.h"
 #include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysShadowMapIntegrator.h"
@@ -90,14 +89,6 @@ const Kind Kinds[] = {
       vtkNew<vtkGodRaysShadowMapIntegrator> integrator;
       integrator->SweepMapOn();
       integrator->SetMapSize(128);
-      scene.Rays->SetIntegrator(integrator);
-    } },
-  { "Layers",
-    [](Stage& scene)
-    {
-      AddFog(scene);
-      vtkNew<vtkGodRaysEpipolarCoverageIntegrator> integrator;
-      integrator->SetNumberOfLayers(2);
       scene.Rays->SetIntegrator(integrator);
     } },
   { "Steps",

@@ -6,8 +6,8 @@
 #include "GodRaysMediumTesting.h"
 
 #include "vtkGodRaysAutomaticIntegrator.h"
-#include "vtkGodRaysEpipolarCoverageIntegrator.h"
 #include "vtkGodRaysPublishedModel.h"
+#include "vtkGodRaysShadowMapIntegrator.h"
 
 #include "vtkActor.h"
 #include "vtkAssembly.h"
@@ -30,11 +30,13 @@ constexpr int AllPixels = 1000000;
 class GodRaysVerification : public MediumTest
 {
 protected:
-  vtkNew<vtkGodRaysEpipolarCoverageIntegrator> Coverage; // whose errors are large
+  vtkNew<vtkGodRaysShadowMapIntegrator> Coarse; // whose errors are large
 
   GodRaysVerification()
   {
-    this->Rays->SetIntegrator(this->Coverage);
+    this->Coarse->SetMapSize(64);
+    this->Coarse->SetNumberOfSteps(1);
+    this->Rays->SetIntegrator(this->Coarse);
     this->Rays->SetPrecision(vtkGodRaysPass::SINGLE);
   }
 
@@ -80,19 +82,19 @@ TEST_F(GodRaysVerification, TakesSomePixelsAndTellsThePlan)
   this->AddPillars();
   this->SetLight({ 0.15, 0.1, -1.0, 0.0 });
   this->Scene.Window->Render();
-  EXPECT_EQ(this->Coverage->GetErrorEstimate(), -1.0);
+  EXPECT_EQ(this->Coarse->GetErrorEstimate(), -1.0);
   EXPECT_FALSE(Says(this->Rays->GetPlan(), "error:"));
   const double all = this->Measure();
-  const double largest = this->Coverage->GetLargestVerifiedError();
+  const double largest = this->Coarse->GetLargestVerifiedError();
   const double some = this->Measure(1000);
   EXPECT_NEAR(some / all, 1.0, 0.6);
   EXPECT_EQ(some, this->Measure(1000)) << "the same pixels every time";
-  EXPECT_LE(this->Coverage->GetLargestVerifiedError(), largest);
-  EXPECT_GT(this->Coverage->GetLargestVerifiedError(), some);
+  EXPECT_LE(this->Coarse->GetLargestVerifiedError(), largest);
+  EXPECT_GT(this->Coarse->GetLargestVerifiedError(), some);
   EXPECT_TRUE(Says(this->Rays->GetPlan(), "error: asked for 0.00392157, measured "))
     << this->Rays->GetPlan();
   this->Measure(0);
-  EXPECT_EQ(this->Coverage->GetErrorEstimate(), -1.0);
+  EXPECT_EQ(this->Coarse->GetErrorEstimate(), -1.0);
   // Published sums have no limit.
   this->Rays->SetIntegrator(nullptr);
   vtkNew<vtkGodRaysPublishedModel> published;
@@ -174,18 +176,18 @@ TEST_F(GodRaysVerification, IsOfEverySoManyStillFrames)
 {
   this->AddPillars();
   this->SetLight({ 0.15, 0.1, -1.0, 0.0 });
-  this->Coverage->SetVerifyPixels(20);
+  this->Coarse->SetVerifyPixels(20);
   const auto draw = [this](double updateRate = 0.0001)
   {
     this->Scene.Window->SetDesiredUpdateRate(updateRate);
     this->Scene.Window->Render();
-    return this->Coverage->GetErrorEstimate();
+    return this->Coarse->GetErrorEstimate();
   };
   const double error = draw();
   EXPECT_GE(error, 0.0);
   EXPECT_EQ(draw(), error);
   EXPECT_EQ(draw(10.0), -1.0) << "while the user drags";
-  this->Coverage->SetVerifyInterval(3);
+  this->Coarse->SetVerifyInterval(3);
   std::vector<double> errors;
   for (int i = 0; i < 7; ++i)
   {
@@ -194,8 +196,8 @@ TEST_F(GodRaysVerification, IsOfEverySoManyStillFrames)
   }
   EXPECT_EQ(errors, (std::vector<double>{ error, -1.0, -1.0, error, -1.0, -1.0, error }));
   EXPECT_FALSE(Says(this->Rays->GetPlan(), "error:"));
-  this->Coverage->SetVerifyInterval(0);
-  EXPECT_EQ(this->Coverage->GetVerifyInterval(), 1);
+  this->Coarse->SetVerifyInterval(0);
+  EXPECT_EQ(this->Coarse->GetVerifyInterval(), 1);
 }
 
 // Until it is within the tolerance, or the largest map is reached.
