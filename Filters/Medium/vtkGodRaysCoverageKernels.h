@@ -2,29 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file    vtkGodRaysCoverageKernels.h
- * @brief   what surfaces hide of each view ray, swept along lines through the light
+ * @brief   the light of view rays, and the lines through the light along which shadows are swept
  *
  * Private. A light at (x, y, z, w) in view coordinates (x right, y up, z forwards) is seen at the pixel
  * (A, B)/W, and light flows through the pixel p along d(p) = W p - (A, B); W is z, but w where view rays
- * are parallel. A light ray passes the pixels of a line along d, and there an affine function of the view
- * depth Z is constant; with g = |d|/|d at the line's widest place| and n rows to there:
- *
- *                  perspective             parallel
- *     directional  h = g Z                 h = Z + (what the light ray recedes from row to row) rows
- *     point        h = (1/Z - n/d)/g       h = (Z - z n/d)/g
- *
- * (from 1/Z - 1/z and Z - z, which grow in proportion to the distance from the light; z n/d may be 0/0 no
- * more). So a sample of a surface hides the light ray h from all that is farther along the line: a line
- * carries the union of hidden intervals of h, the same for each of its pixels, and a pixel sums what the
- * medium sends from them, up to its own depth.
+ * are parallel.
  *
  * What the medium sends from the first part of a view ray, were there no shadows, is a closed form for a
  * directional light in a homogeneous medium; else it is read from a table. It may: for given light and
  * medium, a view ray is told from others by one number. See CoverageTable.
  *
  * The picture is divided into four wedges about the light, each swept row by row in the direction in
- * which light flows, along y or (transposed) along x; lines are Spacing apart where they are widest, a
- * pixel takes the nearest one. Bands of lines are independent of each other.
+ * which light flows, along y or (transposed) along x; lines are Spacing apart where they are widest. Bands
+ * of lines are independent of each other. See vtkGodRaysShadowKernels.h.
  */
 
 #ifndef vtkGodRaysCoverageKernels_h
@@ -33,7 +23,6 @@
 #include "vtkGodRaysMedium.h" // For vtkGodRaysSpot
 
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 namespace vtkGodRays
@@ -129,11 +118,7 @@ struct CoverageSettings
   double EyeHeight;    // in layers
   double PlanetRadius; // 0: layers are plane
   vtkGodRaysSpot Spot;
-  int Layers;              // 0: depths of the first surfaces; else fronts and backs, up to 2 times
-  double Spacing = 2.0;    // of lines where they are widest apart [pixels]
-  double Thickness = 0.01; // of what is seen from before, without layers [fraction of its depth]
-  double Jump = 0.1;       // of depth between samples of one surface [fraction of the lesser]
-  double Bend = 0.01;      // of 1/depth (parallel: depth) from a plane [fraction]
+  double Spacing = 2.0; // of lines where they are widest apart [pixels]
   const CoverageTable* Table;
 };
 
@@ -143,7 +128,6 @@ struct CoverageImage
   int Width;
   int Height;
   double Center[2];                     // the view axis, whole numbers being the centres of pixels
-  const float* Depths[4];               // front, back, front, back
   const float* Begins;                  // of view rays in a spotlight's cone; nullptr: at the eye
   const float* Ends;                    // of view rays
   float* Hidden[CoverageMaximumPlanes]; // result: of the light along the ray, what is hidden
@@ -153,7 +137,6 @@ struct CoverageImage
 struct CoverageWedge
 {
   double A, B, W;
-  double Recession; // of a directional light's rays, from row to row of a parallel projection
   int Direction;
   int First; // row
   int Rows;
@@ -178,19 +161,6 @@ void FindCoveragePixels(
 /// the pixel's very centre.
 std::ptrdiff_t FindCoverageLight(
   const CoverageWedge& wedge, const CoverageImage& image, bool& isCentred);
-
-/// What a band remembers of its lines while it is swept, for the next sweep to use again.
-class CoverageLines;
-struct DeleteCoverageLines
-{
-  void operator()(CoverageLines* lines) const;
-};
-using CoverageLinesPointer = std::unique_ptr<CoverageLines, DeleteCoverageLines>;
-CoverageLinesPointer MakeCoverageLines();
-
-/// Sweep a band and write the pixels that lie in it. Returns how many intervals found no room.
-long long SweepCoverageBand(const CoverageSettings& settings, const CoverageImage& image,
-  const CoverageWedge& wedge, int band, CoverageLines& lines);
 
 /// Write to a pixel what is hidden before a view depth, and from another one on.
 void HideCoverageInterval(const CoverageSettings& settings, const CoverageImage& image,

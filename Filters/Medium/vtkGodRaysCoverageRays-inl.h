@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What tables of airlight have for rays, and the lines of a band. Compiled for each set of vector
-// instructions: see vtkGodRaysCoverageKernels.cxx.
+// What tables of airlight have for rays. Compiled for each set of vector instructions: see
+// vtkGodRaysCoverageKernels.cxx.
 #if defined(vtkGodRaysCoverageRays_inl_h) == defined(HWY_TARGET_TOGGLE)
 #ifdef vtkGodRaysCoverageRays_inl_h
 #undef vtkGodRaysCoverageRays_inl_h
@@ -13,38 +13,10 @@
 #include "vtkGodRaysCoverageKernels.h"
 #include "vtkGodRaysCoverageViewRays-inl.h"
 
-#include <hwy/aligned_allocator.h>
 #include <hwy/highway.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-
-#ifndef vtkGodRaysCoverageLines_once
-#define vtkGodRaysCoverageLines_once
-
-namespace vtkGodRays
-{
-constexpr int MaximumIntervals = 16;
-
-// What a line knows: disjoint hidden intervals, in any order, then empty ones at infinity.
-struct CoverageLine
-{
-  HWY_ALIGN float Low[MaximumIntervals];
-  HWY_ALIGN float High[MaximumIntervals];
-};
-
-class CoverageLines
-{
-public:
-  hwy::AlignedFreeUniquePtr<CoverageLine[]> Intervals =
-    hwy::AllocateAligned<CoverageLine>(CoverageBandLines);
-  int Counts[CoverageBandLines];
-  float Before[CoverageBandLines]; // depths of the last samples
-  float Slopes[CoverageBandLines];
-};
-}
-#endif
+#include <cstddef>
+#include <vector>
 
 HWY_BEFORE_NAMESPACE();
 namespace vtkGodRays
@@ -221,128 +193,6 @@ private:
   bool IsDark = false;
   Place<FloatTag> Places[2];
   Place<FloatTag> Dark[2];
-};
-
-// The lines of a band.
-class Lines
-{
-public:
-  static constexpr float Nowhere = 3e38f;
-
-  Lines(CoverageLines& lines, int count, float farthest)
-    : Intervals(lines.Intervals.get())
-    , Counts(lines.Counts)
-    , Farthest(farthest)
-  {
-    std::fill_n(this->Counts, count, 0);
-    for (int i = 0; i < count; ++i)
-    {
-      std::fill_n(this->Intervals[i].Low, MaximumIntervals, Nowhere);
-      std::fill_n(this->Intervals[i].High, MaximumIntervals, Nowhere);
-    }
-  }
-
-  HWY_INLINE void Insert(int index, float a, float b)
-  {
-    if (a >= this->Farthest || !(b > a))
-    {
-      return;
-    }
-    CoverageLine& line = this->Intervals[index];
-    const int count = this->Counts[index];
-    unsigned int touched = 0;
-    const FloatTag d;
-    const int lanes = GetLanes();
-    for (int i = 0; i < count; i += lanes)
-    {
-      const auto mask = hn::And(hn::Le(hn::Load(d, line.Low + i), hn::Set(d, b)),
-        hn::Ge(hn::Load(d, line.High + i), hn::Set(d, a)));
-      uint8_t bits[8] = {};
-      hn::StoreMaskBits(d, mask, bits);
-      touched |= static_cast<unsigned int>(bits[0]) << i;
-    }
-    if (touched == 0)
-    {
-      if (count < MaximumIntervals)
-      {
-        line.Low[count] = a;
-        line.High[count] = b;
-        this->Counts[index] = count + 1;
-      }
-      else
-      {
-        this->JoinNearest(line, a, b);
-      }
-      return;
-    }
-    this->Join(index, touched, a, b);
-  }
-
-  // Copies a line's intervals; returns their number.
-  HWY_INLINE int Copy(int index, float* low, float* high) const
-  {
-    const int count = this->Counts[index];
-    std::copy_n(this->Intervals[index].Low, count, low);
-    std::copy_n(this->Intervals[index].High, count, high);
-    return count;
-  }
-
-  long long Overflows = 0;
-
-private:
-  // Into the first one touched; the others are replaced by the last ones.
-  void Join(int index, unsigned int touched, float a, float b)
-  {
-    CoverageLine& line = this->Intervals[index];
-    int count = this->Counts[index];
-    int first = 0;
-    while ((touched >> first & 1u) == 0)
-    {
-      ++first;
-    }
-    a = std::min(a, line.Low[first]);
-    b = std::max(b, line.High[first]);
-    touched &= touched - 1;
-    for (int i = count - 1; touched != 0 && i > first; --i)
-    {
-      if ((touched >> i & 1u) != 0)
-      {
-        touched &= ~(1u << i);
-        a = std::min(a, line.Low[i]);
-        b = std::max(b, line.High[i]);
-        --count;
-        line.Low[i] = line.Low[count];
-        line.High[i] = line.High[count];
-        line.Low[count] = Nowhere;
-        line.High[count] = Nowhere;
-      }
-    }
-    line.Low[first] = a;
-    line.High[first] = b;
-    this->Counts[index] = count;
-  }
-
-  void JoinNearest(CoverageLine& line, float a, float b)
-  {
-    ++this->Overflows;
-    int nearest = 0;
-    float least = Nowhere;
-    for (int i = 0; i < MaximumIntervals; ++i)
-    {
-      const float gap = line.Low[i] > b ? line.Low[i] - b : a - line.High[i];
-      if (gap < least)
-      {
-        least = gap;
-        nearest = i;
-      }
-    }
-    line.Low[nearest] = std::min(a, line.Low[nearest]);
-    line.High[nearest] = std::max(b, line.High[nearest]);
-  }
-
-  CoverageLine* const Intervals;
-  int* const Counts;
-  const float Farthest;
 };
 }
 }

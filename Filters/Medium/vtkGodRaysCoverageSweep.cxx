@@ -24,34 +24,6 @@ using namespace vtkGodRays;
 using Plane = std::vector<float>;
 using Component = vtkGodRaysMedium::Component;
 using Parameters = vtkGodRaysCoverageSweep::Parameters;
-using Monitor = vtkGodRaysCoverageSweep::Monitor;
-
-// In blocks, for the sake of the cache.
-void Transpose(const float* from, int width, int height, float* to)
-{
-  constexpr int block = 16;
-  vtkSMPTools::For(0, (height + block - 1) / block, 4,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType strip = begin; strip < end; ++strip)
-      {
-        const int low = static_cast<int>(strip) * block;
-        const int high = std::min(low + block, height);
-        for (int left = 0; left < width; left += block)
-        {
-          const int right = std::min(left + block, width);
-          for (int x = left; x < right; ++x)
-          {
-            for (int y = low; y < high; ++y)
-            {
-              to[static_cast<std::ptrdiff_t>(x) * height + y] =
-                from[static_cast<std::ptrdiff_t>(y) * width + x];
-            }
-          }
-        }
-      }
-    });
-}
 
 bool IsGrey(const double* color)
 {
@@ -90,40 +62,15 @@ void MakeTableKey(const Parameters& parameters, int width, int height, TableKey&
 class vtkGodRaysCoverageSweep::vtkInternals
 {
 public:
-  bool Execute(const Parameters& parameters, const Monitor& monitor)
+  void Execute(const Parameters& parameters)
   {
-    this->Overflows = 0;
     this->Lines = 0;
     this->Prepare(parameters);
-    float* result = this->Result;
     const std::size_t pixels = static_cast<std::size_t>(this->Image.Width) * this->Image.Height;
-    if (!result)
-    {
-      this->OwnResult.resize(pixels * this->Shade.Components);
-      result = this->OwnResult.data();
-    }
+    this->Result.resize(pixels * this->Shade.Components);
+    float* result = this->Result.data();
     this->LastResult = result;
-    if (parameters.Shadows)
-    {
-      this->SweepShadows(*parameters.Shadows);
-    }
-    else if (this->HasNoLines())
-    {
-      this->HidePixels();
-    }
-    else
-    {
-      if (!this->SweepColumns(monitor))
-      {
-        return false;
-      }
-      this->Sweep(this->Settings, this->Image, 2);
-      this->Sweep(this->Settings, this->Image, 3);
-    }
-    if (monitor && !monitor(0.75))
-    {
-      return false;
-    }
+    this->HideShadows(parameters.Shadows);
     vtkSMPTools::For(0, this->Image.Height, 16,
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -133,7 +80,6 @@ public:
             result + y * this->Image.Width * this->Shade.Components);
         }
       });
-    return !monitor || monitor(1.0);
   }
 
   std::string Describe() const
@@ -142,11 +88,7 @@ public:
     {
       return "nothing yet";
     }
-    return (this->FromShadows ? std::string("shadow map")
-               : this->Settings.Layers > 0
-               ? std::to_string(this->Settings.Layers) + " solid layer(s)"
-               : std::string("depths of the first surface")) +
-      ", " + std::to_string(this->Settings.Channels) + " extinction(s), " +
+    return std::to_string(this->Settings.Channels) + " extinction(s), " +
       std::to_string(this->Shade.Components) + " component(s), " +
       (this->Settings.Point ? "point light, " : "directional light, ") +
       (this->Layered ? "layered" : "homogeneous") + " medium" +
@@ -158,18 +100,14 @@ public:
             (this->Table.Slices > 1 ? " x " + std::to_string(this->Table.Slices) : std::string()) +
             ", ") +
       (this->HasNoLines() ? std::string("the light is along the direction of view")
-                          : std::to_string(this->Lines) + " lines through the light") +
-      ", " + std::to_string(this->Overflows) + " overflows";
+                          : std::to_string(this->Lines) + " lines through the light");
   }
 
   CoverageImage Image = {};
-  Plane Input[MaximumPlanes];
-  int NumberOfPlanes = 0;
-  float* Result = nullptr;
+  Plane Ends; // of view rays
   const float* LastResult = nullptr;
   CoverageShade Shade = {};
   double Bound = 0.0;
-  long long Overflows = 0;
 
 private:
   // What the parameters mean for the kernels, and room for what they write.
@@ -193,9 +131,6 @@ private:
     settings.EyeHeight = medium.EyeHeight;
     settings.PlanetRadius = medium.PlanetRadius;
     settings.FarLimit = medium.FarLimit;
-    this->FromShadows = parameters.Shadows != nullptr;
-    settings.Layers = this->FromShadows ? 0 : parameters.Layers;
-    settings.Thickness = parameters.Thickness;
     settings.Spacing = parameters.LineSpacing;
     const bool layered = this->Layered;
     bool grey = true;
@@ -319,29 +254,12 @@ private:
       image.Center[i] = turned.Center[1 - i] = parameters.Center[i] - 0.5;
     }
     const std::size_t pixels = static_cast<std::size_t>(image.Width) * image.Height;
-    const auto place = [&](Plane& plane)
-    {
-      plane.resize(pixels);
-      return plane.data();
-    };
-    for (int i = 0; i < this->NumberOfPlanes; ++i)
-    {
-      place(this->TurnedInput[i]);
-    }
-    const int depths = std::max(1, 2 * this->Settings.Layers);
-    const int ends = this->NumberOfPlanes > depths ? depths : 0;
-    for (int i = 0; i < depths; ++i)
-    {
-      image.Depths[i] = this->Input[i].data();
-      turned.Depths[i] = this->TurnedInput[i].data();
-    }
-    image.Ends = this->Input[ends].data();
-    turned.Ends = this->TurnedInput[ends].data();
-    image.Begins = turned.Begins = nullptr;
+    image.Begins = nullptr;
+    image.Ends = this->Ends.data();
     for (int p = 0; p < this->Settings.Planes; ++p)
     {
-      image.Hidden[p] = place(this->Hidden[p]);
-      turned.Hidden[p] = place(this->TurnedHidden[p]);
+      this->Hidden[p].resize(pixels);
+      image.Hidden[p] = this->Hidden[p].data();
     }
   }
 
@@ -355,10 +273,9 @@ private:
     }
     CoverageImage& image = this->Image;
     const std::size_t pixels = static_cast<std::size_t>(image.Width) * image.Height;
-    for (Plane* plane :
-      { &this->Cone[0], &this->Cone[1], &this->TurnedCone[0], &this->TurnedCone[1] })
+    for (Plane& plane : this->Cone)
     {
-      plane->resize(pixels);
+      plane.resize(pixels);
     }
     const CoverageSettings& settings = this->Settings;
     const Vec3 axis(spot.Axis[0], spot.Axis[1], spot.Axis[2]);
@@ -390,14 +307,8 @@ private:
           }
         }
       });
-    for (int i = 0; i < 2; ++i)
-    {
-      Transpose(this->Cone[i].data(), image.Width, image.Height, this->TurnedCone[i].data());
-    }
     image.Begins = this->Cone[0].data();
     image.Ends = this->Cone[1].data();
-    this->Turned.Begins = this->TurnedCone[0].data();
-    this->Turned.Ends = this->TurnedCone[1].data();
   }
 
   void PrepareWedges()
@@ -412,18 +323,11 @@ private:
       return;
     }
     this->WedgeKey = key;
-    std::size_t bands = 0;
     for (int i = 0; i < 4; ++i)
     {
       this->Wedges[i] = MakeCoverageWedge(i < 2 ? this->TurnedSettings : this->Settings,
         i < 2 ? this->Turned : image, i % 2 == 0 ? 1 : -1);
-      bands = std::max(bands, static_cast<std::size_t>(this->Wedges[i].Bands));
     }
-    while (this->BandLines.size() < bands)
-    {
-      this->BandLines.push_back(MakeCoverageLines());
-    }
-    this->BandOverflows.resize(bands);
   }
 
   // Whether every view ray is a light ray: of a light along parallel view rays, or in the eye.
@@ -439,107 +343,19 @@ private:
     return this->Settings.Parallel && aside < 1e-7;
   }
 
-  // A view ray along light rays: before the light all is dark that has a thing between, beyond it what
-  // is behind the first thing.
-  void HidePixel(const CoverageSettings& settings, const CoverageImage& image, std::ptrdiff_t pixel)
-  {
-    const float light = !settings.Point ? (settings.Light[2] > 0.0 ? CoverageSky : 0.0f)
-                                        : static_cast<float>(std::max(settings.Light[2], 0.0));
-    float end = 0.0f;
-    float begin = CoverageSky;
-    for (int layer = 0; layer < std::max(1, settings.Layers); ++layer)
-    {
-      const float front = image.Depths[2 * layer][pixel];
-      const float back = settings.Layers > 0 ? image.Depths[2 * layer + 1][pixel] : front;
-      if (front < light)
-      {
-        end = std::max(end, back > front && back < CoverageSky ? back : front);
-      }
-      else if (front < CoverageSky)
-      {
-        begin = std::min(begin, front);
-      }
-    }
-    HideCoverageInterval(settings, image, pixel, end, begin);
-  }
-
-  void HidePixels()
-  {
-    const std::ptrdiff_t width = this->Image.Width;
-    vtkSMPTools::For(0, this->Image.Height, 16,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (std::ptrdiff_t pixel = begin * width; pixel < end * width; ++pixel)
-        {
-          this->HidePixel(this->Settings, this->Image, pixel);
-        }
-      });
-  }
-
-  void Sweep(const CoverageSettings& settings, const CoverageImage& image, int index)
-  {
-    const CoverageWedge& wedge = this->Wedges[index];
-    if (wedge.Rows == 0)
-    {
-      return;
-    }
-    this->Lines += wedge.Lines;
-    vtkSMPTools::For(0, wedge.Bands, 1,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType band = begin; band < end; ++band)
-        {
-          this->BandOverflows[band] = SweepCoverageBand(
-            settings, image, wedge, static_cast<int>(band), *this->BandLines[band]);
-        }
-      });
-    for (int band = 0; band < wedge.Bands; ++band)
-    {
-      this->Overflows += this->BandOverflows[band];
-    }
-  }
-
-  // The wedges to the left and right, whose pixels those above and below overwrite where they meet.
-  bool SweepColumns(const Monitor& monitor)
-  {
-    for (int i = 0; i < this->NumberOfPlanes; ++i)
-    {
-      Transpose(
-        this->Input[i].data(), this->Image.Width, this->Image.Height, this->TurnedInput[i].data());
-    }
-    if (monitor && !monitor(0.25))
-    {
-      return false;
-    }
-    this->Sweep(this->TurnedSettings, this->Turned, 0);
-    this->Sweep(this->TurnedSettings, this->Turned, 1);
-    // The pixel in whose centre the light is belongs to no wedge.
-    bool isCentred;
-    const std::ptrdiff_t pixel = FindCoverageLight(this->Wedges[0], this->Turned, isCentred);
-    if (pixel >= 0 && isCentred)
-    {
-      this->HidePixel(this->TurnedSettings, this->Turned, pixel);
-    }
-    for (int c = 0; c < this->Settings.Planes; ++c)
-    {
-      Transpose(
-        this->Turned.Hidden[c], this->Turned.Width, this->Turned.Height, this->Image.Hidden[c]);
-    }
-    return !monitor || monitor(0.5);
-  }
-
   // Of planes through eye and light; the transpose is read and written in place.
-  void SweepShadows(const vtkGodRaysShadowGrids& grids)
+  void HideShadows(const vtkGodRaysShadowGrids* shadows)
   {
     const CoverageSettings& settings = this->Settings;
     for (int p = 0; p < settings.Planes; ++p)
     {
       std::fill(this->Hidden[p].begin(), this->Hidden[p].end(), 0.0f);
     }
-    if (grids.Levels == 0)
+    if (!shadows || shadows->Levels == 0)
     {
       return; // nothing blocks
     }
+    const vtkGodRaysShadowGrids& grids = *shadows;
     if (this->HasNoLines())
     {
       HideAlongRays(settings, this->Image, grids);
@@ -565,7 +381,12 @@ private:
         std::swap(axis[0], axis[1]);
       }
     }
-    while (this->ShadowBands.size() < this->BandLines.size())
+    std::size_t bands = 0;
+    for (const CoverageWedge& wedge : this->Wedges)
+    {
+      bands = std::max(bands, static_cast<std::size_t>(wedge.Bands));
+    }
+    while (this->ShadowBands.size() < bands)
     {
       this->ShadowBands.push_back(MakeShadowLines());
     }
@@ -600,25 +421,19 @@ private:
 
   CoverageSettings Settings = {};
   CoverageSettings TurnedSettings = {};
-  CoverageImage Turned = {};
-  Plane OwnResult;
-  Plane TurnedInput[MaximumPlanes];
+  CoverageImage Turned = {}; // its size and centre alone
+  Plane Result;
   Plane Hidden[CoverageMaximumPlanes];
-  Plane TurnedHidden[CoverageMaximumPlanes];
   bool Layered = false; // the medium
   Plane Cone[2];        // where view rays enter a spotlight's cone, and where they end
-  Plane TurnedCone[2];
   CoverageTable Table;
   TableKey TableKeys[2]; // of the table, and of what is asked for
   std::array<double, 5> PhaseKeys[vtkGodRaysMedium::MaximumComponents];
   double PhasePeaks[vtkGodRaysMedium::MaximumComponents];
   std::array<double, 11> WedgeKey = {};
   CoverageWedge Wedges[4]; // of the transpose, then of the picture; each up and down
-  std::vector<CoverageLinesPointer> BandLines;
-  std::vector<long long> BandOverflows;
   ShadowTables Shadows;
   std::vector<ShadowLinesPointer> ShadowBands;
-  bool FromShadows = false;
   int Lines = 0;
 };
 
@@ -629,34 +444,23 @@ vtkGodRaysCoverageSweep::vtkGodRaysCoverageSweep()
 
 vtkGodRaysCoverageSweep::~vtkGodRaysCoverageSweep() = default;
 
-vtkGodRaysCoverageSweep::Planes vtkGodRaysCoverageSweep::PrepareInput(
-  int width, int height, int planes)
+float* vtkGodRaysCoverageSweep::PrepareInput(int width, int height)
 {
   vtkInternals& internals = *this->Internals;
   internals.Image.Width = width;
   internals.Image.Height = height;
-  internals.NumberOfPlanes = std::min(planes, MaximumPlanes);
-  Planes result;
-  for (int i = 0; i < internals.NumberOfPlanes; ++i)
+  internals.Ends.resize(static_cast<std::size_t>(width) * height);
+  return internals.Ends.data();
+}
+
+bool vtkGodRaysCoverageSweep::Execute(const Parameters& parameters)
+{
+  if (this->Internals->Ends.empty())
   {
-    internals.Input[i].resize(static_cast<std::size_t>(width) * height);
-    result.Values[i] = internals.Input[i].data();
+    return false;
   }
-  result.Stride = width;
-  return result;
-}
-
-void vtkGodRaysCoverageSweep::SetResult(float* values)
-{
-  this->Internals->Result = values;
-}
-
-bool vtkGodRaysCoverageSweep::Execute(const Parameters& parameters, const Monitor& monitor)
-{
-  const int depths = parameters.Shadows ? 1 : std::max(1, 2 * parameters.Layers);
-  const int planes = this->Internals->NumberOfPlanes;
-  const bool matches = planes == depths || (planes == depths + 1 && !parameters.Shadows);
-  return matches && this->Internals->Execute(parameters, monitor);
+  this->Internals->Execute(parameters);
+  return true;
 }
 
 int vtkGodRaysCoverageSweep::CountComponents(const Parameters& parameters)
@@ -683,11 +487,6 @@ const float* vtkGodRaysCoverageSweep::GetResult() const
 double vtkGodRaysCoverageSweep::GetBound() const
 {
   return this->Internals->Bound;
-}
-
-long long vtkGodRaysCoverageSweep::GetNumberOfOverflows() const
-{
-  return this->Internals->Overflows;
 }
 
 std::string vtkGodRaysCoverageSweep::Describe() const

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGodRaysCoverageSweep
- * @brief   the work of vtkGodRaysCoverageFilter, for clients without a pipeline
+ * @brief   light that a medium scatters once along view rays, shadowed by a shadow map
  *
  * Private. Fill the input, execute, read the result:
  *
- *     vtkGodRaysCoverageSweep::Planes input = sweep.PrepareInput(width, height, planes);
- *     // write input.Values[i][y * input.Stride + x]
+ *     float* ends = sweep.PrepareInput(width, height);
+ *     // write ends[y * width + x]
  *     sweep.Execute(parameters);
  *     // read sweep.GetResult()[(y * width + x) * sweep.GetNumberOfComponents() + c]
  *
@@ -15,7 +15,7 @@
  * nothing (what vtkSMPTools needs for its threads aside) and plans nothing. Not for two threads at a
  * time.
  *
- * @sa vtkGodRaysCoverageFilter
+ * @sa vtkGodRaysShadowKernels.h
  */
 
 #ifndef vtkGodRaysCoverageSweep_h
@@ -24,27 +24,22 @@
 #include "vtkGodRaysFiltersModule.h" // For export macro
 #include "vtkGodRaysMedium.h"        // For vtkGodRaysMedium
 
-#include <cstddef>    // For std::ptrdiff_t
-#include <functional> // For std::function
-#include <memory>     // For std::unique_ptr
-#include <string>     // For std::string
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
 
 struct vtkGodRaysShadowGrids;
 
 class VTKGODRAYSFILTERS_EXPORT vtkGodRaysCoverageSweep
 {
 public:
-  static constexpr int MaximumLayers = 2;
-  static constexpr int MaximumPlanes = 2 * MaximumLayers + 1;
-
   /**
-   * The depth of what is nowhere, in every plane.
+   * The depth at which a view ray ends that meets nothing.
    */
   static constexpr float Sky = 1e30f;
 
   /**
    * View coordinates are x to the right, y up, z forwards. Numbers are taken as they are: finite, and
-   * in the ranges of vtkGodRaysCoverageFilter's setters.
+   * in the ranges of vtkGodRaysMediumFilter's setters.
    */
   struct Parameters
   {
@@ -56,25 +51,9 @@ public:
     double LightColor[3] = { 1.0, 1.0, 1.0 }; // irradiance, or intensity of a point light
     vtkGodRaysSpot Spot;                      // of a point light
     vtkGodRaysMedium Medium;
-    const vtkGodRaysShadowGrids* Shadows = nullptr; // of occluders; nullptr: the input has them
-    int Layers = 0;                                 // of solid matter; 0: the first surfaces alone
+    const vtkGodRaysShadowGrids* Shadows = nullptr; // of occluders; nullptr: nothing blocks
     double LineSpacing = 2.0; // where lines are widest apart [pixels], [0.5, 2]
-    double Thickness = 0.01;  // of what has no back [fraction of its depth]
   };
-
-  /**
-   * Where the input goes: pixel (x, y) of plane i is Values[i][y * Stride + x].
-   */
-  struct Planes
-  {
-    float* Values[MaximumPlanes] = {};
-    std::ptrdiff_t Stride = 0;
-  };
-
-  /**
-   * Told the progress [fraction], on the calling thread; returns whether to go on.
-   */
-  using Monitor = std::function<bool(double)>;
 
   vtkGodRaysCoverageSweep();
   ~vtkGodRaysCoverageSweep();
@@ -82,29 +61,17 @@ public:
   void operator=(const vtkGodRaysCoverageSweep&) = delete;
 
   /**
-   * Memory for view depths of an image of at least 1 x 1 pixels, which the caller fills with numbers
-   * above 0 and at most Sky: they are taken as they are, and NaN would spread. Without layers: the
-   * first surface that blocks light; with layers their fronts and backs in turn, the nearest layer
-   * first. One plane more holds where view rays end, which without it is the first plane: for things
-   * that are seen but cast no shadow, or the other way round. The memory keeps its contents and its
-   * place until the size or the number of planes changes.
-   *
-   * With Shadows there is one plane, where view rays end. The grids' depths are read while the sweep is
-   * executed.
+   * Memory for the view depths at which the view rays of an image of at least 1 x 1 pixels end, rows from
+   * the bottom up, without gaps. The caller fills it with numbers above 0 and at most Sky: they are taken
+   * as they are, and NaN would spread. It keeps its contents and its place until the size changes.
    */
-  Planes PrepareInput(int width, int height, int planes);
+  float* PrepareInput(int width, int height);
 
   /**
-   * Where the next executions write, width x height x components floats; nullptr, the default, is the
-   * object's own memory.
+   * Compute the result of the input; false if there is none. The depths of Shadows are read while the sweep
+   * is executed.
    */
-  void SetResult(float* values);
-
-  /**
-   * Compute the result of the input; false if there is none or not what Layers takes, or if
-   * the monitor stopped it: then the result is of no use.
-   */
-  bool Execute(const Parameters& parameters, const Monitor& monitor = nullptr);
+  bool Execute(const Parameters& parameters);
 
   /**
    * Of the result: 1 if red, green and blue are the same, else 3. The second is of the last execution.
@@ -122,11 +89,6 @@ public:
    * No radiance of the last execution is above this, whatever the depths.
    */
   double GetBound() const;
-
-  /**
-   * How many hidden intervals found no room in the last execution.
-   */
-  long long GetNumberOfOverflows() const;
 
   /**
    * What the last execution did.

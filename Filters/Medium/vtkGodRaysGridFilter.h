@@ -11,21 +11,20 @@
  * OpenGL.
  *
  * Input: vtkImageData, media of data, up to 32, in one another if need be; see vtkGodRaysGridMediumFilter.
- * Second input, optional: a picture of Size pixels whose scalars are the view depths at which rays end, as
- * those of vtkGodRaysCoverageFilter; what is not above 0 ends none. What it shows throws no shadow here.
+ * Second input, optional: a picture of Size pixels whose scalars are the view depths at which rays end; what
+ * is not above 0 ends none. What it shows throws no shadow here.
  *
  * Output: vtkImageData of Size pixels with arrays of floats: "Radiance", the scalars, of red, green and
  * blue: what data scatter, and what they take from the light of the medium of formulas before, in and behind
- * them, which makes it negative where smoke dims bright haze. The sum with that medium's own radiance, as
- * vtkGodRaysCoverageFilter has it, is the whole. "Transmittance": of data between the eye and the end of the
- * ray.
+ * them, which makes it negative where smoke dims bright haze. The sum with that medium's own radiance is the
+ * whole. "Transmittance": of data between the eye and the end of the ray.
  *
  * Errors: RMSE against the reference below the tolerance for data whose structures are some four points wide.
  * The light's depths, known at every other point, are what remains: for narrower ones the error may be
  * twice as large, whatever the tolerance. Data that are narrower than 8 pixels in the picture, and shadows
  * that are, may be missed between pixels. Cost: Documentation/Accuracy.md.
  *
- * @sa vtkGodRaysSingleScatteringReference vtkGodRaysCoverageFilter
+ * @sa vtkGodRaysSingleScatteringReference
  */
 
 #ifndef vtkGodRaysGridFilter_h

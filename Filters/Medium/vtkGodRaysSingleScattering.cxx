@@ -26,7 +26,6 @@ struct Interval
   double End;
 };
 
-using Crossing = vtkGodRaysSingleScattering::Crossing;
 using vtkGodRays::Triangle;
 using vtkGodRays::TriangleTree;
 
@@ -61,7 +60,7 @@ public:
 
   // What of the ray before end is hidden from the light, in any order, and where it meets surfaces.
   void Cut(const TriangleTree& tree, double end, std::vector<Interval>& hidden,
-    std::vector<Crossing>& crossings) const
+    std::vector<double>& crossings) const
   {
     const auto skip = [&](const Vec3& centre, const Vec3& half)
     {
@@ -98,7 +97,7 @@ private:
   };
 
   void Cut(const Triangle& triangle, double end, std::vector<Interval>& hidden,
-    std::vector<Crossing>& crossings) const
+    std::vector<double>& crossings) const
   {
     double side[3];
     for (int i = 0; i < 3; ++i)
@@ -139,8 +138,7 @@ private:
       low.Across = 0.0;
       if (low.Along > 0.0)
       {
-        const Vec3 normal = vtkGodRays::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
-        crossings.push_back({ low.Along, vtkGodRays::dot(normal, this->Along) < 0.0 ? 1 : -1 });
+        crossings.push_back(low.Along);
       }
     }
     if (this->AlongLight || high.Across < 0.0)
@@ -426,41 +424,40 @@ public:
   }
 
   // The place of the first surface that ends the ray, whose crossings with occluders are known.
-  double FindSight(
-    const Slice& slice, double farthest, const std::vector<Crossing>& crossings) const
+  double FindSight(const Slice& slice, double farthest, const std::vector<double>& crossings) const
   {
-    std::vector<Crossing> sights;
+    std::vector<double> sights;
     if (this->Seen)
     {
       std::vector<Interval> unhidden;
       slice.Cut(*this->Seen, farthest, unhidden, sights);
     }
     double sight = Infinity;
-    for (const Crossing& crossing : this->Seen ? sights : crossings)
+    for (const double crossing : this->Seen ? sights : crossings)
     {
-      sight = std::min(sight, crossing.Place);
+      sight = std::min(sight, crossing);
     }
     return sight;
   }
 
   // What hides all of a ray along the light's from it: see Slice.
   static void HideAlong(const Slice& slice, bool directional, double farthest,
-    const std::vector<Crossing>& crossings, std::vector<Interval>& hidden)
+    const std::vector<double>& crossings, std::vector<Interval>& hidden)
   {
     // A point light hides behind what is before it; one behind the eye before all.
     const double reach = directional ? Infinity : slice.Foot;
     double first = 0.0;
     double last = Infinity;
-    for (const Crossing& crossing : crossings)
+    for (const double crossing : crossings)
     {
-      if (slice.Foot > 0.0 && crossing.Place < reach)
+      if (slice.Foot > 0.0 && crossing < reach)
       {
-        first = crossing.Place;
+        first = crossing;
       }
       // And what is beyond hides behind what is between.
-      if (crossing.Place > (directional ? 0.0 : slice.Foot) && (!directional || slice.Foot < 0.0))
+      if (crossing > (directional ? 0.0 : slice.Foot) && (!directional || slice.Foot < 0.0))
       {
-        last = std::min(last, crossing.Place);
+        last = std::min(last, crossing);
       }
     }
     hidden.push_back({ 0.0, std::min(first, farthest) });
@@ -490,9 +487,9 @@ public:
     for (const Veil& veil : this->Veils)
     {
       std::vector<Interval> parts;
-      std::vector<Crossing> crossings;
+      std::vector<double> crossings;
       slice.Cut(*veil.Triangles, farthest, parts, crossings);
-      for (const Crossing& crossing : crossings)
+      for (const double crossing : crossings)
       {
         if (slice.AlongLight)
         {
@@ -640,8 +637,7 @@ void vtkGodRaysSingleScattering::Evaluate(double x, double y, Result& result, do
   std::vector<Interval> hidden;
   result.Crossings.clear();
   slice.Cut(*self.Occluders, farthest, hidden, result.Crossings);
-  std::sort(result.Crossings.begin(), result.Crossings.end(),
-    [](const Crossing& a, const Crossing& b) { return a.Place < b.Place; });
+  std::sort(result.Crossings.begin(), result.Crossings.end());
   const double sight =
     depth > 0.0 ? depth * result.LengthPerDepth : self.FindSight(slice, farthest, result.Crossings);
   result.Sight = sight / result.LengthPerDepth;
@@ -694,7 +690,7 @@ double vtkGodRaysSingleScattering::FindSight(double x, double y) const
   const Slice slice = self.MakeSlice(x, y, origin, perDepth);
   const double farthest = perDepth * self.Ray.Medium.FarLimit;
   std::vector<Interval> hidden;
-  std::vector<Crossing> crossings;
+  std::vector<double> crossings;
   if (!self.Seen)
   {
     slice.Cut(*self.Occluders, farthest, hidden, crossings);

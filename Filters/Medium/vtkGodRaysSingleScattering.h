@@ -43,20 +43,13 @@ public:
     double Tolerance = 1e-6; ///< of each lit part [fraction of the ray without shadows]
   };
 
-  /// Where a ray goes through a surface, into (1) or out of (-1) what it bounds.
-  struct Crossing
-  {
-    double Place; // [scene units from the ray's origin]
-    int Sense;
-  };
-
   struct Result
   {
     double Radiance[3];
-    double Transmittance[3];         // of media between the eye and the ray's end
-    double Sight;                    // view depth of the first surface; infinite if there is none
-    double LengthPerDepth;           // of the ray
-    std::vector<Crossing> Crossings; // with what blocks light, from the eye on
+    double Transmittance[3];       // of media between the eye and the ray's end
+    double Sight;                  // view depth of the first surface; infinite if there is none
+    double LengthPerDepth;         // of the ray
+    std::vector<double> Crossings; // with what blocks light, from the eye on [scene units]
   };
 
   vtkGodRaysSingleScattering();

@@ -38,7 +38,6 @@ void vtkGodRaysSingleScatteringReference::PrintSelf(ostream& os, vtkIndent inden
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Size: " << this->Size[0] << " " << this->Size[1] << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "NumberOfLayers: " << this->NumberOfLayers << "\n";
 }
 
 int vtkGodRaysSingleScatteringReference::FillInputPortInformation(int port, vtkInformation* info)
@@ -96,7 +95,6 @@ int vtkGodRaysSingleScatteringReference::RequestData(
   const int width = this->Size[0];
   const int height = this->Size[1];
   const vtkIdType pixels = static_cast<vtkIdType>(width) * height;
-  const int components = std::max(1, 2 * this->NumberOfLayers);
   vtkNew<vtkDoubleArray> radiances;
   radiances->SetName("Radiance");
   radiances->SetNumberOfComponents(3);
@@ -107,7 +105,6 @@ int vtkGodRaysSingleScatteringReference::RequestData(
   transmittances->SetNumberOfTuples(pixels);
   vtkNew<vtkDoubleArray> depths;
   depths->SetName("Depth");
-  depths->SetNumberOfComponents(components);
   depths->SetNumberOfTuples(pixels);
   vtkNew<vtkDoubleArray> ends;
   ends->SetName("End");
@@ -145,25 +142,8 @@ int vtkGodRaysSingleScatteringReference::RequestData(
       std::copy_n(ray.Radiance, 3, radiances->GetPointer(3 * pixel));
       std::copy_n(ray.Transmittance, 3, transmittances->GetPointer(3 * pixel));
       ends->SetValue(pixel, ray.Sight);
-      double* depthsHere = depths->GetPointer(components * pixel);
-      std::fill_n(depthsHere, components, Infinity);
-      if (this->NumberOfLayers == 0)
-      {
-        depthsHere[0] =
-          ray.Crossings.empty() ? Infinity : ray.Crossings.front().Place / ray.LengthPerDepth;
-        continue;
-      }
-      int inside = 0;
-      int found = 0;
-      for (const auto& crossing : ray.Crossings)
-      {
-        const int before = inside;
-        inside += crossing.Sense;
-        if (found < components && (found % 2 == 0 ? before <= 0 && inside > 0 : inside <= 0))
-        {
-          depthsHere[found++] = crossing.Place / ray.LengthPerDepth;
-        }
-      }
+      depths->SetValue(
+        pixel, ray.Crossings.empty() ? Infinity : ray.Crossings.front() / ray.LengthPerDepth);
     }
   };
 

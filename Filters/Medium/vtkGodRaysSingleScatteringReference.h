@@ -28,13 +28,10 @@
  * Output: vtkImageData of Size pixels with arrays of doubles: "Radiance", the scalars, of red,
  * green and blue; "Transmittance", of all media between the eye and the end of the view ray; "Depth", the
  * view depth of the first occluder, infinity where there is none; and "End", that of what ends the view
- * ray. With NumberOfLayers n, "Depth" has 2 n components instead: the depths at which the ray enters and
- * leaves solid matter, n times, for closed surfaces with normals outwards by the order of their points.
+ * ray.
  *
  * Bytes do not depend on the number of threads. AbortExecute is looked at whenever progress is told,
  * 20 times, on the calling thread; the output is empty then, as after an error.
- *
- * @sa vtkGodRaysCoverageFilter
  */
 
 #ifndef vtkGodRaysSingleScatteringReference_h
@@ -68,15 +65,6 @@ public:
   vtkGetMacro(Tolerance, double);
   ///@}
 
-  ///@{
-  /**
-   * Set/Get how many solid layers "Depth" holds; 0: the first surface alone. Valid range: [0, 4].
-   * Default is 0.
-   */
-  vtkSetClampMacro(NumberOfLayers, int, 0, 4);
-  vtkGetMacro(NumberOfLayers, int);
-  ///@}
-
 protected:
   vtkGodRaysSingleScatteringReference();
   ~vtkGodRaysSingleScatteringReference() override = default;
@@ -95,7 +83,6 @@ private:
 
   int Size[2] = { 256, 256 };
   double Tolerance = 1e-9;
-  int NumberOfLayers = 0;
 };
 
 #endif

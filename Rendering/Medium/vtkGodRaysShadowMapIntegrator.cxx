@@ -170,8 +170,7 @@ bool vtkGodRaysShadowMapIntegrator::Sweep(const Request& request)
   parameters.LineSpacing = this->LineSpacing;
   if (self.Frame != request.Depths->GetFrame())
   {
-    const auto input = self.Swept.Sweep.PrepareInput(size[0], size[1], 1);
-    if (!request.Depths->ReadEnds(input.Values[0]))
+    if (!request.Depths->ReadEnds(self.Swept.Sweep.PrepareInput(size[0], size[1])))
     {
       return false;
     }

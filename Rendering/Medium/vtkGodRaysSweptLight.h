@@ -21,8 +21,8 @@ public:
   vtkGodRaysCoverageSweep Sweep;
 
   /**
-   * What the sweep is to compute for a layer of this size [pixels] that a pinhole can see; of a shadow map,
-   * if there is one.
+   * What the sweep is to compute for a layer of this size [pixels] that a pinhole can see; without a shadow
+   * map nothing blocks.
    */
   static vtkGodRaysCoverageSweep::Parameters GetParameters(
     const vtkGodRaysMediumIntegrator::Request& request, const int size[2],

@@ -66,15 +66,12 @@ void FillRow(Froxels& froxels, int row, const vtkGodRaysCoverageSweep::Parameter
 }
 
 //------------------------------------------------------------------------------
-// No grid has an occluder.
 bool ClosedFormIntegrator::Integrate(const Request& request)
 {
   int size[2];
   request.Depths->GetSize(size);
-  const auto input = this->Light.Sweep.PrepareInput(size[0], size[1], 1);
-  const vtkGodRaysShadowGrids none;
-  return request.Depths->ReadEnds(input.Values[0]) &&
-    this->Light.Add(request, vtkGodRaysSweptLight::GetParameters(request, size, &none), size);
+  return request.Depths->ReadEnds(this->Light.Sweep.PrepareInput(size[0], size[1])) &&
+    this->Light.Add(request, vtkGodRaysSweptLight::GetParameters(request, size), size);
 }
 
 //------------------------------------------------------------------------------

@@ -11,16 +11,12 @@
 #ifndef GodRaysMediumScenes_h
 #define GodRaysMediumScenes_h
 
-#include "vtkGodRaysCoverageFilter.h"
 #include "vtkGodRaysMath.h"
+#include "vtkGodRaysMediumFilter.h"
 #include "vtkGodRaysSingleScatteringReference.h"
 
 #include "vtkCellArray.h"
-#include "vtkDataArray.h"
-#include "vtkDataObject.h"
-#include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -187,61 +183,6 @@ inline void Prepare(vtkGodRaysMediumFilter* filter, const NamedLight& light, dou
   filter->SetScatteringCoefficient(scattering, scattering, scattering);
   filter->SetAsymmetry(0.6);
   filter->SetLight(light.Direction[0], light.Direction[1], light.Direction[2], 0.0);
-}
-
-// What the filter makes of the depths of a ground truth, against it [fraction of its peak].
-struct Error
-{
-  double Rms = 0.0;
-  double Largest = 0.0;
-};
-inline Error Compare(vtkImageData* truth, vtkGodRaysCoverageFilter* filter)
-{
-  filter->SetInputData(truth);
-  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Depth");
-  filter->SetEndArrayName(truth->GetPointData()->HasArray("End") ? "End" : "");
-  filter->Update();
-  vtkDataArray* expected = truth->GetPointData()->GetArray("Radiance");
-  vtkDataArray* actual = filter->GetOutput()->GetPointData()->GetScalars();
-  const vtkIdType pixels = expected->GetNumberOfTuples();
-  double peak = 0.0;
-  double squares = 0.0;
-  Error error;
-  for (vtkIdType i = 0; i < pixels; ++i)
-  {
-    const double difference =
-      (actual ? actual->GetComponent(i, 0) : 1e30) - expected->GetComponent(i, 0);
-    squares += difference * difference;
-    error.Largest = std::max(error.Largest, std::abs(difference));
-    peak = std::max(peak, expected->GetComponent(i, 0));
-  }
-  error.Rms = std::sqrt(squares / pixels) / peak;
-  error.Largest /= peak;
-  return error;
-}
-
-// Of all pixels but one, as fractions of the largest value in these.
-inline Error GetErrorBut(vtkIdType left, vtkImageData* truth, vtkGodRaysCoverageFilter* filter)
-{
-  Compare(truth, filter);
-  vtkDataArray* expected = truth->GetPointData()->GetArray("Radiance");
-  vtkDataArray* actual = filter->GetOutput()->GetPointData()->GetScalars();
-  const vtkIdType pixels = expected->GetNumberOfTuples();
-  Error error;
-  double peak = 0.0;
-  for (vtkIdType i = 0; i < pixels; ++i)
-  {
-    if (i == left)
-    {
-      continue;
-    }
-    const double value = expected->GetComponent(i, 0);
-    const double difference = std::abs((actual ? actual->GetComponent(i, 0) : 1e30) - value);
-    error.Rms += difference * difference / static_cast<double>(pixels);
-    error.Largest = std::max(error.Largest, difference);
-    peak = std::max(peak, value);
-  }
-  return { std::sqrt(error.Rms) / peak, error.Largest / peak };
 }
 
 // Numbers that are the same with every compiler.

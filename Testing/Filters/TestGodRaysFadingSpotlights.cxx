@@ -4,9 +4,9 @@
 // Spotlights that fade from slanted axes in air that thins out: no ray is lit as another one is, so that the
 // table's slices go all about the light. Random scenes against the ground truth; GODRAYS_LONG takes more.
 
+#include "GodRaysAirlight.h"
 #include "GodRaysFiltersTesting.h"
 #include "GodRaysMediumScenes.h"
-#include "vtkGodRaysCoverageFilter.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysSingleScatteringReference.h"
 
@@ -54,8 +54,8 @@ void SetScene(Random random, vtkGodRaysMediumFilter* filter)
   filter->SetSpotExponent(random.Uniform(0.0, 1.0) < 0.5 ? 1.0 : random.Log(0.5, 60.0));
 }
 
-// The pixel in which the light is seen, or -1: there the truth is of a ray through the pixel's centre, the
-// filter's the mean over the pixel.
+// The pixel in which the light is seen, or -1: there the truth is of a ray through the pixel's centre, what
+// is drawn the mean over the pixel.
 vtkIdType FindLight(vtkGodRaysMediumFilter* filter, const int size[2])
 {
   const double* light = filter->GetLight();
@@ -81,26 +81,26 @@ TEST(FadingSpotlights, ShineInLayersAsTheIntegral)
   {
     const Random random{ std::mt19937(1000 * seed + i) };
     vtkNew<vtkGodRaysSingleScatteringReference> reference;
-    vtkNew<vtkGodRaysCoverageFilter> filter;
+    vtkNew<Airlight> airlight;
     SetScene(random, reference);
-    SetScene(random, filter);
+    SetScene(random, airlight);
     reference->SetSize(96, 54);
     reference->SetTolerance(1e-4);
     reference->Update();
     const auto start = std::chrono::steady_clock::now();
     const vtkIdType left = FindLight(reference, reference->GetSize());
-    const Error error = GetErrorBut(left, reference->GetOutput(), filter);
+    const Error error = Compare(reference->GetOutput(), airlight, left);
     const auto middle = std::chrono::steady_clock::now();
-    const std::string plan = filter->GetPlan();
+    const std::string plan = airlight->Describe();
     // The control: as if it did not fade.
-    filter->SetSpotExponent(0.0);
-    const Error even = GetErrorBut(left, reference->GetOutput(), filter);
+    airlight->SetSpotExponent(0.0);
+    const Error even = Compare(reference->GetOutput(), airlight, left);
     const std::chrono::duration<double> seconds = middle - start;
     const std::chrono::duration<double> evenSeconds = std::chrono::steady_clock::now() - middle;
     std::cout << i << ": " << error.Rms << ", at most " << error.Largest << ", even light "
               << even.Rms << ", " << 1e3 * seconds.count() << " ms, of which even light takes "
               << 1e3 * evenSeconds.count() << " ms, exponent " << reference->GetSpotExponent()
-              << ", " << plan << "; " << filter->GetPlan() << "\n";
+              << ", " << plan << "; " << airlight->Describe() << "\n";
     EXPECT_LE(error.Rms, 1e-3) << i << ": " << plan;
     EXPECT_LE(error.Largest, 0.01) << i << ": " << plan; // next to the light
     EXPECT_GT(even.Rms, 3.0 * error.Rms) << i << ": " << plan;

@@ -5,9 +5,9 @@
 // what is behind it is dark, and nothing shines out of it. Random scenes against the ground truth;
 // GODRAYS_LONG takes more.
 
+#include "GodRaysAirlight.h"
 #include "GodRaysFiltersTesting.h"
 #include "GodRaysMediumScenes.h"
-#include "vtkGodRaysCoverageFilter.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysSingleScatteringReference.h"
 
@@ -72,8 +72,8 @@ void SetTruth(const PlanetScene& scene, vtkGodRaysSingleScatteringReference* ref
   reference->Update();
 }
 
-// The brightest pixel, in which the lamp may be: there the truth is of a ray through the pixel's centre, the
-// filter's the mean over the pixel.
+// The brightest pixel, in which the lamp may be: there the truth is of a ray through the pixel's centre, what
+// is drawn the mean over the pixel.
 vtkIdType FindBrightest(vtkImageData* truth)
 {
   vtkDataArray* values = truth->GetPointData()->GetArray("Radiance");
@@ -84,11 +84,6 @@ vtkIdType FindBrightest(vtkImageData* truth)
   }
   return brightest;
 }
-
-double GetLargest(vtkImageData* image)
-{
-  return image->GetPointData()->GetScalars()->GetRange(0)[1];
-}
 }
 
 //------------------------------------------------------------------------------
@@ -97,17 +92,16 @@ TEST(PlanetLamps, BelowTheGroundGiveNoLight)
   for (const bool parallel : { false, true })
   {
     const PlanetScene scene = { parallel, 6.36e4, 4.7, -0.34, 6.0, 5.0, -22.0, 30.0, 4.6, 0.2 };
-    vtkNew<vtkGodRaysCoverageFilter> filter;
-    SetScene(scene, filter);
+    vtkNew<Airlight> airlight;
+    SetScene(scene, airlight);
     vtkNew<vtkGodRaysSingleScatteringReference> reference;
     SetTruth(scene, reference);
-    Compare(reference->GetOutput(), filter);
+    const Picture ends = MakePicture(64, 48, [&](int, int) { return scene.Far; });
     EXPECT_EQ(reference->GetOutput()->GetPointData()->GetArray("Radiance")->GetRange(0)[1], 0.0);
-    EXPECT_EQ(GetLargest(filter->GetOutput()), 0.0) << filter->GetPlan();
+    EXPECT_EQ(airlight->Draw(ends).GetMaximum(), 0.0) << airlight->Describe();
     // The control: a plane hides nothing.
-    filter->SetPlanetRadius(0.0);
-    filter->Update();
-    EXPECT_GT(GetLargest(filter->GetOutput()), 1e-4);
+    airlight->SetPlanetRadius(0.0);
+    EXPECT_GT(airlight->Draw(ends).GetMaximum(), 1e-4);
   }
 }
 
@@ -135,15 +129,15 @@ TEST(PlanetLamps, ShineOnWhatTheirHorizonDoesNotHide)
     scene.Far = reach * random.Uniform(1.5, 4.0);
     scene.Scale = height * random.Log(0.5, 5.0);
     scene.Gas = i % 2 ? 0.0 : 0.3;
-    vtkNew<vtkGodRaysCoverageFilter> filter;
-    SetScene(scene, filter);
+    vtkNew<Airlight> airlight;
+    SetScene(scene, airlight);
     vtkNew<vtkGodRaysSingleScatteringReference> reference;
     SetTruth(scene, reference);
     const vtkIdType left = FindBrightest(reference->GetOutput());
-    const Error error = GetErrorBut(left, reference->GetOutput(), filter);
-    const std::string plan = filter->GetPlan();
-    filter->SetPlanetRadius(0.0); // the control: a plane ends no ray, and hides nothing
-    const Error plane = GetErrorBut(left, reference->GetOutput(), filter);
+    const Error error = Compare(reference->GetOutput(), airlight, left);
+    const std::string plan = airlight->Describe();
+    airlight->SetPlanetRadius(0.0); // the control: a plane ends no ray, and hides nothing
+    const Error plane = Compare(reference->GetOutput(), airlight, left);
     std::cout << i << ": " << error.Rms << ", at most " << error.Largest << ", a plane "
               << plane.Rms << ", radius " << scene.Radius << ", heights " << scene.Eye << " and "
               << scene.Lamp << " and " << scene.Scale << ", way " << scene.Way << "\n";

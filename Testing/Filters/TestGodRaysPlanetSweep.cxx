@@ -302,7 +302,7 @@ Error GetError(const Scene& scene, int every)
   scattering.SetOccluders(occluders);
   scattering.SetParameters(MakeTruth(parameters));
   Sweep sweep;
-  const Sweep::Planes planes = sweep.PrepareInput(Width, Height, 1);
+  float* ends = sweep.PrepareInput(Width, Height);
   const auto getPlace = [&](int x, int y) -> std::array<double, 2>
   {
     return { (x + 0.5 - parameters.Center[0]) * parameters.PixelSize,
@@ -317,13 +317,10 @@ Error GetError(const Scene& scene, int every)
         {
           const auto place = getPlace(x, y);
           const double sight = occluders ? scattering.FindSight(place[0], place[1]) : Sweep::Sky;
-          planes.Values[0][y * planes.Stride + x] =
-            static_cast<float>(std::min<double>(sight, Sweep::Sky));
+          ends[y * Width + x] = static_cast<float>(std::min<double>(sight, Sweep::Sky));
         }
       }
     });
-  const vtkGodRaysShadowGrids nothing;
-  parameters.Shadows = &nothing;
   EXPECT_TRUE(sweep.Execute(parameters)) << scene.Name;
   const int components = sweep.GetNumberOfComponents();
   const std::size_t size = static_cast<std::size_t>(Width) * Height * components;
@@ -474,8 +471,7 @@ TEST(PlanetSweep, TranslucentThingsCastTheirPart)
     const auto execute = [&](const vtkGodRaysShadowGrids& grids)
     {
       Sweep sweep;
-      const Sweep::Planes planes = sweep.PrepareInput(Width, Height, 1);
-      std::fill_n(planes.Values[0], Width * Height, Sweep::Sky);
+      std::fill_n(sweep.PrepareInput(Width, Height), Width * Height, Sweep::Sky);
       parameters.Shadows = &grids;
       EXPECT_TRUE(sweep.Execute(parameters));
       const std::size_t size = static_cast<std::size_t>(Width) * Height;

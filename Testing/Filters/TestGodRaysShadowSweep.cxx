@@ -5,12 +5,15 @@
 
 #include "GodRaysFiltersTesting.h"
 #include "vtkGodRaysCoverageSweep.h"
+#include "vtkGodRaysMath.h"
 #include "vtkGodRaysMediumFilter.h"
 #include "vtkGodRaysShadowGrids.h"
+#include "vtkGodRaysSweepKernels.h"
 
 #include "vtkMath.h"
 #include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <random>
 #include <string>
 #include <vector>
@@ -233,14 +236,9 @@ Picture MakeEnds(int width, int height)
 
 Picture Execute(Sweep& sweep, const Sweep::Parameters& parameters, const Picture& ends)
 {
-  const Sweep::Planes planes = sweep.PrepareInput(ends.Width, ends.Height, 1);
-  for (int y = 0; y < ends.Height; ++y)
-  {
-    for (int x = 0; x < ends.Width; ++x)
-    {
-      planes.Values[0][y * planes.Stride + x] = static_cast<float>(ends.Get(x, y));
-    }
-  }
+  std::transform(ends.Values.begin(), ends.Values.end(),
+    sweep.PrepareInput(ends.Width, ends.Height),
+    [](double end) { return static_cast<float>(end); });
   EXPECT_TRUE(sweep.Execute(parameters));
   Picture picture(ends.Width, ends.Height, sweep.GetNumberOfComponents());
   std::copy_n(sweep.GetResult(), picture.Values.size(), picture.Values.begin());
@@ -250,6 +248,23 @@ Picture Execute(Sweep& sweep, const Sweep::Parameters& parameters, const Picture
     EXPECT_TRUE(std::isfinite(value) && value >= 0.0);
   }
   return picture;
+}
+
+// The optical depths of a place in layers for an extinction of 1: of the ways to the eye and to the light.
+double GetDepth(const Sweep::Parameters& parameters, const double place[3], double alongEye,
+  double rise, double alongLight)
+{
+  const vtkGodRaysMedium& medium = parameters.Medium;
+  const double scale = medium.Components[0].ScaleHeight;
+  const double height = medium.EyeHeight + vtkMath::Dot(medium.Up, place);
+  const double eye = vtkGodRays::MediumDepth(0.0, height, -rise, scale, alongEye);
+  const double up = vtkMath::Dot(medium.Up, parameters.Light);
+  if (parameters.Light[3] != 0.0)
+  {
+    const double slope = (medium.EyeHeight + up - height) / alongLight;
+    return eye + vtkGodRays::MediumDepth(0.0, height, slope, scale, alongLight);
+  }
+  return eye + vtkGodRays::MediumColumn(0.0, height, up, scale);
 }
 
 // The sum over so many steps of each ray, of the picture that is all lit.
@@ -281,13 +296,21 @@ Picture March(const Sweep::Parameters& parameters, const Picture& ends, const Pi
         const double distance = isPoint ? vtkMath::Norm(from) : 0.0;
         const double g = parameters.Medium.Components[0].Asymmetry;
         const double cosine = isPoint ? -vtkMath::Dot(from, ray) / (distance * length) : 0.0;
-        const double power =
+        const double scale = parameters.Medium.Components[0].ScaleHeight;
+        double power =
           isPoint ? std::pow(1.0 + g * g - 2.0 * g * cosine, -1.5) / (distance * distance) : 1.0;
+        double depth = z * length + distance;
+        if (scale > 0.0)
+        {
+          const double* up = parameters.Medium.Up;
+          power *= std::exp(-(parameters.Medium.EyeHeight + vtkMath::Dot(up, place)) / scale);
+          depth = GetDepth(parameters, place, z * length, vtkMath::Dot(up, ray) / length, distance);
+        }
         for (int c = 0; c < lit.Components; ++c)
         {
           const auto& component = parameters.Medium.Components[0];
           const double extinction = component.Scattering[c] + component.Absorption[c];
-          const double weight = power * std::exp(-extinction * (z * length + distance));
+          const double weight = power * std::exp(-extinction * depth);
           wholes[c] += weight;
           sums[c] += isLit ? weight : 0.0;
         }
@@ -316,8 +339,6 @@ void Check(const std::string& name, Sweep::Parameters parameters, const Map& map
   double bound = 0.004)
 {
   const Picture ends = MakeEnds(Width, Height);
-  const vtkGodRaysShadowGrids nothing;
-  parameters.Shadows = &nothing;
   Sweep sweep;
   const Picture lit = Execute(sweep, parameters, ends);
   parameters.Shadows = &map.Grids;
@@ -470,8 +491,6 @@ TEST(ShadowSweep, ThePixelOfTheLight)
   const SunMap map(light, 128, 1);
   Sweep::Parameters parameters = MakeParameters(21, 11, light);
   const Picture ends = MakePicture(21, 11, [](int, int) { return Sweep::Sky + 0.0; });
-  const vtkGodRaysShadowGrids nothing;
-  parameters.Shadows = &nothing;
   Sweep sweep;
   const double lit = Execute(sweep, parameters, ends).Get(10, 5);
   parameters.Shadows = &map.Grids;
@@ -515,22 +534,124 @@ TEST(ShadowSweep, AllDarkIsDark)
 }
 
 //------------------------------------------------------------------------------
+// Suns and lamps in a medium whose density falls with height, whose light is read from a table.
+TEST(ShadowSweep, LayersAreShadowed)
+{
+  const auto check = [](const std::string& name, Sweep::Parameters parameters, const Map& map)
+  {
+    parameters.Medium.EyeHeight = 1.0;
+    parameters.Medium.Components[0].ScaleHeight = 2.0;
+    Check(name + ", layers", parameters, map, 300, 0.006);
+    SetParallel(parameters);
+    Check(name + ", layers, parallel", parameters, map, 300, 0.011);
+  };
+  for (const int index : { 0, 4 })
+  {
+    const Direction& direction = Directions[index];
+    check(direction.Name, MakeParameters(Width, Height, direction.Light),
+      SunMap(direction.Light, 512, 1));
+  }
+  for (const int index : { 1, 3 })
+  {
+    const Lamp& lamp = Lamps[index];
+    Sweep::Parameters parameters = MakeParameters(Width, Height, Directions[0].Light);
+    std::copy_n(lamp.Light, 3, parameters.Light);
+    parameters.Light[3] = 1.0;
+    check(lamp.Name, parameters, LampMap(lamp.Light, 256, lamp.Faces));
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(ShadowSweep, NeedsInput)
+{
+  Sweep sweep;
+  EXPECT_FALSE(sweep.Execute(MakeParameters(4, 4, Directions[0].Light)));
+  EXPECT_EQ(sweep.GetResult(), nullptr);
+  EXPECT_EQ(sweep.Describe(), "nothing yet");
+}
+
+//------------------------------------------------------------------------------
+// A part of a picture is the picture's part, but for the places of lines.
+TEST(ShadowSweep, PartsOfAPicture)
+{
+  const Picture ends = MakeEnds(Width, Height);
+  const SunMap map(Directions[0].Light, 512, 1);
+  Sweep::Parameters parameters = MakeParameters(Width, Height, Directions[0].Light);
+  parameters.LineSpacing = 0.5;
+  parameters.Shadows = &map.Grids;
+  Sweep sweep;
+  const Picture whole = Execute(sweep, parameters, ends);
+  const int left = 30;
+  const int low = 20;
+  const auto crop = [&](const Picture& picture)
+  {
+    return MakePicture(Width - left - 10, Height - low - 10,
+      [&](int x, int y) { return picture.Get(x + left, y + low); });
+  };
+  parameters.Center[0] -= left;
+  parameters.Center[1] -= low;
+  const double rms = GetRms(Execute(sweep, parameters, crop(ends)), crop(whole));
+  parameters.Center[0] += 8.0;
+  const double aside = GetRms(Execute(sweep, parameters, crop(ends)), crop(whole));
+  std::cout << "rms difference " << rms << ", 8 pixels aside " << aside << "\n";
+  EXPECT_LE(rms, 2e-3);
+  EXPECT_GT(aside, 10.0 * rms);
+}
+
+//------------------------------------------------------------------------------
+TEST(ShadowSweep, InstructionSetsAgree)
+{
+  const Picture ends = MakeEnds(Width, Height);
+  const SunMap sun(Directions[0].Light, 256, 1);
+  const LampMap lamp(Lamps[0].Light, 256, 6);
+  for (const bool point : { false, true })
+  {
+    Sweep::Parameters parameters = MakeParameters(Width, Height, Directions[0].Light);
+    std::copy_n(point ? lamp.Light : sun.Light, 3, parameters.Light);
+    parameters.Light[3] = point;
+    parameters.Shadows = point ? &lamp.Grids : &sun.Grids;
+    Picture first;
+    for (const std::string& name : vtkGodRays::GetInstructionSets())
+    {
+      ASSERT_TRUE(vtkGodRays::UseInstructionSet(name));
+      Sweep sweep;
+      const Picture picture = Execute(sweep, parameters, ends);
+      first = first.Values.empty() ? picture : first;
+      const double difference = GetLargestDifference(first, picture) / first.GetMaximum();
+      std::cout << name << ": " << difference << "\n";
+      EXPECT_LE(difference, 1e-5);
+    }
+    vtkGodRays::UseInstructionSet("");
+  }
+}
+
+//------------------------------------------------------------------------------
+// The threads of vtkSMPTools need memory of their own: one alone is counted. Others change no byte.
 TEST(ShadowSweep, SteadyExecutionAllocatesNothing)
 {
   const Picture ends = MakeEnds(120, 80);
-  const SunMap map(Directions[0].Light, 128, 4);
-  Sweep::Parameters parameters = MakeParameters(120, 80, Directions[0].Light);
-  parameters.Shadows = &map.Grids;
-  Picture several;
-  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1, "Sequential", false },
-    [&]()
+  const SunMap sun(Directions[0].Light, 128, 4);
+  const LampMap lamp(Lamps[0].Light, 64, 6);
+  for (const bool point : { false, true })
+  {
+    for (const double scaleHeight : { 0.0, 2.0 })
     {
+      Sweep::Parameters parameters = MakeParameters(120, 80, Directions[0].Light);
+      std::copy_n(point ? lamp.Light : sun.Light, 3, parameters.Light);
+      parameters.Light[3] = point;
+      parameters.Shadows = point ? &lamp.Grids : &sun.Grids;
+      parameters.Medium.Components[0].ScaleHeight = scaleHeight;
+      Picture alone;
+      vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1, "Sequential", false },
+        [&]()
+        {
+          Sweep sweep;
+          alone = Execute(sweep, parameters, ends);
+          EXPECT_EQ(CountAllocations([&]() { sweep.Execute(parameters); }), 0) << sweep.Describe();
+          EXPECT_EQ(GetLargestDifference(Execute(sweep, parameters, ends), alone), 0.0);
+        });
       Sweep sweep;
-      const Picture first = Execute(sweep, parameters, ends);
-      EXPECT_EQ(CountAllocations([&]() { sweep.Execute(parameters); }), 0);
-      EXPECT_EQ(GetLargestDifference(Execute(sweep, parameters, ends), first), 0.0);
-      several = first;
-    });
-  Sweep sweep;
-  EXPECT_EQ(GetLargestDifference(Execute(sweep, parameters, ends), several), 0.0);
+      EXPECT_EQ(GetLargestDifference(Execute(sweep, parameters, ends), alone), 0.0);
+    }
+  }
 }

@@ -145,14 +145,6 @@ TEST(SingleScatteringReference, Slabs)
   EXPECT_EQ(GetRadiance(reference), 0.0);
   reference->SetLight(-1.0, 0.0, 0.0, 0.0);
   EXPECT_NEAR(GetRadiance(reference), 0.02 * lit(0.02, 0.0, 20.0), 1e-12);
-
-  reference->SetNumberOfLayers(2);
-  reference->Update();
-  depth = reference->GetOutput()->GetPointData()->GetArray("Depth");
-  ASSERT_EQ(depth->GetNumberOfComponents(), 4);
-  EXPECT_DOUBLE_EQ(depth->GetComponent(0, 0), 20.0);
-  EXPECT_DOUBLE_EQ(depth->GetComponent(0, 1), 21.0);
-  EXPECT_TRUE(std::isinf(depth->GetComponent(0, 2)));
 }
 
 //------------------------------------------------------------------------------

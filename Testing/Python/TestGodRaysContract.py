@@ -255,11 +255,11 @@ class Contract(unittest.TestCase):
 
     def test_classes_and_paraview_have_the_same_phase_functions(self):
         for name in ("vtkGodRaysHomogeneousModel", "vtkGodRaysAtmosphereModel", "vtkGodRaysAtmosphere",
-                     "vtkGodRaysCoverageFilter", "vtkGodRaysSingleScatteringReference"):
+                     "vtkGodRaysGridFilter", "vtkGodRaysSingleScatteringReference"):
             wrapped = getattr(godrays, name)
             self.assertEqual([getattr(wrapped, each) for each in PHASE_FUNCTIONS], [0, 1, 2, 3, 4], name)
             self.assertIs(type(wrapped.SCHLICK), wrapped.PhaseFunctionType, name)
-        last = godrays.vtkGodRaysCoverageFilter().GetPhaseFunctionMaxValue()
+        last = godrays.vtkGodRaysGridFilter().GetPhaseFunctionMaxValue()
         self.assertEqual(godrays.vtkGodRaysAtmosphere().GetMiePhaseFunctionMaxValue(), last)
         for name, setter in (("vtkGodRaysHomogeneousModel", "SetPhaseFunction"),
                              ("vtkGodRaysHomogeneousModel", "SetSecondPhaseFunction"),

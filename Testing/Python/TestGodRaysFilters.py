@@ -40,26 +40,5 @@ class ReferenceFilter(unittest.TestCase):
         self.assertEqual(rays.GetLightClip(), (1.0, 2.0, 3.0))
 
 
-class Medium(unittest.TestCase):
-    def test_depths_of_the_truth_give_its_light(self):
-        truth = godrays.vtkGodRaysSingleScatteringReference()
-        light = godrays.vtkGodRaysCoverageFilter()
-        for either in (truth, light):
-            either.SetScatteringCoefficient(0.1, 0.1, 0.1)
-            either.SetLight(0, 0.3, -1, 0)
-        truth.SetSize(9, 7)
-        truth.Update()
-        depths = vtkImageData()
-        depths.SetDimensions(9, 7, 1)
-        depths.GetPointData().SetScalars(
-            truth.GetOutput().GetPointData().GetArray("Depth"))
-        light.SetInputData(depths)
-        light.Update()
-        expected = truth.GetOutput().GetScalarComponentAsDouble(4, 3, 0, 0)
-        actual = light.GetOutput().GetScalarComponentAsDouble(4, 3, 0, 0)
-        self.assertAlmostEqual(actual / expected, 1.0, 5)
-        self.assertIn("directional light", light.GetPlan())
-
-
 if __name__ == "__main__":
     unittest.main()

@@ -67,7 +67,7 @@ def to_array(image: vtkImageData) -> Any:
 
 
 def apply(filter: Any, array: Any) -> Any:
-    """An array, through a filter of images of VTK or of this project, such as vtkGodRaysCoverageFilter.
+    """An array, through a filter of images of VTK or of this project, such as vtkGodRaysScatteringFilter.
 
     filter: a vtkAlgorithm that takes and makes a vtkImageData.
     array: the picture [row, column] or [row, column, channel], the top row first.

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file    GodRaysAirlight.h
+ * @brief   light that a medium scatters where nothing casts a shadow, for tests of its tables
+ */
+
+#ifndef GodRaysAirlight_h
+#define GodRaysAirlight_h
+
+#include "GodRaysFiltersTesting.h"
+#include "vtkGodRaysCoverageSweep.h"
+#include "vtkGodRaysMediumFilter.h"
+
+#include "vtkMath.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace GodRaysMediumScenes
+{
+// A filter's camera, light and medium, as vtkGodRaysCoverageSweep computes them.
+class Airlight : public vtkGodRaysMediumFilter
+{
+public:
+  vtkTypeMacro(Airlight, vtkGodRaysMediumFilter);
+  static Airlight* New()
+  {
+    auto* result = new Airlight;
+    result->InitializeObjectBase();
+    return result;
+  }
+
+  // Draws a picture whose view rays end at these depths.
+  GodRaysFiltersTesting::Picture Draw(const GodRaysFiltersTesting::Picture& ends)
+  {
+    const View view = this->GetView(ends.Height);
+    vtkGodRaysCoverageSweep::Parameters parameters;
+    parameters.PixelSize = view.PixelSize;
+    parameters.Center[0] = 0.5 * ends.Width;
+    parameters.Center[1] = 0.5 * ends.Height;
+    parameters.Parallel = view.Parallel;
+    double light[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      light[i] = this->Light[i] - this->Light[3] * view.Position[i];
+    }
+    parameters.Light[0] = vtkMath::Dot(light, view.Right);
+    parameters.Light[1] = vtkMath::Dot(light, view.Up);
+    parameters.Light[2] = vtkMath::Dot(light, view.Forward);
+    parameters.Light[3] = this->Light[3];
+    std::copy_n(this->LightColor, 3, parameters.LightColor);
+    parameters.Medium = this->GetMedium(view);
+    parameters.Spot = this->GetSpot(view);
+    float* input = this->Sweep.PrepareInput(ends.Width, ends.Height);
+    std::transform(ends.Values.begin(), ends.Values.end(), input,
+      [](double end)
+      { return static_cast<float>(std::min<double>(end, vtkGodRaysCoverageSweep::Sky)); });
+    EXPECT_TRUE(this->Sweep.Execute(parameters));
+    GodRaysFiltersTesting::Picture picture(
+      ends.Width, ends.Height, this->Sweep.GetNumberOfComponents());
+    std::copy_n(this->Sweep.GetResult(), picture.Values.size(), picture.Values.begin());
+    return picture;
+  }
+
+  double GetBound() const { return this->Sweep.GetBound(); }
+  std::string Describe() const { return this->Sweep.Describe(); }
+
+protected:
+  Airlight() = default;
+  ~Airlight() override = default;
+
+private:
+  vtkGodRaysCoverageSweep Sweep;
+};
+
+// Fractions of the truth's peak.
+struct Error
+{
+  double Rms = 0.0;
+  double Largest = 0.0;
+};
+
+// Compares the red of a ground truth with what is drawn to the same ends of view rays, but for one pixel.
+inline Error Compare(vtkImageData* truth, Airlight* airlight, vtkIdType left = -1)
+{
+  vtkDataArray* ends = truth->GetPointData()->GetArray("End");
+  vtkDataArray* expected = truth->GetPointData()->GetArray("Radiance");
+  const int width = truth->GetDimensions()[0];
+  const GodRaysFiltersTesting::Picture drawn =
+    airlight->Draw(GodRaysFiltersTesting::MakePicture(width, truth->GetDimensions()[1],
+      [&](int x, int y) { return ends->GetComponent(static_cast<vtkIdType>(y) * width + x, 0); }));
+  const vtkIdType pixels = expected->GetNumberOfTuples();
+  double squares = 0.0;
+  double peak = 0.0;
+  Error error;
+  for (vtkIdType i = 0; i < pixels; ++i)
+  {
+    if (i == left)
+    {
+      continue;
+    }
+    const double value = expected->GetComponent(i, 0);
+    const double difference =
+      std::abs(drawn.Values[static_cast<std::size_t>(i) * drawn.Components] - value);
+    squares += difference * difference;
+    error.Largest = std::max(error.Largest, difference);
+    peak = std::max(peak, value);
+  }
+  return { std::sqrt(squares / static_cast<double>(pixels)) / peak, error.Largest / peak };
+}
+}
+
+#endif
