@@ -28,8 +28,7 @@
 
 namespace
 {
-const std::string Airs = "earth-clear, earth-hazy, earth-polluted, mars, bruneton-2008, "
-                         "nishita-1993, lodato-2015";
+const std::string Airs = "earth-clear, earth-hazy, earth-polluted, mars, lodato-2015";
 
 //------------------------------------------------------------------------------
 /**

@@ -25,7 +25,7 @@ vtkGodRaysSetFiniteMacro(vtkGodRaysAtmosphere, SunDistance, 0.01, 1e3);
 namespace
 {
 const char* const PresetNames[] = { "earth-clear", "earth-hazy", "earth-polluted", "mars",
-  "bruneton-2008", "nishita-1993", "lodato-2015" };
+  "lodato-2015" };
 const double Wavelengths[3] = { 680.0, 550.0, 440.0 }; // [nm]
 
 bool IsWithin(const double values[3], double high)
@@ -159,32 +159,20 @@ void vtkGodRaysAtmosphere::LoadPreset(int preset)
       }
       break;
     }
-    case BRUNETON_2008:
-    case NISHITA_1993:
     case LODATO_2015:
     {
       const double air[3] = { 5.8e-6, 13.5e-6, 33.1e-6 };
       for (int i = 0; i < 3; ++i)
       {
         this->RayleighScattering[i] = air[i];
-        this->MieScattering[i] = 2e-5;
-        this->MieAbsorption[i] = preset == BRUNETON_2008 ? 0.22e-5 : 0.0;
+        this->MieScattering[i] =
+          2e-5 * 1200.0 / 8000.0; // the optical depth of 2e-5, falling over 1200 m
+        this->MieAbsorption[i] = 0.0;
         this->OzoneAbsorption[i] = 0.0;
       }
       std::fill_n(this->MieAsymmetry, 3, 0.76);
-      if (preset == NISHITA_1993)
-      {
-        this->RayleighHeight = 7994.0;
-      }
-      if (preset == LODATO_2015)
-      {
-        this->RayleighProfile = this->MieProfile = UNIFORM;
-        this->TopHeight = this->RayleighHeight = this->MieHeight = 8000.0;
-        for (double& scattering : this->MieScattering)
-        {
-          scattering = 2e-5 * 1200.0 / 8000.0; // the same optical depth
-        }
-      }
+      this->RayleighProfile = this->MieProfile = UNIFORM;
+      this->TopHeight = this->RayleighHeight = this->MieHeight = 8000.0;
       break;
     }
     default:

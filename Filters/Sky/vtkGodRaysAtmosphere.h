@@ -37,9 +37,7 @@ public:
     EARTH_HAZY = 1,     ///< aerosol of optical depth 0.2 at 550 nm, hardly absorbing
     EARTH_POLLUTED = 2, ///< aerosol of optical depth 0.6 at 550 nm that absorbs a sixth
     MARS = 3,           ///< thin air, and dust of optical depth 0.5 that absorbs blue
-    BRUNETON_2008 = 4,  ///< the constants of [BrunetonNeyret2008]: no ozone, white haze
-    NISHITA_1993 = 5,   ///< the constants of [Nishita1993]: no ozone, haze that does not absorb
-    LODATO_2015 = 6     ///< uniform density up to a thin top, as published for WebGL: [Lodato2015]
+    LODATO_2015 = 4     ///< uniform density up to a thin top, as published for WebGL: [Lodato2015]
   };
 
   /**
@@ -49,8 +47,8 @@ public:
   void LoadPreset(int preset);
 
   /**
-   * The same by name: earth-clear, earth-hazy, earth-polluted, mars, bruneton-2008, nishita-1993 or
-   * lodato-2015. Returns false after an error about another name, and nothing is changed.
+   * The same by name: earth-clear, earth-hazy, earth-polluted, mars or lodato-2015. Returns false after an
+   * error about another name, and nothing is changed.
    */
   bool LoadPreset(const std::string& name);
 

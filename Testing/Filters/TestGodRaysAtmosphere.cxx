@@ -37,8 +37,6 @@ TEST(Atmosphere, PresetsHaveNamesAndTheirOpticalDepths)
   const Row rows[] = { { "earth-clear", Atmosphere::EARTH_CLEAR, 0.005328 },
     { "earth-hazy", Atmosphere::EARTH_HAZY, 0.2 },
     { "earth-polluted", Atmosphere::EARTH_POLLUTED, 0.6 }, { "mars", Atmosphere::MARS, 0.5 },
-    { "bruneton-2008", Atmosphere::BRUNETON_2008, 0.02664 },
-    { "nishita-1993", Atmosphere::NISHITA_1993, 0.024 },
     { "lodato-2015", Atmosphere::LODATO_2015, 0.024 } };
   for (const Row& row : rows)
   {

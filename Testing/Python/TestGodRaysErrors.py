@@ -184,7 +184,7 @@ class Mistakes(unittest.TestCase):
         self.renderer = vtkRenderer()
 
     def test_misspelt_names_are_guessed(self):
-        atmosphere = "there is no atmosphere 'earth-haze'; did you mean earth-hazy? There are: bruneton-2008, earth-cl"
+        atmosphere = "there is no atmosphere 'earth-haze'; did you mean earth-hazy? There are: earth-clear, earth-hazy"
         rays = godrays.vtkGodRaysPass()
         enable = functools.partial(godrays.enable, self.renderer)
         for error, words, call in (

@@ -97,8 +97,8 @@ TEST_F(GodRaysSkyPass, IsTheIntegralAtDusk)
 TEST_F(GodRaysSkyPass, IsTheIntegralInOtherAir)
 {
   this->SetMultipleScattering(true);
-  for (const int preset : { Atmosphere::EARTH_HAZY, Atmosphere::EARTH_POLLUTED,
-         Atmosphere::NISHITA_1993, Atmosphere::LODATO_2015 })
+  for (const int preset :
+    { Atmosphere::EARTH_HAZY, Atmosphere::EARTH_POLLUTED, Atmosphere::LODATO_2015 })
   {
     this->Sky->GetAtmosphere()->LoadPreset(preset);
     double worst = 0.0;
