@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Usage: bash Testing/run.sh [--on <suite>] [--vtk-only] [-L <label>] [-LE <label>]
+# Usage: bash Testing/run.sh [--on <suite>] [--vtk-only] [-L <label>] [-LE <label>] [-E <name>]
 #
 # Install what is missing (Debian 12, 13 or 14), build, install into build/install, and run the tests
 # without a screen. build/ has the system's VTK. Where ParaView is built on that, too (Debian 14), the
@@ -16,8 +16,10 @@
 #                  build-sanitizers/, and run a short form of the tests in C++. With GODRAYS_LONG=1 all of
 #                  them, and those of filters with ThreadSanitizer and VTK's threads of its own, as it does
 #                  not see how TBB's wait, in build-threads/
-#   -L <label>     only tests with this label: see Testing/CMakeLists.txt
+#   -L <label>     only tests with a label that matches this: see Testing/CMakeLists.txt. Programs of tests in
+#                  C++ are built for these alone
 #   -LE <label>    only tests without it
+#   -E <name>      only tests whose names do not match this
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -37,7 +39,9 @@ while [ $# -gt 0 ]; do
     --sanitizers) sanitizers=true; options+=("$1") ;;
     -L | -LE) [ $# -gt 1 ] || die "$1 needs a label, such as: $1 math"
         selection+=("$1" "$2"); shift ;;
-    *) die "unknown option $1; there are --on <suite>, --vtk-only, --sanitizers, -L and -LE <label>." ;;
+    -E) [ $# -gt 1 ] || die "-E needs a part of tests' names, such as: -E Fuzz"
+        selection+=("$1" "$2"); shift ;;
+    *) die "unknown option $1; there are --on <suite>, --vtk-only, --sanitizers, -L and -LE <label>, -E <name>." ;;
   esac
   shift
 done
@@ -114,12 +118,43 @@ if $sanitizers; then
 fi
 
 # ---------------------------------------------------------------------------------------------
-# Build. What is to be tested is named: CMake would leave out what it does not find.
+# Build. What is to be tested is named: CMake would leave out what it does not find. Programs of tests that are
+# left out are not built.
+
+# With CI=true, build-paraview is tested with plugin, packages, consumers and style alone, for time: its VTK is
+# of the version in build.
+paraview_selection=()
+if [ "${CI:-}" = true ]; then
+  paraview_selection=(-L "plugin|package|consumer|style")
+fi
+
+find_tests_in_cxx() # <selection>...: the labels that it selects, as a list of CMake's
+{
+  local label list=none
+  for label in math filters rendering benchmark; do
+    if is_selected "$label" "$@"; then list+=";$label"; fi
+  done
+  echo "$list"
+}
+
+is_selected() # <label> <selection>...
+{
+  local label=$1
+  shift
+  while [ $# -gt 0 ]; do
+    case $1 in
+      -L) [[ $label =~ $2 ]] || return 1 ;;
+      -LE) if [[ $label =~ $2 ]]; then return 1; fi ;;
+    esac
+    shift 2
+  done
+}
 
 build() # <preset> <argument>... for the configuration
 {
   echo "== Building: $1"
-  cmake --preset "$@" -DGODRAYS_BUILD_TESTING=ON -DGODRAYS_BUILD_EXAMPLES=ON
+  cmake --preset "$1" -DGODRAYS_BUILD_TESTING=ON -DGODRAYS_BUILD_EXAMPLES=ON \
+    "-DGODRAYS_TESTS_IN_CXX=$(find_tests_in_cxx "${selection[@]}")" "${@:2}"
   cmake --build --preset "$1"
   took "building $1"
 }
@@ -144,24 +179,28 @@ cmake --install build --prefix build/install >build/install.log ||
   die "the installation into build/install failed: see build/install.log"
 if $paraview && ! $paraview_shares_vtk; then
   make_paraview_root build-paraview/root
-  build paraview -DGODRAYS_BUILD_PARAVIEW_PANEL=$paraview_panel
+  tests=$(find_tests_in_cxx "${selection[@]}" "${paraview_selection[@]}")
+  examples=ON
+  if [ "$tests" = none ]; then examples=OFF; fi
+  build paraview -DGODRAYS_BUILD_PARAVIEW_PANEL=$paraview_panel "-DGODRAYS_TESTS_IN_CXX=$tests" \
+    -DGODRAYS_BUILD_EXAMPLES=$examples
   trees+=(build-paraview)
 fi
 
 # ---------------------------------------------------------------------------------------------
 # Test, all trees under one X server. -noreset: without it, the server restarts when its last
-# client leaves, and a client that comes at that moment is turned away. With CI=true, build-paraview is
-# tested with plugin, packages, consumers and style alone, for time: its VTK is of the version in build.
+# client leaves, and a client that comes at that moment is turned away.
 
 run_ctest='
 failed=0
 jobs=$1
 trees=$2
-shift 2
+paraview_label=$3
+shift 3
 for tree in $trees; do
   echo "== Testing: $tree"
-  if [ "${CI:-}" = true ] && [ "$tree" = build-paraview ]; then
-    set -- "$@" -L "plugin|package|consumer|style"
+  if [ -n "$paraview_label" ] && [ "$tree" = build-paraview ]; then
+    set -- "$@" -L "$paraview_label"
   fi
   ctest --test-dir "$tree" --output-on-failure -j "$jobs" "$@" 2>&1 | tee "$tree/ctest.log"
   [ "${PIPESTATUS[0]}" -eq 0 ] || failed=1
@@ -170,7 +209,7 @@ exit $failed'
 
 status=0
 xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \
-  bash -c "$run_ctest" run_ctest "$(nproc)" "${trees[*]}" "${selection[@]}" || status=$?
+  bash -c "$run_ctest" run_ctest "$(nproc)" "${trees[*]}" "${paraview_selection[1]:-}" "${selection[@]}" || status=$?
 took tests
 
 echo

@@ -55,7 +55,7 @@ class ProgramTest(unittest.TestCase):
         """The pictures that one program makes of several files; it says nothing."""
         done = godrays(
             "--each", *files, *arguments, "--size", "{}x{}".format(*size), "--output",
-            self.folder / "of-each-{n}.png", timeout=300)
+            self.folder / "of-each-{n}.png", timeout=600)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         return [self.read(self.folder / f"of-each-{n + 1:04}.png", size) for n in range(len(files))]
 

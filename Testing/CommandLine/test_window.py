@@ -17,6 +17,22 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from program_testing import ProgramTest
 
 
+def setUpModule():
+    """Take an X server of its own, if there is Xvfb: other tests' windows would take the pointer and the keys."""
+    xvfb = shutil.which("Xvfb")
+    if not xvfb:
+        return
+    reader, writer = os.pipe()
+    server = subprocess.Popen(
+        [xvfb, "-displayfd", str(writer), "-noreset", "-screen", "0", "1280x1024x24"], pass_fds=[writer],
+        stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    unittest.addModuleCleanup(server.wait)
+    unittest.addModuleCleanup(server.terminate)
+    os.close(writer)
+    with os.fdopen(reader) as pipe:
+        os.environ["DISPLAY"] = ":" + pipe.readline().strip()
+
+
 class KeyEvent(ctypes.Structure):
     """XKeyEvent of Xlib, with the room that the library takes for any event."""
 

@@ -107,7 +107,7 @@ inline void RunExample(std::function<void(User*)> act)
   vtkObjectFactory::RegisterFactory(factory);
   User::Act = std::move(act);
   std::string name = "example";
-  std::string size = "800x600";
+  std::string size = "400x300";
   char* arguments[] = { &name[0], &size[0], nullptr };
   EXPECT_EQ(ExampleMain(2, arguments), EXIT_SUCCESS);
   vtkObjectFactory::UnRegisterFactory(factory);

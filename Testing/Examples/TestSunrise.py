@@ -44,13 +44,21 @@ def packets_of(data):
     return packets
 
 
+def shifted(value):
+    """What the checksum's polynomial makes of eight bits."""
+    for _ in range(8):
+        value = (value << 1) ^ (0x104C11DB7 if value & 0x80000000 else 0)
+    return value
+
+
+SHIFTED = [shifted(byte << 24) for byte in range(256)]
+
+
 def checksum_of(page):
     """As Ogg has it: the polynomial 0x04c11db7, highest bit first, from 0."""
     value = 0
     for byte in page:
-        value ^= byte << 24
-        for _ in range(8):
-            value = (value << 1) ^ (0x104C11DB7 if value & 0x80000000 else 0)
+        value = (value << 8 & 0xFFFFFFFF) ^ SHIFTED[value >> 24 ^ byte]
     return value
 
 
