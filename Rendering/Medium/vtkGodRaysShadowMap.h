@@ -4,11 +4,11 @@
  * @class   vtkGodRaysShadowMap
  * @brief   depths of the occluders, as a light sees them; private to this module
  *
- * What was drawn for the last light serves again while light, faces and occluders are the same in
- * the world; one face about all occluders, or about a fixed lamp, so serves while the camera moves. Of
- * plain actors VTK tells that; with any other prop, and on several processes, it is drawn anew. Where only
- * some occluders change, and faces stay as they are, the depths of the others are kept in a map of their own
- * from the first such frame on: it is copied, and what changes is drawn over it.
+ * What was drawn for the light serves again while light, faces and occluders are the same in the world; one
+ * face about all occluders, or about a fixed lamp, so serves while the camera moves. Modification times tell
+ * that of actors, assemblies and volumes; other props are drawn anew, and on several processes all are. Where
+ * only some occluders change, and faces stay as they are, the depths of the others are kept in a map of their
+ * own from the first such frame on: it is copied, and what changes is drawn over it.
  *
  * Translucent surfaces and volumes are layers of the grids, if Draw() is asked for them: without such props
  * nothing is drawn or kept for them.

@@ -21,6 +21,8 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <deque>
 #include <sstream>
 
 vtkStandardNewMacro(vtkGodRaysShadowMapIntegrator);
@@ -33,18 +35,32 @@ struct vtkGodRaysShadowMapIntegrator::Internals
     vtkGodRaysMediumRays::Complete(vtkGodRaysShadowMapFS) };
   vtkGodRaysQuad Filter{ "vtkGodRaysShadowMapFilterFS",
     vtkGodRaysMediumRays::Complete(vtkGodRaysShadowMapFilterFS) };
-  vtkGodRaysShadowMap Maps[4]; // of the first lights of a frame; the last one serves the rest, too
-  int Light = 0;               // of the frame
+  /// What is kept of a light from frame to frame.
+  struct Light
+  {
+    vtkGodRaysShadowMap Map;
+    vtkGodRaysSweptLight Swept; // whose sweep has the light's table of airlight
+
+    void Release(vtkWindow* window)
+    {
+      this->Map.Release(window);
+      this->Swept.Release(window);
+    }
+  };
+  std::deque<Light> Lights = std::deque<Light>(1); // in the frame's order
+  std::size_t Last = 0;                            // the light of the last request
   unsigned int LightsFrame = 0;
   vtkGodRaysTarget Lit[2];      // the part that is lit, of one channel, and of three, and the depth
   vtkGodRaysTarget RowMeans[2]; // its means of rows, alike
-  vtkGodRaysSweptLight Swept;
-  bool IsSwept = false; // the last light
+  bool IsSwept = false;         // the last light
   bool ShadowsAlone = false;
-  unsigned int Frame = 0; // whose ends of view rays the sweep has
+  unsigned int EndsFrame = 0; // whose ends of view rays the sweep of its first light has
+  const float* Ends = nullptr;
 
-  vtkGodRaysShadowMap& GetMap() { return this->Maps[std::min(this->Light, 3)]; }
+  Light& GetLight() { return this->Lights[this->Last]; }
+  vtkGodRaysShadowMap& GetMap() { return this->GetLight().Map; }
   void CountLight(const Request& request);
+  bool ReadEnds(const Request& request, const int size[2]);
   bool Bind(vtkGodRaysTarget& target, const Request& request, bool grey);
   vtkShaderProgram* Begin(
     vtkGodRaysQuad& quad, const Request& request, const vtkGodRaysMediumRays& rays, bool rows);
@@ -52,12 +68,38 @@ struct vtkGodRaysShadowMapIntegrator::Internals
     const Request& request, const vtkGodRaysMediumRays& rays, bool rows, vtkGodRaysTarget& lit);
 };
 
-// Processes that have no picture have no frames, and keep no maps.
+// Processes that have no picture have no frames, and keep no maps. A new frame releases lights that the one
+// before did not have.
 void vtkGodRaysShadowMapIntegrator::Internals::CountLight(const Request& request)
 {
   const unsigned int frame = request.Depths ? request.Depths->GetFrame() : 0;
-  this->Light = frame != 0 && frame == this->LightsFrame ? this->Light + 1 : 0;
+  if (frame == 0 || frame != this->LightsFrame)
+  {
+    for (; this->Lights.size() > this->Last + 1; this->Lights.pop_back())
+    {
+      this->Lights.back().Release(request.Window);
+    }
+    this->Last = 0;
+  }
+  else if (++this->Last == this->Lights.size())
+  {
+    this->Lights.emplace_back();
+  }
   this->LightsFrame = frame;
+}
+
+// They are read from the graphics card once a frame.
+bool vtkGodRaysShadowMapIntegrator::Internals::ReadEnds(const Request& request, const int size[2])
+{
+  float* const ends = this->GetLight().Swept.Sweep.PrepareInput(size[0], size[1]);
+  if (this->EndsFrame == request.Depths->GetFrame())
+  {
+    std::copy_n(this->Ends, static_cast<std::size_t>(size[0]) * size[1], ends);
+    return true;
+  }
+  this->EndsFrame = request.Depths->ReadEnds(ends) ? request.Depths->GetFrame() : 0;
+  this->Ends = ends;
+  return this->EndsFrame != 0;
 }
 
 bool vtkGodRaysShadowMapIntegrator::Internals::Bind(
@@ -168,15 +210,7 @@ bool vtkGodRaysShadowMapIntegrator::Sweep(const Request& request)
   request.Depths->GetSize(size);
   auto parameters = vtkGodRaysSweptLight::GetParameters(request, size, &self.GetMap().GetGrids());
   parameters.LineSpacing = this->LineSpacing;
-  if (self.Frame != request.Depths->GetFrame())
-  {
-    if (!request.Depths->ReadEnds(self.Swept.Sweep.PrepareInput(size[0], size[1])))
-    {
-      return false;
-    }
-    self.Frame = request.Depths->GetFrame();
-  }
-  return self.Swept.Add(request, parameters, size);
+  return self.ReadEnds(request, size) && self.GetLight().Swept.Add(request, parameters, size);
 }
 
 bool vtkGodRaysShadowMapIntegrator::Contribute(const Request& request)
@@ -212,7 +246,7 @@ std::string vtkGodRaysShadowMapIntegrator::Describe(vtkGodRaysModel*)
   }
   else if (this->Internal->IsSwept)
   {
-    text << "swept on the processor: " << this->Internal->Swept.Sweep.Describe();
+    text << "swept on the processor: " << this->Internal->GetLight().Swept.Sweep.Describe();
   }
   else
   {
@@ -227,11 +261,10 @@ void vtkGodRaysShadowMapIntegrator::ReleaseGraphicsResources(vtkWindow* window)
   Internals& self = *this->Internal;
   self.March.Release();
   self.Filter.Release();
-  for (vtkGodRaysShadowMap& map : self.Maps)
+  for (Internals::Light& light : self.Lights)
   {
-    map.Release(window);
+    light.Release(window);
   }
-  self.Swept.Release(window);
   for (int i = 0; i < 2; ++i)
   {
     self.Lit[i].Release(window);

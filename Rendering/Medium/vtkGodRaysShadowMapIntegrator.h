@@ -19,8 +19,8 @@
  * within 60 degrees of one direction takes a cube of six maps, which leave out what is nearer than 1e-4
  * of the farthest thing. A shadow starts 1.5 of the map's pixels behind what casts it, and its edge is
  * no finer than they are. A sweep lets light through translucent surfaces and volumes by what they leave of
- * it; steps leave these out. Maps of the first four lights are kept while nothing in them changes. In a scene
- * on several processes the maps are joined.
+ * it; steps leave these out. Each light's map, and a sweep's table of its airlight, are kept while nothing in
+ * them changes. In a scene on several processes the maps are joined.
  *
  * @sa vtkGodRaysMediumModel
  */

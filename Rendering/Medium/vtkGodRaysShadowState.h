@@ -16,7 +16,7 @@
 
 class vtkGodRaysShadowFaces;
 
-/// Empty if it cannot be told.
+/// Empty if it cannot be told. A prop of which VTK cannot report all changes differs from itself.
 struct vtkGodRaysShadowState
 {
   std::vector<const void*> Objects;
@@ -25,7 +25,7 @@ struct vtkGodRaysShadowState
   // Where objects and numbers end: those before the first occluder, and those of each.
   std::vector<std::array<std::size_t, 2>> Ends;
 
-  /// Of plain actors and volumes VTK tells it; with any other prop, and on several processes, not.
+  /// Finds it from modification times of actors, of all that they draw, of assemblies' parts and of volumes.
   void Find(const vtkGodRaysMediumIntegrator::Request& request, const vtkGodRaysShadowFaces& faces,
     const void* map, bool translucent);
 

@@ -84,10 +84,8 @@ std::string vtkGodRaysVolumeMedium::Take(vtkRenderer* renderer, vtkGodRaysCompos
     this->Objects.clear();
     ++this->Version;
     ++this->ExtinctionVersion;
-    for (Drawer& drawer : this->Drawers)
-    {
-      drawer.Picture.SetGrids({});
-    }
+    this->Drawers.clear();
+    this->Light = 0;
   }
   return fault;
 }
@@ -206,7 +204,11 @@ bool vtkGodRaysVolumeMedium::Draw(
   {
     return false;
   }
-  Drawer& drawer = this->Drawers[std::min(this->Light++, MostKept - 1)];
+  if (this->Light == this->Drawers.size())
+  {
+    this->Drawers.emplace_back();
+  }
+  Drawer& drawer = this->Drawers[this->Light++];
   if (drawer.Version != this->Version)
   {
     drawer.Picture.SetGrids(this->Grids, drawer.ExtinctionVersion == this->ExtinctionVersion);
@@ -243,9 +245,8 @@ bool vtkGodRaysVolumeMedium::Draw(
   }
   catch (const std::bad_alloc&)
   {
-    drawer.Picture.SetShadows(nullptr);
-    drawer.Picture.SetGrids({});
-    drawer.Version = 0;
+    this->Drawers.clear();
+    this->Light = 0;
     vtkGenericWarningMacro(
       "vtkGodRaysPass: the light's way through the volumes tagged MEDIUM needs more "
       "memory than there is, a sixteenth of that of their points for each light. Take "
@@ -266,17 +267,11 @@ bool vtkGodRaysVolumeMedium::Draw(
   return request.Result->Lend(this->Rays, white, 1.0);
 }
 
-// Lights that are gone do not keep data that were.
 void vtkGodRaysVolumeMedium::End()
 {
-  for (int i = std::min(this->Light, MostKept); i < MostKept; ++i)
+  while (this->Drawers.size() > this->Light) // of lights that are gone
   {
-    Drawer& drawer = this->Drawers[i];
-    if (drawer.Version != 0 && drawer.Version != this->Version)
-    {
-      drawer.Picture.SetGrids({});
-      drawer.Version = 0;
-    }
+    this->Drawers.pop_back();
   }
   this->Props.clear();
 }
@@ -298,7 +293,7 @@ std::string vtkGodRaysVolumeMedium::Describe() const
   {
     return "";
   }
-  const vtkGodRaysGridPicture& last = this->Drawers[std::min(this->Light, MostKept) - 1].Picture;
+  const vtkGodRaysGridPicture& last = this->Drawers[this->Light - 1].Picture;
   const double pixels = std::max(static_cast<double>(this->Transmittance.size()) / 3.0, 1.0);
   const double rays = static_cast<double>(last.GetNumberOfRays());
   std::ostringstream text;

@@ -5,7 +5,7 @@
  * @brief   the volumes of a scene that are media: their light and what they dim; private to this module
  *
  * vtkGodRaysGridPicture on the processor, for each light. Data are read, and the light's depths through them
- * summed, when they change; else both are kept, for four lights.
+ * summed, when they change; else both are kept, for each light of the frame before.
  */
 
 #ifndef vtkGodRaysVolumeMedium_h
@@ -17,6 +17,8 @@
 #include "vtkGodRaysVolumeGrid.h"
 #include "vtkGodRaysVolumeImage.h"
 
+#include <cstddef>
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -94,7 +96,6 @@ private:
     unsigned int Version = 0;
     unsigned int ExtinctionVersion = 0;
   };
-  static constexpr int MostKept = 4; // lights
 
   std::vector<vtkProp*> Props;
   std::vector<vtkGodRaysGrid> Grids;
@@ -108,8 +109,8 @@ private:
   std::vector<double> FaultNumbers;
   unsigned int Version = 0;
   unsigned int ExtinctionVersion = 0;
-  Drawer Drawers[MostKept]; // of the first lights of a frame; the last one serves the rest, too
-  int Light = 0;            // of the frame
+  std::deque<Drawer> Drawers; // of the lights, in the frame's order
+  std::size_t Light = 0;      // how many the frame has had
   std::vector<float> Depths;
   unsigned int DepthsFrame = 0;
   std::vector<float> Radiance;

@@ -175,6 +175,19 @@ void AddTranslucentData(Stage& scene)
   scene.Rays->AutomaticExposureOn();
 }
 
+/// Lights with a table of airlight each, that stand still.
+void AddLampsInAnAtmosphere(Stage& scene, int number)
+{
+  scene.Rays->RemoveAllLights();
+  for (int i = 0; i < number; ++i)
+  {
+    scene.Rays->AddLight(MakeLamplight({ 1.2 * i - 3.0, 0.5, 2.0 }));
+  }
+  vtkNew<vtkGodRaysAtmosphereModel> air;
+  air->SetWorldUnitInMeters(1000.0);
+  scene.Rays->SetModel(air);
+}
+
 const Kind Kinds[] = {
   { "Look", [](Stage&) {} },
   { "LookInShaders",
@@ -210,6 +223,8 @@ const Kind Kinds[] = {
       integrator->SweepMapOn();
       integrator->SetMapSize(128);
     } },
+  { "TwoLampsInAnAtmosphere", [](Stage& scene) { AddLampsInAnAtmosphere(scene, 2); } },
+  { "FiveLampsInAnAtmosphere", [](Stage& scene) { AddLampsInAnAtmosphere(scene, 5); } },
 };
 
 class GodRaysAllocations : public ::testing::TestWithParam<Kind>

@@ -465,6 +465,44 @@ TEST(GodRaysResources, AreNotMadeForShadowMaps)
   }
 }
 
+// However many they are; a light that is gone keeps none.
+TEST(GodRaysResources, AreThoseOfTheLightsThatThereAre)
+{
+  Messages messages;
+  Stage scene(64, 48);
+  scene.AddPillarsAndSun();
+  scene.Rays->SetModel(vtkNew<vtkGodRaysHomogeneousModel>());
+  vtkNew<vtkGodRaysShadowMapIntegrator> integrator;
+  integrator->SweepMapOn();
+  integrator->SetMapSize(64);
+  scene.Rays->SetIntegrator(integrator);
+  scene.Rays->RemoveAllLights();
+  std::vector<vtkSmartPointer<vtkLight>> lamps;
+  for (int i = 0; i < 7; ++i)
+  {
+    lamps.push_back(MakeLamplight({ 1.2 * i - 3.0, 0.5, 2.0 }));
+  }
+  scene.Rays->AddLight(lamps[0]);
+  scene.Rays->AddLight(lamps[1]); // lights have a sum, too
+  Count(scene.Window);
+  Draw(scene);
+  const Counts two = Now;
+  for (std::size_t i = 2; i < lamps.size(); ++i)
+  {
+    scene.Rays->AddLight(lamps[i]);
+  }
+  const Counts added = Draw(scene);
+  EXPECT_EQ(added.Textures, 5 * 2) << "a map and rays of each: " << added;
+  EXPECT_EQ(Draw(scene).GetMade(), 0);
+  for (std::size_t i = 2; i < lamps.size(); ++i)
+  {
+    scene.Rays->RemoveLight(lamps[i]);
+  }
+  Draw(scene);
+  Draw(scene);
+  EXPECT_TRUE(Now.AliveAs(two)) << Now - two;
+}
+
 TEST(GodRaysResources, AreAsBeforeAfterFiftyToggles)
 {
   Messages messages;

@@ -480,6 +480,20 @@ TEST_F(GodRaysVolumeMedium, IsKeptUntilSomethingChanges)
   change("visibility", [&] { this->AddSmoke({ 0.5, 0.5, 0.5 }); });
 }
 
+TEST_F(GodRaysVolumeMedium, IsKeptForEachLight)
+{
+  this->AddSmoke();
+  this->Rays->RemoveAllLights();
+  for (int i = 0; i < 6; ++i)
+  {
+    this->Rays->AddLight(MakeSun({ 1.0, 0.4 - 0.1 * i, 0.2 }));
+  }
+  this->Scene.Window->Render();
+  EXPECT_FALSE(Says(this->Rays->GetPlan(), "is kept")) << this->Rays->GetPlan();
+  this->Scene.Window->Render();
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "is kept")) << this->Rays->GetPlan();
+}
+
 // Cropping and planes cut it to a cell: as if the points beyond had nothing.
 TEST_F(GodRaysVolumeMedium, IsCut)
 {
