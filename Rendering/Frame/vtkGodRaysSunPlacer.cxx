@@ -127,7 +127,9 @@ struct vtkGodRaysSunPlacer::Internals
   int Pad = 0;
   int Stride = 0;
   int Steps = 0;
-  double MiddleY = 0.5; // of what is covered
+  int GlowSteps = 0;              // beyond them, the light of a direction stays
+  std::array<int, 4> RingSteps{}; // the first at or beyond each of RingEnds
+  double MiddleY = 0.5;           // of what is covered
   double CoveredHeight = 1.0;
   std::vector<float> Open;             // part of a cell that is open, or Outside
   std::vector<std::ptrdiff_t> Offsets; // of the cells along each direction
@@ -168,6 +170,17 @@ struct vtkGodRaysSunPlacer::Internals
     this->Glow.resize(this->Steps);
     this->Free.resize(this->Steps);
     this->Shown.resize(this->Steps);
+    const auto firstFrom = [&](double end)
+    {
+      int j = 0;
+      while (j < this->Steps && (j + 0.5) / rows < end)
+      {
+        ++j;
+      }
+      return j;
+    };
+    this->GlowSteps = firstFrom(GlowEnd);
+    std::transform(std::begin(RingEnds), std::end(RingEnds), this->RingSteps.begin(), firstFrom);
     const auto mean = [](double r, double sum) { return sum / r; };
     double sum = 0.0;
     double scale = 0.0;
@@ -270,6 +283,8 @@ struct vtkGodRaysSunPlacer::Internals
       const std::ptrdiff_t* offsets =
         this->Offsets.data() + static_cast<std::size_t>(i) * this->Steps;
       float light = 0.0f;
+      float part = 0.0f;
+      float power = 0.0f;
       int ring = 0;
       float sum = 0.0f;
       float weight = 0.0f;
@@ -277,16 +292,19 @@ struct vtkGodRaysSunPlacer::Internals
       {
         const float cell = open[offsets[j]];
         const float isOpen = std::min(cell, 1.0f);
-        light += this->Glow[j] * isOpen;
+        if (j < this->GlowSteps)
+        {
+          light += this->Glow[j] * isOpen;
+          part = light / this->Free[j];
+          power = this->Power[static_cast<std::size_t>(256.0f * std::min(part, 1.0f))];
+        }
         if (j < firstCounted)
         {
           continue;
         }
-        const float part = light / this->Free[j];
         openness += part;
         ++count;
-        const double r = (j + 0.5) / this->Rows;
-        if (r >= RingEnds[ring + 1] || j + 1 == this->Steps)
+        if (j >= this->RingSteps[ring + 1] || j + 1 == this->Steps)
         {
           if (weight > 0.0f)
           {
@@ -299,12 +317,10 @@ struct vtkGodRaysSunPlacer::Internals
             break;
           }
         }
-        if (r >= RingEnds[0] && cell <= 1.0f)
+        if (j >= this->RingSteps[0] && cell <= 1.0f)
         {
           const float seen = static_cast<float>(OverData + (1.0 - OverData) * isOpen);
-          const float shown =
-            this->Shown[j] * this->Power[static_cast<std::size_t>(256.0f * std::min(part, 1.0f))];
-          sum += seen * seen * std::max(shown - 16.0f, 0.0f);
+          sum += seen * seen * std::max(this->Shown[j] * power - 16.0f, 0.0f);
           weight += seen;
         }
       }

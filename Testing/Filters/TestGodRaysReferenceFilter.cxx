@@ -577,6 +577,7 @@ TEST(ReferenceFilter, LimitsLeaveThePixelItself)
   };
   vtkNew<Filter> filter;
   filter->SetExposure(2.0);
+  filter->SetWeight(0.03);
   filter->SetDensity(0.0);
   expectItself(filter, static_cast<double>(Problem(filter).Gain));
   filter->SetDensity(1.0);
@@ -608,6 +609,7 @@ TEST(ReferenceFilter, IsContinuousInItsParameters)
     return GetLargestDifference(before, Scatter(filter, picture)) / before.GetMaximum();
   };
   filter->SetLightPosition(0.8, 0.3);
+  filter->SetDecay(0.98);
   EXPECT_LT(difference([&] { filter->SetDecay(0.98 + 1e-12); }), 1e-9);
   filter->SetDecay(1.0);
   EXPECT_LT(difference([&] { filter->SetDecay(1.0 + 1e-13); }), 1e-10);

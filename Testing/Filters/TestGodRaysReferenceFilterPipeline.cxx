@@ -322,8 +322,8 @@ TEST(ReferenceFilterPipeline, ParametersAreClampedAndNeverNaN)
   };
   const Row rows[] = {
     { "Density", &Filter::SetDensity, &Filter::GetDensity, 0.97, 0.0, 2.0 },
-    { "Decay", &Filter::SetDecay, &Filter::GetDecay, 0.98, 0.0, 1.05 },
-    { "Weight", &Filter::SetWeight, &Filter::GetWeight, 0.03, 0.0, 100.0 },
+    { "Decay", &Filter::SetDecay, &Filter::GetDecay, 1.0, 0.0, 1.05 },
+    { "Weight", &Filter::SetWeight, &Filter::GetWeight, 0.013, 0.0, 100.0 },
     { "Exposure", &Filter::SetExposure, &Filter::GetExposure, 1.0, 0.0, 100.0 },
     { "MarchScale", &Filter::SetMarchScale, &Filter::GetMarchScale, 1.0, -1e30, 1e30 },
   };
@@ -396,7 +396,7 @@ TEST(ReferenceFilterPipeline, PrintsEveryParameter)
   std::ostringstream stream;
   filter->Print(stream);
   const std::string text = stream.str();
-  for (const char* line : { "Density: 0.97\n", "Decay: 0.98\n", "Weight: 0.03\n", "Exposure: 1\n",
+  for (const char* line : { "Density: 0.97\n", "Decay: 1\n", "Weight: 0.013\n", "Exposure: 1\n",
          "NumberOfSamples: 100\n", "LightClip: 0.5 -2 0\n", "MarchScale: 1\n",
          "OutputScalarType: float\n" })
   {

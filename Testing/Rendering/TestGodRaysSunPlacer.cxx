@@ -30,8 +30,8 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <functional>
 #include <random>
 #include <utility>
@@ -159,15 +159,14 @@ TEST(GodRaysSunPlaces, AreNearlyTheBestOfAThousand)
   vtkNew<vtkGodRaysSunPlacer> placer;
   double found = 0.0;
   double random = 0.0;
-  std::vector<double> times;
+  std::vector<double> times; // of the processors: others on the machine take those of the clock
   constexpr int count = 24;
   for (unsigned int seed = 0; seed < count; ++seed)
   {
     ASSERT_TRUE(placer->SetCoverageImage(MakeCoverage(seed)));
-    const auto begun = std::chrono::steady_clock::now();
+    const std::clock_t begun = std::clock();
     ASSERT_TRUE(placer->Find()) << seed;
-    times.push_back(
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count());
+    times.push_back(static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC);
     const double* place = placer->GetPlace();
     EXPECT_NEAR(placer->GetScoreAt(place[0], place[1]), placer->GetScore(), 1e-9) << seed;
     double best = 0.0;
@@ -184,7 +183,7 @@ TEST(GodRaysSunPlaces, AreNearlyTheBestOfAThousand)
   }
   std::nth_element(times.begin(), times.begin() + count / 2, times.end());
   std::cout << "score " << found << " of the best on average, a random place " << random << "; "
-            << 1000.0 * times[count / 2] << " ms\n";
+            << 1000.0 * times[count / 2] << " ms of processors\n";
   EXPECT_GT(found, 0.95);
   EXPECT_LT(random, 0.6) << "a control";
   EXPECT_LT(times[count / 2], 0.030);
