@@ -396,9 +396,9 @@ TEST(ReferenceFilterPipeline, PrintsEveryParameter)
   std::ostringstream stream;
   filter->Print(stream);
   const std::string text = stream.str();
-  for (const char* line : { "Density: 0.97\n", "Decay: 1\n", "Weight: 0.013\n", "Exposure: 1\n",
-         "NumberOfSamples: 100\n", "LightClip: 0.5 -2 0\n", "MarchScale: 1\n",
-         "OutputScalarType: float\n" })
+  for (const char* line :
+    { "Density: 0.97\n", "Decay: 1\n", "Weight: 0.013\n", "Exposure: 1\n", "NumberOfSamples: 100\n",
+      "LightClip: 0.5 -2 0\n", "MarchScale: 1\n", "OutputScalarType: float\n" })
   {
     EXPECT_NE(text.find(line), std::string::npos) << line;
   }
