@@ -153,6 +153,18 @@ void ReadData(const std::string& path, FileContents& contents)
 
 //------------------------------------------------------------------------------
 /**
+ * A white texel, which stands for a missing picture, leaves the colours as they are.
+ */
+bool ChangesColors(vtkTexture* texture)
+{
+  texture->Update();
+  vtkImageData* image = texture->GetInput();
+  return image && image->GetNumberOfPoints() > 0 &&
+    (image->GetNumberOfPoints() > 1 || image->GetScalarRange()[0] < 255.0);
+}
+
+//------------------------------------------------------------------------------
+/**
  * Materials that reflect their surroundings are black where there are none: keep their colours.
  */
 void SimplifyMaterial(vtkActor* actor)
@@ -163,7 +175,8 @@ void SimplifyMaterial(vtkActor* actor)
   property->SetDiffuse(1.0);
   property->SetSpecular(0.2);
   property->SetSpecularPower(20.0);
-  if (vtkTexture* texture = property->GetTexture("albedoTex"))
+  vtkTexture* texture = property->GetTexture("albedoTex");
+  if (texture && ChangesColors(texture))
   {
     texture->UseSRGBColorSpaceOff();
     actor->SetTexture(texture);

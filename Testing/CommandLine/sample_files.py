@@ -264,8 +264,8 @@ def write_hdr(path):
     path.write_bytes(f"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {n} +X {n}\n".encode() + pixels)
 
 
-def write_strips_ply(path, order=None):
-    """A tube of triangle strips, in one list; order: of a binary file, > or <."""
+def write_strips_ply(path, order=None, as_triangles=False):
+    """A tube of triangle strips, in one list, or of their triangles; order: of a binary file, > or <."""
     around, along = 16, 4
     angles = numpy.linspace(0, 2 * numpy.pi, around, endpoint=False)
     points = [(numpy.cos(a), z, numpy.sin(a)) for z in range(along) for a in angles]
@@ -277,6 +277,17 @@ def write_strips_ply(path, order=None):
     kind = {None: "ascii", "<": "binary_little_endian", ">": "binary_big_endian"}[order]
     head = f"ply\nformat {kind} 1.0\nelement vertex {len(points)}\n" + "".join(
         f"property float {axis}\n" for axis in "xyz")
+    if as_triangles:
+        faces = []
+        for z in range(0, along - 1):
+            for i in range(around):
+                low, high = z * around + i, (z + 1) * around + i
+                next_low, next_high = z * around + (i + 1) % around, (z + 1) * around + (i + 1) % around
+                faces += [f"3 {high} {low} {next_high}", f"3 {next_high} {low} {next_low}"]
+        head += f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n"
+        body = "".join("{:.6f} {:.6f} {:.6f}\n".format(*point) for point in points)
+        path.write_text(head + body + "\n".join(faces) + "\n")
+        return
     head += "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
     if order:
         body = b"".join(struct.pack(order + "3f", *point) for point in points)

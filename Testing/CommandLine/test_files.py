@@ -13,7 +13,7 @@ import unittest
 import numpy
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 from vtkmodules.vtkFiltersSources import (
-    vtkConeSource, vtkCubeSource, vtkCylinderSource, vtkPlaneSource, vtkSphereSource)
+    vtkConeSource, vtkCubeSource, vtkPlaneSource, vtkSphereSource)
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import sample_files
@@ -195,16 +195,8 @@ class Files(ProgramTest):
         self.assertTrue((picture != (1, 2, 3)).any())
 
     def test_triangle_strips_are_drawn_as_triangles(self):
-        tube = vtkCylinderSource()
-        tube.SetCenter(0, 1.5, 0)
-        tube.SetHeight(3)
-        tube.SetRadius(1)
-        tube.SetResolution(16)
-        tube.CappingOff()
-        tube.Update()
         path = self.folder / "tube.ply"
-        sample_files.write(sample_files.vtkPLYWriter(), sample_files.filtered(
-            sample_files.vtkTriangleFilter(), tube.GetOutput()), path)
+        sample_files.write_strips_ply(path, as_triangles=True)
         arguments = ["--no-rays", "--no-ambient-occlusion", "--background", "black", "--sun", "300,30"]
         triangles = self.draw(path, *arguments)
         for name in ("strips.ply", "strips-big.ply", "strips-little.ply"):
