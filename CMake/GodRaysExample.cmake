@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# godrays_add_example(<Name> [WITHOUT_RAYS] [SPLATS])
+# godrays_add_example(<Name> [WITHOUT_RAYS])
 #
 # Build Examples/<Name>/<Name>.cxx as the program build/bin/<Name>, and test it and its twin in
 # Python, <Name>.py, if there is one: each draws Testing/Baseline/Example-<Name>.png. An example
@@ -13,10 +13,10 @@
 # .py, they test what else the example does, as in its window; Test<Name>.py gets the script and the
 # program, and leaves its files where it runs. They are the only tests of an example WITHOUT_RAYS.
 #
-# Pictures are within 2 levels of 255 of their baselines. SPLATS: the example draws with
-# vtkPointGaussianMapper, whose splats have another shape since VTK 9.4; with it, within 18.
+# Pictures are within 2 levels of 255 of their baselines, or of Example-<Name>_1.png of another version of
+# VTK: splats of vtkPointGaussianMapper have another shape since VTK 9.4.
 function(godrays_add_example name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "WITHOUT_RAYS;SPLATS" "" "")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "WITHOUT_RAYS" "" "")
   set(components
     CommonColor CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersExtraction FiltersGeneral
     FiltersGeometry FiltersHybrid FiltersModeling FiltersSources IOGeometry IOImage IOImport IOLegacy
@@ -29,11 +29,6 @@ function(godrays_add_example name)
   set(script "${CMAKE_CURRENT_SOURCE_DIR}/${name}/${name}.py")
   set(tests "${PROJECT_SOURCE_DIR}/Testing")
 
-  set(levels 2)
-  if(arg_SPLATS AND VTK_VERSION VERSION_GREATER_EQUAL 9.4) # no target tells
-    set(levels 17)
-  endif()
-
   add_executable(${name} "${source}")
   set(programs ${name})
   set(added)
@@ -43,7 +38,7 @@ function(godrays_add_example name)
       "${tests}/Examples/TestExample.cxx" "${tests}/Rendering/GodRaysMediumTruth.cxx")
     target_include_directories(test_${name} PRIVATE "${tests}/Rendering")
     target_compile_definitions(test_${name} PRIVATE
-      EXAMPLE_NAME="${name}" EXAMPLE_SOURCE="${source}" EXAMPLE_LEVELS=${levels})
+      EXAMPLE_NAME="${name}" EXAMPLE_SOURCE="${source}")
     list(APPEND programs test_${name})
     foreach(variant IN ITEMS "" ${arg_UNPARSED_ARGUMENTS})
       set(test ${name})
@@ -80,7 +75,7 @@ function(godrays_add_example name)
     set_tests_properties(${added} PROPERTIES
       LABELS      example
       TIMEOUT     300
-      ENVIRONMENT "PYTHONPATH=${CMAKE_BINARY_DIR}/${godrays_python_destination};EXAMPLE_LEVELS=${levels}")
+      ENVIRONMENT "PYTHONPATH=${CMAKE_BINARY_DIR}/${godrays_python_destination}")
   endif()
 
   foreach(program IN LISTS programs)
