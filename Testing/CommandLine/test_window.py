@@ -133,7 +133,7 @@ class Screen:
             self.display, ctypes.c_ulong(window), 0, ctypes.c_long(0), ctypes.byref(event))
         self.x.XFlush(self.display)
 
-    def drag(self, window, start, end):
+    def drag(self, window, start, end, before_release=lambda: None):
         """With the left button from a place of the window, from its upper left, to another one."""
         steps = 5
         places = [[a + (b - a) * i // steps for a, b in zip(start, end)] for i in range(steps + 1)]
@@ -148,6 +148,7 @@ class Screen:
             self.x.XWarpPointer(
                 self.display, ctypes.c_ulong(0), ctypes.c_ulong(window), 0, 0, 0, 0, x, y)
             self.send(window, 6, 1 << 6, x=x, y=y, state=1 << 8)
+        before_release()
         self.send(window, 5, 1 << 3, x=end[0], y=end[1], keycode=1, state=1 << 8)
 
 
@@ -249,8 +250,8 @@ class Viewer(ProgramTest):
         self.wait(lambda: (expected or (lambda now: abs(now - before).max() > 20))(self.look()))
         return self.steady()
 
-    def drag(self, start, end):
-        self.screen.drag(self.window, start, end)
+    def drag(self, start, end, before_release=lambda: None):
+        self.screen.drag(self.window, start, end, before_release)
         time.sleep(0.5)
         return self.steady()
 
@@ -302,9 +303,12 @@ class Viewer(ProgramTest):
         above = self.disc(self.press("Up"))
         self.assertLess(above[1], right[1] - 2)
         place = 60, 60
-        self.drag([round(each) for each in above], place)
-        moved = self.disc(self.steady())
-        self.assertLess(max(abs(a - b) for a, b in zip(moved, place)), 8)
+        discs = []
+        self.drag([round(each) for each in above], place,
+            lambda: discs.append(self.disc(self.steady(), (255, 255, 255))))  # white while it is held
+        discs.append(self.disc(self.steady()))
+        for disc in discs:
+            self.assertLess(max(abs(a - b) for a, b in zip(disc, place)), 8)
         self.screen.press(self.window, "c")
         picture, printed = self.end()
         again = self.draw(self.mesh, *printed.split(), size=self.SIZE, told=None)
