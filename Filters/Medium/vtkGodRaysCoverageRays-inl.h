@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What tables of airlight have for rays. Compiled for each set of vector instructions: see
+// Rays, as the tables of airlight have them. Compiled for each set of vector instructions: see
 // vtkGodRaysCoverageKernels.cxx.
 #if defined(vtkGodRaysCoverageRays_inl_h) == defined(HWY_TARGET_TOGGLE)
 #ifdef vtkGodRaysCoverageRays_inl_h

@@ -47,7 +47,7 @@ public:
   void LoadPreset(int preset);
 
   /**
-   * The same by name: earth-clear, earth-hazy, earth-polluted, mars or lodato-2015. Returns false after an
+   * Set it by name: earth-clear, earth-hazy, earth-polluted, mars or lodato-2015. Returns false after an
    * error about another name, and nothing is changed.
    */
   bool LoadPreset(const std::string& name);

@@ -4,7 +4,7 @@
  * @class   vtkGodRaysShadowMap
  * @brief   depths of the occluders, as a light sees them; private to this module
  *
- * What was drawn for the light serves again while light, faces and occluders are the same in the world; one
+ * A map serves again while light, faces and occluders are the same in the world; one
  * face about all occluders, or about a fixed lamp, so serves while the camera moves. Modification times tell
  * that of actors, assemblies and volumes; other props are drawn anew, and on several processes all are. Where
  * only some occluders change, and faces stay as they are, the depths of the others are kept in a map of their

@@ -35,7 +35,7 @@ struct vtkGodRaysShadowMapIntegrator::Internals
     vtkGodRaysMediumRays::Complete(vtkGodRaysShadowMapFS) };
   vtkGodRaysQuad Filter{ "vtkGodRaysShadowMapFilterFS",
     vtkGodRaysMediumRays::Complete(vtkGodRaysShadowMapFilterFS) };
-  /// What is kept of a light from frame to frame.
+  /// A light's state, kept from frame to frame.
   struct Light
   {
     vtkGodRaysShadowMap Map;

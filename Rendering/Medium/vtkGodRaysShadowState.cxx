@@ -74,8 +74,8 @@ struct PropState
     }
   }
 
-  /// Of a mapper or a texture. The scene has been drawn, so that inputs are up to date, but not those of what
-  /// the camera does not see: they are updated as VTK does before it draws.
+  /// Adds a mapper or a texture with its inputs. The scene has been drawn, so that inputs are up to date, but
+  /// not those of what the camera does not see: they are updated as VTK does before it draws.
   void AddInputs(vtkAlgorithm* algorithm, bool isStatic = false)
   {
     this->Add(algorithm);

@@ -21,7 +21,7 @@ public:
   vtkGodRaysCoverageSweep Sweep;
 
   /**
-   * What the sweep is to compute for a layer of this size [pixels] that a pinhole can see; without a shadow
+   * Returns the sweep's parameters for a layer of this size [pixels] that a pinhole can see; without a shadow
    * map nothing blocks.
    */
   static vtkGodRaysCoverageSweep::Parameters GetParameters(

@@ -305,7 +305,7 @@ void Shrink(vtkPointSet* data)
   data->GetPoints()->Modified();
 }
 
-/// What changes about any actor that has a mapper.
+/// Changes of any actor that has a mapper.
 Changes MakeChanges(vtkActor* actor, vtkPointSet* data)
 {
   vtkNew<vtkMatrix4x4> matrix;
@@ -740,7 +740,7 @@ const ThingKind UnkeptKinds[] = {
 };
 }
 
-// What VTK cannot see is drawn in each frame; what stands beside it is not.
+// Props whose changes VTK cannot see are drawn in each frame; those beside them are not.
 TEST(GodRaysUnkeptMap, IsThatOfAFreshWindow)
 {
   Messages messages;
