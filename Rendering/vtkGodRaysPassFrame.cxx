@@ -475,6 +475,10 @@ bool vtkGodRaysPass::DrawOutput(
   {
     request.Window = self.Window;
     std::copy_n(viewport, 4, request.Viewport);
+    int beyond[4];
+    FindBeyond(s->GetRenderer(), 0.0, beyond);
+    request.Tile[0] = beyond[0];
+    request.Tile[1] = beyond[2];
     request.Scene = self.Scene.GetColor();
     request.Backdrop = self.HasBackdrop ? self.Backdrop.GetColor() : nullptr;
     request.Rays = light->GetTexture();

@@ -41,6 +41,7 @@ uniform float surroundRays;  // part of the rays that is added to it
 uniform float mostLightness; // by which data change, if only their lightness does
 uniform bool alphaShowsData; // it is 0 where nothing is drawn
 uniform float alphaLayers;   // n in PartOfAlpha()
+uniform ivec2 tile;           // corner of the viewport in a picture of several tiles [pixels]
 uniform sampler2D opacity;   // of what leaves no depth, in alpha; may have a margin about the scene
 uniform float opacityLayers; // n for it, and for coverage
 uniform sampler2D coverage;  // by what has a depth, of pixels of several samples
@@ -246,7 +247,7 @@ void main()
   {
     vec3 change = abs(shownSum - shown); // colours that stay keep their bytes
     float amplitude = min(255.0 * max(change.x, max(change.y, change.z)), 1.0);
-    shownSum += amplitude * OrderedNoise(vec2(pixel)) / 255.0;
+    shownSum += amplitude * OrderedNoise(vec2(pixel + tile)) / 255.0;
   }
   gl_FragData[0] =
     vec4(shownSum - (dimmed || surround ? vec3(0.0) : under), 1.0);

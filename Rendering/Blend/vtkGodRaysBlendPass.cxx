@@ -132,6 +132,7 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
   program->SetUniformf("intensity", static_cast<float>(request.Intensity));
   program->SetUniformf("sceneGain", static_cast<float>(request.SceneGain));
   program->SetUniformf("viewScale", static_cast<float>(request.ViewScale));
+  program->SetUniform2i("tile", request.Tile);
   if (request.Tint)
   {
     const float tint[3] = { static_cast<float>(request.Tint[0]),

@@ -171,14 +171,7 @@ struct vtkGodRaysSunPlacer::Internals
     this->Free.resize(this->Steps);
     this->Shown.resize(this->Steps);
     const auto firstFrom = [&](double end)
-    {
-      int j = 0;
-      while (j < this->Steps && (j + 0.5) / rows < end)
-      {
-        ++j;
-      }
-      return j;
-    };
+    { return std::min(static_cast<int>(std::ceil(end * rows - 0.5)), this->Steps); };
     this->GlowSteps = firstFrom(GlowEnd);
     std::transform(std::begin(RingEnds), std::end(RingEnds), this->RingSteps.begin(), firstFrom);
     const auto mean = [](double r, double sum) { return sum / r; };

@@ -112,7 +112,7 @@ def volume(view):
     simple.ColorBy(shown, ("POINTS", "RTData"))
     shown.RescaleTransferFunctionToDataRange()
     view.AutomaticExposure = 0  # which holds rays back over data, here nearly all of the picture
-    view.Intensity = 6.0
+    view.Intensity = 4.0
     view.CameraPosition = [0, 0, 60]
 
 
