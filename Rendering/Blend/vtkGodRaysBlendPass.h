@@ -40,7 +40,7 @@ public:
   struct Request
   {
     vtkOpenGLRenderWindow* Window = nullptr;
-    int Viewport[4] = { 0, 0, 0, 0 };  ///< origin and size in the bound framebuffer [pixels]
+    int Viewport[4] = { 0, 0, 0, 0 }; ///< origin and size in the bound framebuffer [pixels]
     int Tile[2] = { 0, 0 }; ///< corner of the viewport in a picture of several tiles [pixels]
     vtkTextureObject* Scene = nullptr; ///< colours of the viewport; not read when ShowRays
     vtkTextureObject* Rays = nullptr;  ///< null for none, with a Medium only
