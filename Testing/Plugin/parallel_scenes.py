@@ -113,7 +113,7 @@ def volume(view):
     shown.RescaleTransferFunctionToDataRange()
     view.AutomaticExposure = 0  # which holds rays back over data, here nearly all of the picture
     view.Intensity = 4.0
-    view.CameraPosition = [0, 0, 60]
+    view.CameraPosition = [0, 0, 64]  # which leaves a rim of sky, where rays are seen
 
 
 def medium(view):
