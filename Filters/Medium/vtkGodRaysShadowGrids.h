@@ -54,6 +54,7 @@ struct vtkGodRaysShadowGrids
   int NumberOfLayers = 0;        // 0 if all that blocks light is opaque
   bool Colored = false;          // whether the colours' parts differ
   bool Point = false;
+  unsigned int Version = 0; // another one for other depths or layers; 0: unknown
   // Distances along the third axis of depths 0 and 1, from a point light or the eye [scene units].
   double Range[2] = { 0.0, 1.0 };
 

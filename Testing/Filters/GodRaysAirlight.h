@@ -10,6 +10,7 @@
 
 #include "GodRaysFiltersTesting.h"
 #include "vtkGodRaysCoverageSweep.h"
+#include "vtkGodRaysInScattering.h"
 #include "vtkGodRaysMediumFilter.h"
 
 #include "vtkMath.h"
@@ -21,7 +22,57 @@
 
 namespace GodRaysMediumScenes
 {
-// A filter's camera, light and medium, as vtkGodRaysCoverageSweep computes them.
+// What a test is about: the sweep, or the walk.
+class Engine
+{
+public:
+  using Parameters = vtkGodRaysCoverageSweep::Parameters;
+  static constexpr float Sky = vtkGodRaysCoverageSweep::Sky;
+  static inline bool IsWalk = std::getenv("GODRAYS_WALK") != nullptr;
+  static inline double Tolerance = 1e-4; // of the walk
+
+  float* PrepareInput(int width, int height)
+  {
+    return IsWalk ? this->Walked.PrepareInput(width, height) : this->Swept.PrepareInput(width, height);
+  }
+
+  bool Execute(const Parameters& parameters)
+  {
+    if (!IsWalk)
+    {
+      return this->Swept.Execute(parameters);
+    }
+    vtkGodRaysInScattering::Parameters same;
+    same.PixelSize = parameters.PixelSize;
+    std::copy_n(parameters.Center, 2, same.Center);
+    same.Parallel = parameters.Parallel;
+    std::copy_n(parameters.Light, 4, same.Light);
+    std::copy_n(parameters.LightColor, 3, same.LightColor);
+    same.Spot = parameters.Spot;
+    same.Medium = parameters.Medium;
+    same.Shadows = parameters.Shadows;
+    same.Tolerance = Tolerance;
+    return this->Walked.Execute(same);
+  }
+
+  int GetNumberOfComponents() const
+  {
+    return IsWalk ? this->Walked.GetNumberOfComponents() : this->Swept.GetNumberOfComponents();
+  }
+  const float* GetResult() const
+  {
+    return IsWalk ? this->Walked.GetResult() : this->Swept.GetResult();
+  }
+  double GetBound() const { return IsWalk ? VTK_DOUBLE_MAX : this->Swept.GetBound(); }
+  std::string Describe() const { return IsWalk ? this->Walked.Describe() : this->Swept.Describe(); }
+  double GetWalkedPart() const { return this->Walked.GetWalkedPart(); }
+
+private:
+  vtkGodRaysCoverageSweep Swept;
+  vtkGodRaysInScattering Walked;
+};
+
+// A filter's camera, light and medium, as the sweep or the walk computes them.
 class Airlight : public vtkGodRaysMediumFilter
 {
 public:
@@ -37,7 +88,7 @@ public:
   GodRaysFiltersTesting::Picture Draw(const GodRaysFiltersTesting::Picture& ends)
   {
     const View view = this->GetView(ends.Height);
-    vtkGodRaysCoverageSweep::Parameters parameters;
+    Engine::Parameters parameters;
     parameters.PixelSize = view.PixelSize;
     parameters.Center[0] = 0.5 * ends.Width;
     parameters.Center[1] = 0.5 * ends.Height;
@@ -73,7 +124,7 @@ protected:
   ~Airlight() override = default;
 
 private:
-  vtkGodRaysCoverageSweep Sweep;
+  Engine Sweep;
 };
 
 // Fractions of the truth's peak.

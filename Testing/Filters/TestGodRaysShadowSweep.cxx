@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The sweep over a shadow map, against looking every point of every view ray up in the same map.
+// The sweep over a shadow map, and the walk through it, against looking every point of every view ray up in
+// the same map.
 
+#include "GodRaysAirlight.h"
 #include "GodRaysFiltersTesting.h"
-#include "vtkGodRaysCoverageSweep.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysMediumFilter.h"
 #include "vtkGodRaysShadowGrids.h"
@@ -22,7 +23,13 @@ using namespace GodRaysFiltersTesting;
 
 namespace
 {
-using Sweep = vtkGodRaysCoverageSweep;
+using Sweep = GodRaysMediumScenes::Engine;
+
+class ShadowSweep : public testing::TestWithParam<bool>
+{
+public:
+  ShadowSweep() { Sweep::IsWalk = this->GetParam(); }
+};
 
 constexpr int Width = 160;
 constexpr int Height = 90;
@@ -390,7 +397,7 @@ const Lamp Lamps[] = { { "among", { 0.5, 0.6, 6.0 }, 6 }, { "aside", { 7.0, 1.0,
 
 //------------------------------------------------------------------------------
 // What is left are lines that are 2 pixels apart, and the march's steps.
-TEST(ShadowSweep, IsTheMapLookedUpEverywhere)
+TEST_P(ShadowSweep, IsTheMapLookedUpEverywhere)
 {
   for (const Direction& direction : Directions)
   {
@@ -403,7 +410,7 @@ TEST(ShadowSweep, IsTheMapLookedUpEverywhere)
 }
 
 //------------------------------------------------------------------------------
-TEST(ShadowSweep, NestedMapsAndThreeColours)
+TEST_P(ShadowSweep, NestedMapsAndThreeColours)
 {
   for (const Direction& direction : Directions)
   {
@@ -413,7 +420,7 @@ TEST(ShadowSweep, NestedMapsAndThreeColours)
 }
 
 //------------------------------------------------------------------------------
-TEST(ShadowSweep, IsTheMapOfALampLookedUpEverywhere)
+TEST_P(ShadowSweep, IsTheMapOfALampLookedUpEverywhere)
 {
   for (const Lamp& lamp : Lamps)
   {
@@ -423,7 +430,7 @@ TEST(ShadowSweep, IsTheMapOfALampLookedUpEverywhere)
 
 //------------------------------------------------------------------------------
 // A pixel is as large as 2 of the map's: its one line is what is off.
-TEST(ShadowSweep, IsTheMapLookedUpEverywhereAlongParallelRays)
+TEST_P(ShadowSweep, IsTheMapLookedUpEverywhereAlongParallelRays)
 {
   for (const Direction& direction : Directions)
   {
@@ -449,7 +456,7 @@ TEST(ShadowSweep, IsTheMapLookedUpEverywhereAlongParallelRays)
 
 //------------------------------------------------------------------------------
 // Any size of picture, the light in a pixel's centre, along an axis, or nearly in the picture's plane.
-TEST(ShadowSweep, IsFiniteInDegenerateCases)
+TEST_P(ShadowSweep, IsFiniteInDegenerateCases)
 {
   const int sizes[][2] = { { 1, 1 }, { 3, 90 }, { 90, 2 }, { 81, 45 } };
   const double lights[][3] = { { 0, 0, 1 }, { 0, 0, -1 }, { 1, 0, 0 }, { 0, -1, 0 },
@@ -485,10 +492,10 @@ TEST(ShadowSweep, IsFiniteInDegenerateCases)
 
 //------------------------------------------------------------------------------
 // The pixel in whose centre the light is: all before the occluder's end is dark.
-TEST(ShadowSweep, ThePixelOfTheLight)
+TEST_P(ShadowSweep, ThePixelOfTheLight)
 {
   const double light[3] = { 0.0, 0.0, 1.0 };
-  const SunMap map(light, 128, 1);
+  const SunMap map(light, 127, 1); // the axis goes through a texel's centre
   Sweep::Parameters parameters = MakeParameters(21, 11, light);
   const Picture ends = MakePicture(21, 11, [](int, int) { return Sweep::Sky + 0.0; });
   Sweep sweep;
@@ -504,7 +511,7 @@ TEST(ShadowSweep, ThePixelOfTheLight)
 
 //------------------------------------------------------------------------------
 // Below a roof without end all is dark, whatever is between the steps of the ladder.
-TEST(ShadowSweep, AllDarkIsDark)
+TEST_P(ShadowSweep, AllDarkIsDark)
 {
   const Picture ends = MakeEnds(Width, Height);
   const std::vector<float> roof(64 * 64, 0.0f);
@@ -535,7 +542,7 @@ TEST(ShadowSweep, AllDarkIsDark)
 
 //------------------------------------------------------------------------------
 // Suns and lamps in a medium whose density falls with height, whose light is read from a table.
-TEST(ShadowSweep, LayersAreShadowed)
+TEST_P(ShadowSweep, LayersAreShadowed)
 {
   const auto check = [](const std::string& name, Sweep::Parameters parameters, const Map& map)
   {
@@ -562,7 +569,7 @@ TEST(ShadowSweep, LayersAreShadowed)
 }
 
 //------------------------------------------------------------------------------
-TEST(ShadowSweep, NeedsInput)
+TEST_P(ShadowSweep, NeedsInput)
 {
   Sweep sweep;
   EXPECT_FALSE(sweep.Execute(MakeParameters(4, 4, Directions[0].Light)));
@@ -572,7 +579,7 @@ TEST(ShadowSweep, NeedsInput)
 
 //------------------------------------------------------------------------------
 // A part of a picture is the picture's part, but for the places of lines.
-TEST(ShadowSweep, PartsOfAPicture)
+TEST_P(ShadowSweep, PartsOfAPicture)
 {
   const Picture ends = MakeEnds(Width, Height);
   const SunMap map(Directions[0].Light, 512, 1);
@@ -599,7 +606,7 @@ TEST(ShadowSweep, PartsOfAPicture)
 }
 
 //------------------------------------------------------------------------------
-TEST(ShadowSweep, InstructionSetsAgree)
+TEST_P(ShadowSweep, InstructionSetsAgree)
 {
   const Picture ends = MakeEnds(Width, Height);
   const SunMap sun(Directions[0].Light, 256, 1);
@@ -627,7 +634,7 @@ TEST(ShadowSweep, InstructionSetsAgree)
 
 //------------------------------------------------------------------------------
 // The threads of vtkSMPTools need memory of their own: one alone is counted. Others change no byte.
-TEST(ShadowSweep, SteadyExecutionAllocatesNothing)
+TEST_P(ShadowSweep, SteadyExecutionAllocatesNothing)
 {
   const Picture ends = MakeEnds(120, 80);
   const SunMap sun(Directions[0].Light, 128, 4);
@@ -655,3 +662,44 @@ TEST(ShadowSweep, SteadyExecutionAllocatesNothing)
     }
   }
 }
+
+//------------------------------------------------------------------------------
+// Of the 99.9 % brightness; each tolerance is kept, and a looser one walks fewer rays.
+TEST_P(ShadowSweep, ToleranceSpends)
+{
+  if (!Sweep::IsWalk)
+  {
+    return;
+  }
+  const Picture ends = MakeEnds(4 * Width, 4 * Height);
+  const SunMap sun(Directions[0].Light, 256, 4);
+  const LampMap lamp(Lamps[3].Light, 256, 6);
+  for (const bool point : { false, true })
+  {
+    Sweep::Parameters parameters = MakeParameters(4 * Width, 4 * Height, Directions[0].Light);
+    std::copy_n(point ? lamp.Light : sun.Light, 3, parameters.Light);
+    parameters.Light[3] = point;
+    parameters.Shadows = point ? &lamp.Grids : &sun.Grids;
+    Sweep::Tolerance = 1e-6;
+    Sweep walk;
+    const Picture exact = Execute(walk, parameters, ends);
+    std::vector<double> values = exact.Values;
+    const auto bright = values.begin() + static_cast<std::ptrdiff_t>(0.999 * values.size());
+    std::nth_element(values.begin(), bright, values.end());
+    double last = walk.GetWalkedPart();
+    for (const double tolerance : { 1.0 / 1024.0, 1.0 / 255.0, 1.0 / 64.0, 1.0 / 16.0 })
+    {
+      Sweep::Tolerance = tolerance;
+      const double rms = GetRms(Execute(walk, parameters, ends), exact) * exact.GetMaximum() / *bright;
+      std::cout << (point ? "lamp" : "sun") << ", tolerance 1/" << 1.0 / tolerance << ": " << rms
+                << ", walked " << walk.GetWalkedPart() << " of " << last << "\n";
+      EXPECT_LE(rms, tolerance);
+      EXPECT_LT(walk.GetWalkedPart(), last);
+      last = walk.GetWalkedPart();
+    }
+    Sweep::Tolerance = 1e-4;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Engines, ShadowSweep, testing::Bool(),
+  [](const testing::TestParamInfo<bool>& info) { return info.param ? "Walk" : "Sweep"; });

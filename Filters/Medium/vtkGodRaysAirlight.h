@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysAirlight
+ * @brief   unshadowed airlight of the first part of every view ray of a picture
+ *
+ * Private. In closed form for a directional light in a homogeneous medium; otherwise one table serves all media,
+ * lights and projections: rays through a grid of the picture, and along each of them nodes of a cubic Hermite
+ * spline, placed so that light comes about evenly from between them; bilinear between the rays. The integrand is that
+ * of the shared formulas. The table is kept while view, light and medium stay.
+ *
+ * Values are split into planes, one for each channel and, for a directional light in layered air, each component, as
+ * the phase function is no part of them there. Cones, a planet's ground and its shadow do not cut the rays: see
+ * GetParts().
+ */
+
+#ifndef vtkGodRaysAirlight_h
+#define vtkGodRaysAirlight_h
+
+#include "vtkGodRaysFiltersModule.h" // For export macro
+#include "vtkGodRaysMedium.h"        // For vtkGodRaysMedium
+
+#include <string> // For std::string
+#include <vector> // For std::vector
+
+class VTKGODRAYSFILTERS_EXPORT vtkGodRaysAirlight
+{
+public:
+  static constexpr int MaximumPlanes = 6;
+  static constexpr int MaximumParts = 2;
+
+  /// View coordinates are x to the right, y up, z forwards, with the eye at the origin.
+  struct Scene
+  {
+    int Size[2] = { 0, 0 };          // of the picture [pixels]
+    double PixelSize = 0.0;          // at depth 1, or of a parallel projection [scene units]
+    double Center[2] = { 0.0, 0.0 }; // of the view axis; whole numbers are centres of pixels
+    bool Parallel = false;           // projection
+    bool Point = false;              // light
+    double Light[3] = { 0.0, 1.0, 0.0 }; // position, or direction to it, of length 1
+    vtkGodRaysSpot Spot;
+    vtkGodRaysMedium Medium;
+    bool Colored = false; // whether one channel does not serve all, e.g. for coloured shadows
+  };
+
+  void Prepare(const Scene& scene);
+
+  int GetNumberOfPlanes() const { return this->Channels * this->Components; }
+  int GetNumberOfChannels() const { return this->Channels; } ///< 1 or 3
+  int GetNumberOfComponents() const { return this->Components; } ///< planes of channel c are c + k channels
+  bool IsClosedForm() const { return this->Closed; }
+  std::string Describe() const;
+
+  /// The view ray through a place of the picture [pixels].
+  void GetRay(double x, double y, double origin[3], double direction[3]) const;
+
+  /// Length of the view ray for each unit of view depth.
+  double GetLengthPerDepth(double x, double y) const;
+
+  /**
+   * Airlight up to distances, but for GetFactors().
+   * @param values  of planes, of places
+   */
+  void Evaluate(
+    int count, const float* x, const float* y, const float* distances, float* values) const;
+
+  ///@{
+  /**
+   * Whether light can come from less than a whole ray; and the parts, at most two of them, of a ray's first part: what
+   * is in a spotlight's cone, before a planet's ground and not in its shadow. Returns their number.
+   */
+  bool HasParts() const { return this->Setup.Spot.IsCone() || this->IsPlanet; }
+  int GetParts(double x, double y, double end, double parts[MaximumParts][2]) const;
+  ///@}
+
+  /**
+   * What the values of pixels of a row, from the first on, are multiplied by for the radiance of each colour, but for
+   * the light's own.
+   * @param factors  of components, of colours, of pixels
+   */
+  void GetFactors(double y, int first, int count, float* factors) const;
+
+private:
+  struct Ladder // along a ray
+  {
+    float Begin;   // [scene units]
+    float Inverse; // of its length
+    float Bend;    // c of u = x/(x + c (1 - x)): where half of the light comes from is u = 1/2
+  };
+  struct Sampler;
+
+  void MakeTable();
+  void MakeLadder(int ray, double x, double y);
+  void MakeKey(std::vector<double>& key) const;
+  void EvaluateTable(int count, const float* x, const float* y, const float* distances,
+    float* values, int stride) const;
+  void GetPass(float x, float y, float& foot, float& height, float& end) const;
+  void GetPointFactors(float y, int first, int count, float* factors, int stride) const;
+  void GetPhaseFactors(float y, int first, int count, float* factors, int stride) const;
+
+  Scene Setup;
+  int Channels = 1;
+  int Components = 1;
+  bool Closed = true;
+  bool IsPlanet = false;
+  float Extinction[3] = { 0.0f, 0.0f, 0.0f };
+  double LightHeight = 0.0; // of a point light
+  float Spacing = 16.0f; // of the table's rays [pixels]
+  int Columns = 0;
+  int Rows = 0;
+  std::vector<Ladder> Ladders;
+  std::vector<float> Nodes;  // of rays, of nodes, of planes: value and slope, of the whole ray's
+  std::vector<float> Totals; // of rays, of planes
+  std::vector<double> Key;
+  std::vector<double> NewKey;
+  std::vector<float> Phases[vtkGodRaysMedium::MaximumComponents];
+};
+
+#endif

@@ -1,0 +1,866 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysInScattering.h"
+
+#include "vtkGodRaysAirlight.h"
+#include "vtkGodRaysShadowGrids.h"
+#include "vtkGodRaysShadowPyramid.h"
+#include "vtkSMPThreadLocal.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace
+{
+constexpr int Levels = 3; // of grids above that of pixels
+constexpr int Coarsest = 1 << Levels;
+constexpr int MostPixels = Coarsest * Coarsest;
+constexpr int MaximumPlanes = vtkGodRaysAirlight::MaximumPlanes;
+constexpr int MaximumEdges = 2 * vtkGodRaysAirlight::MaximumParts;
+
+// On the coarsest grid, of the tolerance of a pixel. Measured on the scenes of ModelError.
+constexpr double CoarsestTolerance = 3.0;
+
+// Rays that one task walks, and cells.
+constexpr int Rays = 64;
+constexpr int Cells = 32;
+
+struct Place
+{
+  int X;
+  int Y;
+};
+
+// The stretches of one ray: of each, the airlight of planes at its begin and end, then its darkness, unless that is 1.
+struct List
+{
+  const float* Values;
+  int Count;
+};
+
+struct Grid
+{
+  int Spacing;
+  int Size[2];
+  std::vector<int> Index; // of the ray at a place of the grid; -1
+};
+
+int Divide(int number, int by)
+{
+  return (number + by - 1) / by;
+}
+}
+
+class vtkGodRaysInScattering::vtkInternals
+{
+public:
+  int Size[2] = { 0, 0 };
+  std::vector<float> Depths;
+  std::vector<float> Result;
+  int NumberOfComponents = 0;
+  std::size_t NumberOfRays = 0;
+  vtkGodRaysAirlight Airlight;
+
+  void Execute(const Parameters& parameters);
+
+private:
+  void FindDepths();
+  double FindReach(int level, int i, int j) const;
+  void FindOwn();
+  void FindOwn(int first, int row, int count);
+  void Walk(const std::vector<Place>& places, const std::vector<float>& depths);
+  void WalkSome(const std::vector<Place>& places, const std::vector<float>& depths,
+    std::size_t begin, std::size_t end, std::vector<float>& values, int* counts) const;
+  void WalkCoarsest();
+  void FindLimit();
+  void Refine();
+  template <int Side>
+  void FillCells(int level, double limit);
+  template <int Side>
+  bool FillCell(int level, const Place& cell, double limit);
+  void PlaceRays(int level);
+  template <int Count>
+  void GetHidden(const List& list, const float* edges, float* hidden) const;
+  void GetWeights(int x, int y, double* weights) const;
+  bool IsAlongLight(double x, double y, double side) const;
+  void Write();
+  void Write(int first, int row, int count);
+  int GetComponents(const Parameters& parameters) const;
+
+  // Edges of what is lit of each pixel's ray, in airlight: [edge][plane][pixel].
+  const float* GetEdge(int edge, int plane) const
+  {
+    return this->Edges.data() + static_cast<std::size_t>(edge * this->Planes + plane) * this->Pixels;
+  }
+
+  double Color[3] = { 1.0, 1.0, 1.0 };
+  double Tolerance = 0.0;
+  int Planes = 1;
+  int NumberOfEdges = 1;
+  std::size_t Pixels = 0;
+  bool HasShadows = false;
+  double FarLimit = 0.0;
+  double PixelSize = 0.0;
+  double Center[2] = { 0.0, 0.0 };
+  bool Parallel = false;
+  bool Point = false;
+  double Light[3] = { 0.0, 0.0, 0.0 };
+  vtkGodRaysShadowPyramid Pyramid;
+  std::vector<float> Greatest[Levels]; // depths of cells
+  std::vector<float> Edges;
+  std::vector<float> Hidden; // airlight: [plane][pixel]
+  Grid Grids[Levels + 1];
+  std::vector<std::vector<float>> Values; // of the lists of each task; they only grow
+  std::size_t NumberOfTasks = 0;
+  std::vector<List> Lists;
+  std::vector<Place> CellsLeft;
+  std::vector<Place> NextCells;
+  std::vector<unsigned char> Flags;
+  std::vector<Place> Places;
+  std::vector<float> Ends;
+  std::vector<float> Brightness; // of the coarsest grid's rays
+  double Limit = 0.0;
+};
+
+void vtkGodRaysInScattering::vtkInternals::Execute(const Parameters& parameters)
+{
+  vtkGodRaysAirlight::Scene scene;
+  for (int i = 0; i < 2; ++i)
+  {
+    scene.Size[i] = this->Size[i];
+    scene.Center[i] = parameters.Center[i] - 0.5;
+  }
+  scene.PixelSize = parameters.PixelSize;
+  scene.Parallel = parameters.Parallel;
+  scene.Point = parameters.Light[3] != 0.0;
+  const double norm = scene.Point
+    ? parameters.Light[3]
+    : std::hypot(parameters.Light[0], parameters.Light[1], parameters.Light[2]);
+  for (int i = 0; i < 3; ++i)
+  {
+    scene.Light[i] = parameters.Light[i] / norm;
+  }
+  scene.Spot = parameters.Spot;
+  scene.Medium = parameters.Medium;
+  const vtkGodRaysShadowGrids* shadows = parameters.Shadows;
+  this->HasShadows = shadows && shadows->Levels > 0;
+  scene.Colored = this->HasShadows && shadows->NumberOfLayers > 0 && shadows->Colored;
+  this->Airlight.Prepare(scene);
+  std::copy_n(parameters.LightColor, 3, this->Color);
+  this->Tolerance = parameters.Tolerance;
+  this->FarLimit = parameters.Medium.FarLimit;
+  this->PixelSize = parameters.PixelSize;
+  this->Parallel = scene.Parallel;
+  this->Point = scene.Point;
+  std::copy_n(scene.Light, 3, this->Light);
+  std::copy_n(scene.Center, 2, this->Center);
+  this->Planes = this->Airlight.GetNumberOfPlanes();
+  this->NumberOfEdges = this->Airlight.HasParts() ? MaximumEdges : 1;
+  this->Pixels = static_cast<std::size_t>(this->Size[0]) * this->Size[1];
+  this->NumberOfComponents = scene.Colored ? 3 : this->GetComponents(parameters);
+  this->NumberOfRays = 0;
+  this->FindOwn();
+  this->Hidden.assign(this->Planes * this->Pixels, 0.0f);
+  if (this->HasShadows)
+  {
+    this->Pyramid.Build(*shadows, scene.Light);
+    this->Refine();
+  }
+  this->Write();
+}
+
+int vtkGodRaysInScattering::vtkInternals::GetComponents(const Parameters& parameters) const
+{
+  const auto isGrey = [](const double* color)
+  { return color[0] == color[1] && color[1] == color[2]; };
+  bool grey = isGrey(parameters.LightColor);
+  for (int k = 0; k < parameters.Medium.NumberOfComponents; ++k)
+  {
+    const auto& component = parameters.Medium.Components[k];
+    grey = grey && isGrey(component.Scattering) && isGrey(component.Absorption);
+  }
+  return grey ? 1 : 3;
+}
+
+// The airlight of each pixel's whole ray, or at the edges of its parts.
+void vtkGodRaysInScattering::vtkInternals::FindOwn()
+{
+  this->Edges.resize(static_cast<std::size_t>(this->NumberOfEdges) * this->Planes * this->Pixels);
+  vtkSMPTools::For(0, this->Size[1], 8,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (int y = static_cast<int>(begin); y < end; ++y)
+      {
+        for (int first = 0; first < this->Size[0]; first += MostPixels)
+        {
+          this->FindOwn(first, y, std::min(MostPixels, this->Size[0] - first));
+        }
+      }
+    });
+}
+
+void vtkGodRaysInScattering::vtkInternals::FindOwn(int first, int row, int count)
+{
+  float x[MostPixels];
+  float y[MostPixels];
+  float distances[MaximumEdges][MostPixels];
+  float values[MaximumPlanes * MostPixels];
+  const std::size_t pixel = static_cast<std::size_t>(row) * this->Size[0] + first;
+  const float size = this->Parallel ? 0.0f : static_cast<float>(this->PixelSize);
+  const float far = static_cast<float>(this->FarLimit);
+  const float along = (static_cast<float>(row) - static_cast<float>(this->Center[1])) * size;
+  for (int i = 0; i < count; ++i)
+  {
+    x[i] = static_cast<float>(first + i);
+    y[i] = static_cast<float>(row);
+    const float across = (x[i] - static_cast<float>(this->Center[0])) * size;
+    distances[0][i] = std::min(this->Depths[pixel + i], far) *
+      std::sqrt(1.0f + across * across + along * along);
+  }
+  for (int i = 0; this->NumberOfEdges > 1 && i < count; ++i)
+  {
+    double parts[vtkGodRaysAirlight::MaximumParts][2] = {};
+    const int number = this->Airlight.GetParts(first + i, row, distances[0][i], parts);
+    for (int e = 0; e < this->NumberOfEdges; ++e)
+    {
+      distances[e][i] = static_cast<float>(e / 2 < number ? parts[e / 2][e % 2] : 0.0);
+    }
+  }
+  for (int e = 0; e < this->NumberOfEdges; ++e)
+  {
+    if (std::all_of(distances[e], distances[e] + count, [](float at) { return at == 0.0f; }))
+    {
+      std::fill_n(values, this->Planes * count, 0.0f);
+    }
+    else
+    {
+      this->Airlight.Evaluate(count, x, y, distances[e], values);
+    }
+    for (int p = 0; p < this->Planes; ++p)
+    {
+      std::copy_n(values + static_cast<std::ptrdiff_t>(p) * count, count,
+        this->Edges.data() + static_cast<std::size_t>(e * this->Planes + p) * this->Pixels + pixel);
+    }
+  }
+}
+
+// The greatest depths of cells, so that a ray is long enough for all pixels about it.
+void vtkGodRaysInScattering::vtkInternals::FindDepths()
+{
+  for (int level = 1; level <= Levels; ++level)
+  {
+    const std::vector<float>& from = level > 1 ? this->Greatest[level - 2] : this->Depths;
+    std::vector<float>& to = this->Greatest[level - 1];
+    const int fromWidth = Divide(this->Size[0], 1 << (level - 1));
+    const int fromHeight = Divide(this->Size[1], 1 << (level - 1));
+    const int width = Divide(this->Size[0], 1 << level);
+    const int height = Divide(this->Size[1], 1 << level);
+    to.resize(static_cast<std::size_t>(width) * height);
+    vtkSMPTools::For(0, height, 64,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (int y = static_cast<int>(begin); y < end; ++y)
+        {
+          const float* rows[2] = { from.data() + static_cast<std::ptrdiff_t>(2) * y * fromWidth,
+            from.data() +
+              static_cast<std::ptrdiff_t>(std::min(2 * y + 1, fromHeight - 1)) * fromWidth };
+          for (int x = 0; x < width; ++x)
+          {
+            const int next = std::min(2 * x + 1, fromWidth - 1);
+            to[static_cast<std::size_t>(y) * width + x] =
+              std::max(std::max(rows[0][2 * x], rows[0][next]),
+                std::max(rows[1][2 * x], rows[1][next]));
+          }
+        }
+      });
+  }
+}
+
+// Of the cells about a place of a grid.
+double vtkGodRaysInScattering::vtkInternals::FindReach(int level, int i, int j) const
+{
+  if (level == 0)
+  {
+    return this->Depths[static_cast<std::size_t>(j) * this->Size[0] + i];
+  }
+  const int width = Divide(this->Size[0], 1 << level);
+  const int height = Divide(this->Size[1], 1 << level);
+  float greatest = 0.0f;
+  for (int y = std::max(j - 1, 0); y <= std::min(j, height - 1); ++y)
+  {
+    for (int x = std::max(i - 1, 0); x <= std::min(i, width - 1); ++x)
+    {
+      greatest = std::max(greatest, this->Greatest[level - 1][static_cast<std::size_t>(y) * width + x]);
+    }
+  }
+  return greatest;
+}
+
+void vtkGodRaysInScattering::vtkInternals::WalkSome(const std::vector<Place>& places,
+  const std::vector<float>& depths, std::size_t begin, std::size_t end, std::vector<float>& values,
+  int* counts) const
+{
+  thread_local std::vector<vtkGodRaysShadowPyramid::Stretch> stretches;
+  thread_local std::vector<float> numbers;
+  values.clear();
+  const bool opaque = this->Pyramid.IsOpaque();
+  for (std::size_t ray = begin; ray < end; ++ray)
+  {
+    const int x = places[ray].X;
+    const int y = places[ray].Y;
+    double origin[3];
+    double direction[3];
+    this->Airlight.GetRay(x, y, origin, direction);
+    stretches.clear();
+    this->Pyramid.Walk(origin, direction,
+      std::min<double>(depths[ray], this->FarLimit) / direction[2], stretches);
+    const int count = static_cast<int>(stretches.size());
+    counts[ray - begin] = count;
+    numbers.resize(static_cast<std::size_t>(count) * 2 * (3 + this->Planes));
+    float* xs = numbers.data();
+    float* ys = xs + 2 * count;
+    float* distances = ys + 2 * count;
+    float* airlight = distances + 2 * count;
+    for (int i = 0; i < count; ++i)
+    {
+      xs[2 * i] = xs[2 * i + 1] = static_cast<float>(x);
+      ys[2 * i] = ys[2 * i + 1] = static_cast<float>(y);
+      distances[2 * i] = stretches[i].Begin;
+      distances[2 * i + 1] = stretches[i].End;
+    }
+    if (count > 0)
+    {
+      this->Airlight.Evaluate(2 * count, xs, ys, distances, airlight);
+    }
+    for (int i = 0; i < count; ++i)
+    {
+      for (int p = 0; p < this->Planes; ++p)
+      {
+        values.push_back(airlight[2 * p * count + 2 * i]);
+        values.push_back(airlight[2 * p * count + 2 * i + 1]);
+      }
+      if (!opaque)
+      {
+        values.insert(values.end(), stretches[i].Dark, stretches[i].Dark + 3);
+      }
+    }
+  }
+}
+
+// Appends a list for each place.
+void vtkGodRaysInScattering::vtkInternals::Walk(
+  const std::vector<Place>& places, const std::vector<float>& depths)
+{
+  const std::size_t first = this->Lists.size();
+  const std::size_t tasks = (places.size() + Rays - 1) / Rays;
+  const std::size_t firstTask = this->NumberOfTasks;
+  this->NumberOfTasks += tasks;
+  this->NumberOfRays += places.size();
+  if (this->Values.size() < this->NumberOfTasks)
+  {
+    this->Values.resize(this->NumberOfTasks);
+  }
+  this->Lists.resize(first + places.size());
+  const int stride = 2 * this->Planes + (this->Pyramid.IsOpaque() ? 0 : 3);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(tasks), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (std::size_t task = static_cast<std::size_t>(begin);
+           task < static_cast<std::size_t>(end); ++task)
+      {
+        int counts[Rays];
+        const std::size_t from = task * Rays;
+        const std::size_t to = std::min(from + Rays, places.size());
+        std::vector<float>& values = this->Values[firstTask + task];
+        this->WalkSome(places, depths, from, to, values, counts);
+        const float* at = values.data();
+        for (std::size_t ray = from; ray < to; ++ray)
+        {
+          this->Lists[first + ray] = { at, counts[ray - from] };
+          at += static_cast<std::ptrdiff_t>(counts[ray - from]) * stride;
+        }
+      }
+    });
+}
+
+// What is hidden of the airlight of some pixels: edges and results are [edge][plane][pixel] and [plane][pixel].
+template <int Count>
+void vtkGodRaysInScattering::vtkInternals::GetHidden(
+  const List& list, const float* edges, float* hidden) const
+{
+  const int planes = this->Planes;
+  const int channels = this->Airlight.GetNumberOfChannels();
+  const bool opaque = this->Pyramid.IsOpaque();
+  const int stride = 2 * planes + (opaque ? 0 : 3);
+  for (int p = 0; p < planes; ++p)
+  {
+    float sums[Count] = {};
+    const float* values = list.Values;
+    for (int i = 0; i < list.Count; ++i, values += stride)
+    {
+      const float begin = values[2 * p];
+      const float end = values[2 * p + 1];
+      const float dark = opaque ? 1.0f : values[2 * planes + p % channels];
+      if (this->NumberOfEdges == 1)
+      {
+        const float* own = edges + p * Count;
+        for (int k = 0; k < Count; ++k)
+        {
+          sums[k] += dark * (std::min(end, own[k]) - std::min(begin, own[k]));
+        }
+        continue;
+      }
+      for (int e = 0; e < this->NumberOfEdges; e += 2)
+      {
+        const float* low = edges + (e * planes + p) * Count;
+        const float* high = low + planes * Count;
+        for (int k = 0; k < Count; ++k)
+        {
+          sums[k] += dark *
+            (std::min(std::max(end, low[k]), high[k]) - std::min(std::max(begin, low[k]), high[k]));
+        }
+      }
+    }
+    std::copy_n(sums, Count, hidden + p * Count);
+  }
+}
+
+// Of the brightest colour that a plane adds to.
+void vtkGodRaysInScattering::vtkInternals::GetWeights(int x, int y, double* weights) const
+{
+  float factors[6];
+  this->Airlight.GetFactors(y, x, 1, factors);
+  const int channels = this->Airlight.GetNumberOfChannels();
+  for (int p = 0; p < this->Planes; ++p)
+  {
+    const float* factor = factors + 3 * (p / channels);
+    weights[p] = channels == 3
+      ? this->Color[p % 3] * factor[p % 3]
+      : std::max({ this->Color[0] * factor[0], this->Color[1] * factor[1],
+          this->Color[2] * factor[2] });
+  }
+}
+
+// Whether a ray hardly crosses the light's rays, so that it tells little of those beside it: where the light, or its
+// opposite, is seen within two cells; of parallel rays, where they end within two cells of where they begin.
+bool vtkGodRaysInScattering::vtkInternals::IsAlongLight(double x, double y, double side) const
+{
+  double origin[3];
+  double direction[3];
+  this->Airlight.GetRay(x, y, origin, direction);
+  double to[3];
+  double square = 0.0;
+  double along = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    to[i] = this->Light[i] - (this->Point ? origin[i] : 0.0);
+    square += to[i] * to[i];
+    along += to[i] * direction[i];
+  }
+  // Squares of the sine of the angle between ray and light, or of the distance between them.
+  const double across = std::max(square - along * along, 0.0);
+  const double cells = 2.0 * side * this->PixelSize;
+  if (!this->Parallel)
+  {
+    return across < square * cells * cells * direction[2] * direction[2];
+  }
+  return across * (this->Point ? 1.0 : this->FarLimit * this->FarLimit) < cells * cells;
+}
+
+void vtkGodRaysInScattering::vtkInternals::WalkCoarsest()
+{
+  this->Places.clear();
+  this->Ends.clear();
+  this->CellsLeft.clear();
+  Grid& grid = this->Grids[Levels];
+  for (int j = 0; j < grid.Size[1]; ++j)
+  {
+    for (int i = 0; i < grid.Size[0]; ++i)
+    {
+      grid.Index[static_cast<std::size_t>(j) * grid.Size[0] + i] =
+        static_cast<int>(this->Places.size());
+      this->Places.push_back({ i * Coarsest, j * Coarsest });
+      this->Ends.push_back(static_cast<float>(this->FindReach(Levels, i, j)));
+      if (i + 1 < grid.Size[0] && j + 1 < grid.Size[1])
+      {
+        this->CellsLeft.push_back({ i, j });
+      }
+    }
+  }
+  this->Walk(this->Places, this->Ends);
+}
+
+// The tolerance is a fraction of the brightest ray of the coarsest grid, but of 1 in 1000 about a point light.
+void vtkGodRaysInScattering::vtkInternals::FindLimit()
+{
+  const Grid& grid = this->Grids[Levels];
+  std::vector<float>& bright = this->Brightness;
+  bright.clear();
+  for (int j = 0; j < grid.Size[1]; ++j)
+  {
+    for (int i = 0; i < grid.Size[0]; ++i)
+    {
+      const int x = std::min(i * Coarsest, this->Size[0] - 1);
+      const int y = std::min(j * Coarsest, this->Size[1] - 1);
+      const std::size_t pixel = static_cast<std::size_t>(y) * this->Size[0] + x;
+      float edges[MaximumEdges * MaximumPlanes];
+      float hidden[MaximumPlanes];
+      for (int e = 0; e < this->NumberOfEdges; ++e)
+      {
+        for (int p = 0; p < this->Planes; ++p)
+        {
+          edges[e * this->Planes + p] = this->GetEdge(e, p)[pixel];
+        }
+      }
+      const int index = grid.Index[static_cast<std::size_t>(j) * grid.Size[0] + i];
+      this->GetHidden<1>(this->Lists[index], edges, hidden);
+      double weights[MaximumPlanes];
+      this->GetWeights(x, y, weights);
+      double sum = 0.0;
+      for (int p = 0; p < this->Planes; ++p)
+      {
+        float own = edges[p];
+        if (this->NumberOfEdges > 1)
+        {
+          own = edges[this->Planes + p] - edges[p] + edges[3 * this->Planes + p] -
+            edges[2 * this->Planes + p];
+        }
+        sum = std::max(sum, (own - hidden[p]) * weights[p]);
+      }
+      bright.push_back(static_cast<float>(sum));
+    }
+  }
+  const std::size_t rank =
+    static_cast<std::size_t>(0.999 * static_cast<double>(bright.size() - 1));
+  std::nth_element(bright.begin(), bright.begin() + static_cast<std::ptrdiff_t>(rank), bright.end());
+  this->Limit = CoarsestTolerance * this->Tolerance * bright[rank];
+}
+
+template <int Side>
+bool vtkGodRaysInScattering::vtkInternals::FillCell(int level, const Place& cell, double limit)
+{
+  constexpr int count = Side * Side;
+  if (this->IsAlongLight((cell.X + 0.5) * Side, (cell.Y + 0.5) * Side, Side))
+  {
+    return false;
+  }
+  const Grid& grid = this->Grids[level];
+  const List* lists[4];
+  int stretches = 0;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const std::size_t at = static_cast<std::size_t>(cell.Y + corner / 2) * grid.Size[0] + cell.X +
+      corner % 2;
+    lists[corner] = &this->Lists[grid.Index[at]];
+    stretches += lists[corner]->Count;
+  }
+  if (stretches == 0)
+  {
+    return true; // and nothing is hidden
+  }
+  const int planes = this->Planes;
+  const int x0 = cell.X * Side;
+  const int y0 = cell.Y * Side;
+  float edges[MaximumEdges * MaximumPlanes * count];
+  for (int e = 0; e < this->NumberOfEdges; ++e)
+  {
+    for (int p = 0; p < planes; ++p)
+    {
+      const float* own = this->GetEdge(e, p);
+      float* to = edges + (e * planes + p) * count;
+      for (int i = 0; i < count; ++i)
+      {
+        const int x = std::min(x0 + i % Side, this->Size[0] - 1);
+        const int y = std::min(y0 + i / Side, this->Size[1] - 1);
+        to[i] = own[static_cast<std::size_t>(y) * this->Size[0] + x];
+      }
+    }
+  }
+  float hidden[4][MaximumPlanes * count];
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    this->GetHidden<count>(*lists[corner], edges, hidden[corner]);
+  }
+  double weights[MaximumPlanes];
+  this->GetWeights(x0 + Side / 2, y0 + Side / 2, weights);
+  for (int p = 0; p < planes; ++p)
+  {
+    float most = 0.0f;
+    const float* const corners[4] = { hidden[0] + p * count, hidden[1] + p * count,
+      hidden[2] + p * count, hidden[3] + p * count };
+    for (int i = 0; i < count; ++i)
+    {
+      const float low =
+        std::min(std::min(corners[0][i], corners[1][i]), std::min(corners[2][i], corners[3][i]));
+      const float high =
+        std::max(std::max(corners[0][i], corners[1][i]), std::max(corners[2][i], corners[3][i]));
+      most = std::max(most, high - low);
+    }
+    if (most * weights[p] > limit)
+    {
+      return false;
+    }
+  }
+  for (int p = 0; p < planes; ++p)
+  {
+    float* to = this->Hidden.data() + p * this->Pixels;
+    for (int i = 0; i < count; ++i)
+    {
+      const int x = x0 + i % Side;
+      const int y = y0 + i / Side;
+      if (x < this->Size[0] && y < this->Size[1])
+      {
+        const float u = static_cast<float>(i % Side) / Side;
+        const float v = static_cast<float>(i / Side) / Side;
+        const int at = p * count + i;
+        const float low = hidden[0][at] + u * (hidden[1][at] - hidden[0][at]);
+        const float high = hidden[2][at] + u * (hidden[3][at] - hidden[2][at]);
+        to[static_cast<std::size_t>(y) * this->Size[0] + x] = low + v * (high - low);
+      }
+    }
+  }
+  return true;
+}
+
+// Those of the cells that are too uneven become the next cells.
+template <int Side>
+void vtkGodRaysInScattering::vtkInternals::FillCells(int level, double limit)
+{
+  this->Flags.resize(this->CellsLeft.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->CellsLeft.size()), Cells,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        this->Flags[i] = this->FillCell<Side>(level, this->CellsLeft[i], limit) ? 0 : 1;
+      }
+    });
+  this->NextCells.clear();
+  for (std::size_t i = 0; i < this->CellsLeft.size(); ++i)
+  {
+    if (this->Flags[i])
+    {
+      this->NextCells.push_back(this->CellsLeft[i]);
+    }
+  }
+}
+
+// Walks the rays of the next finer grid that uneven cells need.
+void vtkGodRaysInScattering::vtkInternals::PlaceRays(int level)
+{
+  const Grid& coarse = this->Grids[level];
+  Grid& fine = this->Grids[level - 1];
+  this->Places.clear();
+  this->Ends.clear();
+  this->CellsLeft.clear();
+  int next = static_cast<int>(this->Lists.size());
+  for (const Place& cell : this->NextCells)
+  {
+    const int side = level > 1 ? 3 : 2; // corners, or pixels
+    for (int k = 0; k < side * side; ++k)
+    {
+      const int i = 2 * cell.X + k % side;
+      const int j = 2 * cell.Y + k / side;
+      int& index = fine.Index[static_cast<std::size_t>(j) * fine.Size[0] + i];
+      if (index >= 0)
+      {
+        continue;
+      }
+      if (i % 2 == 0 && j % 2 == 0)
+      {
+        index = coarse.Index[static_cast<std::size_t>(j / 2) * coarse.Size[0] + i / 2];
+        continue;
+      }
+      if (level == 1 && (i >= this->Size[0] || j >= this->Size[1]))
+      {
+        continue;
+      }
+      index = next++;
+      this->Places.push_back({ i * fine.Spacing, j * fine.Spacing });
+      this->Ends.push_back(static_cast<float>(this->FindReach(level - 1, i, j)));
+    }
+    for (int k = 0; k < 4; ++k)
+    {
+      const Place finer = { 2 * cell.X + k % 2, 2 * cell.Y + k / 2 };
+      if (finer.X * fine.Spacing < this->Size[0] && finer.Y * fine.Spacing < this->Size[1])
+      {
+        this->CellsLeft.push_back(finer);
+      }
+    }
+  }
+  this->Walk(this->Places, this->Ends);
+}
+
+void vtkGodRaysInScattering::vtkInternals::Refine()
+{
+  this->FindDepths();
+  this->Lists.clear();
+  this->NumberOfTasks = 0;
+  for (int level = 0; level <= Levels; ++level)
+  {
+    Grid& grid = this->Grids[level];
+    grid.Spacing = 1 << level;
+    for (int i = 0; i < 2; ++i)
+    {
+      // Cells of each level lie within those of the one above.
+      grid.Size[i] = Divide(this->Size[i], Coarsest) * (Coarsest >> level) + 1;
+    }
+    grid.Index.assign(static_cast<std::size_t>(grid.Size[0]) * grid.Size[1], -1);
+  }
+  this->WalkCoarsest();
+  this->FindLimit();
+  double limit = this->Limit;
+  for (int level = Levels; level > 0; --level, limit *= 2.0)
+  {
+    if (level == 3)
+    {
+      this->FillCells<8>(level, limit);
+    }
+    else if (level == 2)
+    {
+      this->FillCells<4>(level, limit);
+    }
+    else
+    {
+      this->FillCells<2>(level, limit);
+    }
+    this->PlaceRays(level);
+  }
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->CellsLeft.size()), Cells * 8,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const Place& pixel = this->CellsLeft[i];
+        const std::size_t at = static_cast<std::size_t>(pixel.Y) * this->Size[0] + pixel.X;
+        float edges[MaximumEdges * MaximumPlanes];
+        float hidden[MaximumPlanes];
+        for (int e = 0; e < this->NumberOfEdges * this->Planes; ++e)
+        {
+          edges[e] = this->Edges[static_cast<std::size_t>(e) * this->Pixels + at];
+        }
+        const Grid& grid = this->Grids[0];
+        const int index = grid.Index[static_cast<std::size_t>(pixel.Y) * grid.Size[0] + pixel.X];
+        this->GetHidden<1>(this->Lists[index], edges, hidden);
+        for (int p = 0; p < this->Planes; ++p)
+        {
+          this->Hidden[p * this->Pixels + at] = hidden[p];
+        }
+      }
+    });
+}
+
+void vtkGodRaysInScattering::vtkInternals::Write()
+{
+  this->Result.resize(this->Pixels * this->NumberOfComponents);
+  vtkSMPTools::For(0, this->Size[1], 16,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (int y = static_cast<int>(begin); y < end; ++y)
+      {
+        for (int first = 0; first < this->Size[0]; first += MostPixels)
+        {
+          this->Write(first, y, std::min(MostPixels, this->Size[0] - first));
+        }
+      }
+    });
+}
+
+void vtkGodRaysInScattering::vtkInternals::Write(int first, int row, int count)
+{
+  const int components = this->NumberOfComponents;
+  const int channels = this->Airlight.GetNumberOfChannels();
+  const std::size_t pixel = static_cast<std::size_t>(row) * this->Size[0] + first;
+  float factors[6 * MostPixels];
+  this->Airlight.GetFactors(row, first, count, factors);
+  for (int c = 0; c < components; ++c)
+  {
+    const float color = static_cast<float>(std::min(this->Color[c], 1e30));
+    float sums[MostPixels] = {};
+    for (int k = 0; k < this->Airlight.GetNumberOfComponents(); ++k)
+    {
+      const int p = k * channels + (channels == 3 ? c : 0);
+      const float* factor = factors + static_cast<std::ptrdiff_t>(3 * k + c) * count;
+      const float* hidden = this->Hidden.data() + p * this->Pixels + pixel;
+      const float* own = this->GetEdge(0, p) + pixel;
+      if (this->NumberOfEdges == 1)
+      {
+        for (int i = 0; i < count; ++i)
+        {
+          sums[i] += factor[i] * std::max(own[i] - hidden[i], 0.0f);
+        }
+        continue;
+      }
+      const float* edges[MaximumEdges] = { own, this->GetEdge(1, p) + pixel,
+        this->GetEdge(2, p) + pixel, this->GetEdge(3, p) + pixel };
+      for (int i = 0; i < count; ++i)
+      {
+        const float lit = edges[1][i] - edges[0][i] + edges[3][i] - edges[2][i];
+        sums[i] += factor[i] * std::max(lit - hidden[i], 0.0f);
+      }
+    }
+    float* to = this->Result.data() + pixel * components + c;
+    for (int i = 0; i < count; ++i)
+    {
+      to[static_cast<std::ptrdiff_t>(i) * components] =
+        std::min(std::max(color * sums[i], 0.0f), 3e38f);
+    }
+  }
+}
+
+vtkGodRaysInScattering::vtkGodRaysInScattering()
+  : Internals(new vtkInternals)
+{
+}
+
+vtkGodRaysInScattering::~vtkGodRaysInScattering() = default;
+
+float* vtkGodRaysInScattering::PrepareInput(int width, int height)
+{
+  vtkInternals& self = *this->Internals;
+  self.Size[0] = width;
+  self.Size[1] = height;
+  self.Depths.resize(static_cast<std::size_t>(width) * height);
+  return self.Depths.data();
+}
+
+bool vtkGodRaysInScattering::Execute(const Parameters& parameters)
+{
+  const bool hasInput = !this->Internals->Depths.empty();
+  if (hasInput)
+  {
+    this->Internals->Execute(parameters);
+  }
+  return hasInput;
+}
+
+double vtkGodRaysInScattering::GetWalkedPart() const
+{
+  const vtkInternals& self = *this->Internals;
+  const double pixels = std::max(1.0, static_cast<double>(self.Size[0]) * self.Size[1]);
+  return static_cast<double>(self.NumberOfRays) / pixels;
+}
+
+int vtkGodRaysInScattering::GetNumberOfComponents() const
+{
+  return this->Internals->NumberOfComponents;
+}
+
+const float* vtkGodRaysInScattering::GetResult() const
+{
+  return this->Internals->Result.empty() ? nullptr : this->Internals->Result.data();
+}
+
+std::string vtkGodRaysInScattering::Describe() const
+{
+  if (!this->GetResult())
+  {
+    return "nothing yet";
+  }
+  const int part = static_cast<int>(std::lround(100.0 * this->GetWalkedPart()));
+  return std::to_string(part) + " % of the view rays walked, airlight by " +
+    this->Internals->Airlight.Describe();
+}

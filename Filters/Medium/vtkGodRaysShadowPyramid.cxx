@@ -1,0 +1,570 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysShadowPyramid.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace
+{
+// Height of a texel without occluder: a directional light's heights are at least 0, and a point light's
+// 1/distance is above 0.
+constexpr float None = -1e30f;
+
+// Texels of a layer whose parts of the light differ by no more count as alike [1/255].
+constexpr int Alike = 2;
+
+double Along(const double axis[3], const double vector[3])
+{
+  return axis[0] * vector[0] + axis[1] * vector[1] + axis[2] * vector[2];
+}
+
+// Of positive numbers: the order of bits is that of values, so their upper half is a number of 8 bits.
+std::uint32_t GetBits(float value)
+{
+  std::uint32_t bits;
+  std::memcpy(&bits, &value, sizeof(bits));
+  return bits;
+}
+
+float FromBits(std::uint32_t bits)
+{
+  float value;
+  std::memcpy(&value, &bits, sizeof(value));
+  return value;
+}
+
+struct Interval
+{
+  double Begin;
+  double End;
+
+  // Keeps what is at least 0 of an affine function of the distance along the ray.
+  void Clip(double start, double change)
+  {
+    if (change == 0.0)
+    {
+      this->End = start < 0.0 ? this->Begin : this->End;
+      return;
+    }
+    const double zero = -start / change;
+    if (change > 0.0)
+    {
+      this->Begin = std::max(this->Begin, zero);
+    }
+    else
+    {
+      this->End = std::min(this->End, zero);
+    }
+  }
+};
+}
+
+// Walks one layer of the maps, and keeps what was met last along the ray.
+class vtkGodRaysShadowPyramid::Walker
+{
+public:
+  Walker(const vtkGodRaysShadowPyramid& pyramid, std::vector<Stretch>& stretches)
+    : Pyramid(pyramid)
+    , Stretches(stretches)
+  {
+  }
+
+  // A part of the ray, from the place a of the map to the place b: texels, texels, height.
+  // w is 1/distance from a point light along the map's axis, 1 of a directional light.
+  void WalkPart(const Map& map, const double a[3], const double b[3], double begin, double end,
+    double wa, double wb);
+
+  // The light reaches the ray from a distance on.
+  void Close(double at)
+  {
+    if (this->Dark[0] + this->Dark[1] + this->Dark[2] > 0.0f)
+    {
+      this->Set(static_cast<float>(at), 0.0f, 0.0f, 0.0f);
+    }
+  }
+
+private:
+  void Set(float at, float red, float green, float blue)
+  {
+    if (red == this->Dark[0] && green == this->Dark[1] && blue == this->Dark[2])
+    {
+      return;
+    }
+    if (this->Dark[0] + this->Dark[1] + this->Dark[2] > 0.0f && at > this->Begin)
+    {
+      this->Stretches.push_back(
+        { this->Begin, at, { this->Dark[0], this->Dark[1], this->Dark[2] } });
+    }
+    this->Begin = at;
+    this->Dark[0] = red;
+    this->Dark[1] = green;
+    this->Dark[2] = blue;
+  }
+
+  const vtkGodRaysShadowPyramid& Pyramid;
+  std::vector<Stretch>& Stretches;
+  float Begin = 0.0f;
+  float Dark[3] = { 0.0f, 0.0f, 0.0f };
+};
+
+void vtkGodRaysShadowPyramid::Walker::WalkPart(const Map& map, const double a[3],
+  const double b[3], double begin, double end, double wa, double wb)
+{
+  const int width = map.Size[0];
+  const int height = map.Size[1];
+  const int top = static_cast<int>(map.Levels.size());
+  const bool point = this->Pyramid.Grids.Point;
+  const bool opaque = this->Pyramid.Opaque;
+  const float scale = this->Pyramid.Scale;
+  const float ax = static_cast<float>(a[0]);
+  const float ay = static_cast<float>(a[1]);
+  const float az = static_cast<float>(a[2]);
+  const float wx = static_cast<float>(b[0] - a[0]);
+  const float wy = static_cast<float>(b[1] - a[1]);
+  const float wz = static_cast<float>(b[2] - a[2]);
+  const float inverseX = std::abs(wx) > 1e-12f ? 1.0f / wx : 1e30f;
+  const float inverseY = std::abs(wy) > 1e-12f ? 1.0f / wy : 1e30f;
+  const int rightwards = wx >= 0.0f ? 1 : 0;
+  const int upwards = wy >= 0.0f ? 1 : 0;
+  const auto getDistance = [&](float s)
+  {
+    const double u = wa * (1.0 - s);
+    const double v = wb * s;
+    return static_cast<float>((begin * u + end * v) / (u + v));
+  };
+  const auto light = [&](float s)
+  {
+    if (this->Dark[0] + this->Dark[1] + this->Dark[2] > 0.0f)
+    {
+      this->Set(getDistance(s), 0.0f, 0.0f, 0.0f);
+    }
+  };
+  const auto darken = [&](float s, const float dark[3])
+  {
+    // What is about as dark goes on, so that a stretch of haze is not one of each texel.
+    const bool alike = this->Dark[0] + this->Dark[1] + this->Dark[2] > 0.0f &&
+      std::abs(dark[0] - this->Dark[0]) + std::abs(dark[1] - this->Dark[1]) +
+          std::abs(dark[2] - this->Dark[2]) <
+        Alike / 255.0f;
+    if (!alike)
+    {
+      this->Set(getDistance(s), dark[0], dark[1], dark[2]);
+    }
+  };
+  static const float all[3] = { 1.0f, 1.0f, 1.0f };
+
+  int cx = std::min(std::max(static_cast<int>(ax), 0), width - 1);
+  int cy = std::min(std::max(static_cast<int>(ay), 0), height - 1);
+  int level = top;
+  float s = 0.0f;
+  // Each turn goes down a level or on by a cell: the bound is never reached, but NaN could.
+  for (int guard = 16 * (width + height) + 64; guard > 0; --guard)
+  {
+    const int x = cx >> level;
+    const int y = cy >> level;
+    const float tx = (static_cast<float>((x + rightwards) << level) - ax) * inverseX;
+    const float ty = (static_cast<float>((y + upwards) << level) - ay) * inverseY;
+    const bool byX = tx < ty;
+    const float e = std::min(std::max(byX ? tx : ty, s), 1.0f);
+    const float h0 = az + s * wz;
+    const float h1 = az + e * wz;
+    const float low = std::min(h0, h1);
+    const float high = std::max(h0, h1);
+    if (level > 0)
+    {
+      const Level& nodes = map.Levels[static_cast<std::size_t>(level) - 1];
+      const std::size_t at = nodes.First + static_cast<std::size_t>(y) * nodes.Size[0] + x;
+      const Node node = map.Nodes[at];
+      const float least = point ? FromBits(static_cast<std::uint32_t>(node.Least) << 16)
+                                : static_cast<float>(node.Least - 1) / scale;
+      const float most = point ? FromBits(static_cast<std::uint32_t>(node.Most) << 16)
+                               : static_cast<float>(node.Most) / scale;
+      if (node.Most == 0 || low >= most)
+      {
+        light(s);
+      }
+      else if (node.Least == 0 || high >= least)
+      {
+        --level;
+        continue;
+      }
+      else if (opaque)
+      {
+        darken(s, all);
+      }
+      else
+      {
+        const Dimming& dims = map.Darker[at];
+        float dark[3];
+        int range = 0;
+        for (int c = 0; c < 3; ++c)
+        {
+          range = std::max(range, dims.Most[c] - dims.Least[c]);
+          dark[c] = (dims.Most[c] + dims.Least[c]) / 510.0f;
+        }
+        if (range > Alike)
+        {
+          --level;
+          continue;
+        }
+        darken(s, dark);
+      }
+    }
+    else
+    {
+      const std::size_t at = static_cast<std::size_t>(y) * width + x;
+      const float* dark = opaque ? all : &map.Darks[3 * at];
+      const Patch patch = map.GetPatch(x, y);
+      const float before = h0 - patch.GetHeight(ax + s * wx, ay + s * wy);
+      const float after = h1 - patch.GetHeight(ax + e * wx, ay + e * wy);
+      if (before >= 0.0f && after >= 0.0f)
+      {
+        light(s);
+      }
+      else if (before < 0.0f && after < 0.0f)
+      {
+        darken(s, dark);
+      }
+      else
+      {
+        const float cross = s + (e - s) * before / (before - after);
+        if (before < 0.0f)
+        {
+          darken(s, dark);
+          light(cross);
+        }
+        else
+        {
+          light(s);
+          darken(cross, dark);
+        }
+      }
+    }
+    if (e >= 1.0f)
+    {
+      return;
+    }
+    s = e;
+    // On to the neighbour by whole numbers: a rounded place alone might stay where it is.
+    const int lowX = x << level;
+    const int lowY = y << level;
+    const int last = (1 << level) - 1;
+    int edge;
+    if (byX)
+    {
+      edge = lowX + (rightwards << level);
+      cx = edge - 1 + rightwards;
+      cy = std::min(std::max(static_cast<int>(ay + e * wy), lowY), std::min(lowY + last, height - 1));
+      if (cx < 0 || cx >= width)
+      {
+        return;
+      }
+    }
+    else
+    {
+      edge = lowY + (upwards << level);
+      cy = edge - 1 + upwards;
+      cx = std::min(std::max(static_cast<int>(ax + e * wx), lowX), std::min(lowX + last, width - 1));
+      if (cy < 0 || cy >= height)
+      {
+        return;
+      }
+    }
+    // Up where the edge is one of the parent, too: the old parent is known to be mixed.
+    if (level < top && ((edge >> (level + 1)) << (level + 1)) == edge)
+    {
+      ++level;
+    }
+  }
+}
+
+// Codes of heights are above 0.
+std::uint32_t vtkGodRaysShadowPyramid::EncodeDown(float height) const
+{
+  return this->Grids.Point
+    ? GetBits(std::max(height, 1e-30f)) >> 16
+    : 1 + static_cast<std::uint32_t>(std::min(std::max(height * this->Scale, 0.0f), 65000.0f));
+}
+
+std::uint32_t vtkGodRaysShadowPyramid::EncodeUp(float height) const
+{
+  return this->Grids.Point
+    ? (GetBits(std::max(height, 1e-30f)) >> 16) + 1
+    : 2 + static_cast<std::uint32_t>(std::min(std::max(height * this->Scale, 0.0f), 65000.0f));
+}
+
+// The lesser slope to both sides, if they agree: none at an occluder's edge.
+vtkGodRaysShadowPyramid::Patch vtkGodRaysShadowPyramid::Map::GetPatch(int x, int y) const
+{
+  const std::ptrdiff_t width = this->Size[0];
+  const float* const texel = this->Heights.data() + y * width + x;
+  const auto limit = [=](std::ptrdiff_t step, bool hasBefore, bool hasAfter)
+  {
+    const float before = hasBefore ? texel[0] - texel[-step] : 0.0f;
+    const float after = hasAfter ? texel[step] - texel[0] : 0.0f;
+    const float lesser = std::abs(before) < std::abs(after) ? before : after;
+    return before * after > 0.0f ? lesser : 0.0f;
+  };
+  Patch patch = { *texel, 0.0f, 0.0f, static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f };
+  if (*texel != None)
+  {
+    patch.SlopeX = limit(1, x > 0, x + 1 < this->Size[0]);
+    patch.SlopeY = limit(width, y > 0, y + 1 < this->Size[1]);
+  }
+  return patch;
+}
+
+void vtkGodRaysShadowPyramid::Build(const vtkGodRaysShadowGrids& grids, const double light[3])
+{
+  const int layers = std::max(grids.NumberOfLayers, 1);
+  const bool isSame = grids.Version != 0 && grids.Version == this->Grids.Version &&
+    this->Maps.size() == static_cast<std::size_t>(layers) * grids.Levels;
+  this->Grids = grids;
+  std::copy_n(light, 3, this->Light);
+  if (isSame)
+  {
+    return;
+  }
+  this->Opaque = grids.NumberOfLayers == 0;
+  this->Scale = static_cast<float>(65000.0 / (grids.Range[1] - grids.Range[0]));
+  this->Maps.resize(static_cast<std::size_t>(layers) * grids.Levels);
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    for (int grid = 0; grid < grids.Levels; ++grid)
+    {
+      Map& map = this->Maps[static_cast<std::size_t>(layer) * grids.Levels + grid];
+      this->Fill(grids, grid, layer, map);
+      this->Reduce(map);
+    }
+  }
+}
+
+void vtkGodRaysShadowPyramid::Fill(
+  const vtkGodRaysShadowGrids& grids, int index, int layer, Map& map) const
+{
+  const vtkGodRaysShadowGrids::Grid& grid = grids.Grids[index];
+  const bool layered = grids.NumberOfLayers > 0;
+  const float* depths = layered ? grids.Layers[layer].Depths + grid.First : grid.Depths;
+  const int width = map.Size[0] = grid.Size[0];
+  map.Size[1] = grid.Size[1];
+  map.Heights.resize(static_cast<std::size_t>(width) * grid.Size[1]);
+  map.Darks.resize(layered ? 3 * map.Heights.size() : 0);
+  const float range = static_cast<float>(grids.Range[1] - grids.Range[0]);
+  vtkSMPTools::For(0, grid.Size[1], 32,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType y = begin; y < end; ++y)
+      {
+        const float* from = depths + y * grid.Stride;
+        float* to = map.Heights.data() + y * width;
+        for (int x = 0; x < width; ++x)
+        {
+          const float here =
+            grids.Point ? static_cast<float>(grids.GetNearness(from[x])) : (1.0f - from[x]) * range;
+          to[x] = from[x] < 1.0f ? here : None;
+        }
+        for (int c = 0; layered && c < 3; ++c)
+        {
+          const float* dark =
+            grids.Layers[layer].Dark[grids.Colored ? c : 0] + grid.First + y * grid.Stride;
+          for (int x = 0; x < width; ++x)
+          {
+            map.Darks[3 * (static_cast<std::size_t>(y) * width + x) + c] = dark[x];
+          }
+        }
+      }
+    });
+}
+
+void vtkGodRaysShadowPyramid::Reduce(Map& map) const
+{
+  map.Levels.clear();
+  std::size_t nodes = 0;
+  for (int size[2] = { map.Size[0], map.Size[1] }; size[0] > 1 || size[1] > 1;)
+  {
+    for (int& each : size)
+    {
+      each = (each + 1) / 2;
+    }
+    map.Levels.push_back({ nodes, { size[0], size[1] } });
+    nodes += static_cast<std::size_t>(size[0]) * size[1];
+  }
+  map.Nodes.resize(nodes);
+  map.Darker.resize(this->Opaque ? 0 : nodes);
+  int width = map.Size[0];
+  int height = map.Size[1];
+  for (std::size_t level = 0; level < map.Levels.size(); ++level)
+  {
+    const Level& to = map.Levels[level];
+    const std::size_t below = level > 0 ? map.Levels[level - 1].First : 0;
+    vtkSMPTools::For(0, to.Size[1], 32,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType y = begin; y < end; ++y)
+        {
+          for (int x = 0; x < to.Size[0]; ++x)
+          {
+            std::uint32_t least = 65535;
+            std::uint32_t most = 0;
+            Dimming dims = { { 255, 255, 255 }, { 0, 0, 0 } };
+            for (int k = 0; k < 4; ++k)
+            {
+              const int i = std::min(2 * x + (k & 1), width - 1);
+              const int j = std::min(2 * static_cast<int>(y) + (k >> 1), height - 1);
+              const std::size_t at = static_cast<std::size_t>(j) * width + i;
+              if (level > 0)
+              {
+                least = std::min<std::uint32_t>(least, map.Nodes[below + at].Least);
+                most = std::max<std::uint32_t>(most, map.Nodes[below + at].Most);
+              }
+              else
+              {
+                const Patch patch = map.GetPatch(i, j);
+                const bool none = patch.Height == None;
+                const float rise = 0.5f * (std::abs(patch.SlopeX) + std::abs(patch.SlopeY));
+                least = std::min(least, none ? 0 : this->EncodeDown(patch.Height - rise));
+                most = std::max(most, none ? 0 : this->EncodeUp(patch.Height + rise));
+              }
+              for (int c = 0; !this->Opaque && c < 3; ++c)
+              {
+                const bool isTexel = level == 0;
+                const int low =
+                  isTexel ? static_cast<int>(std::lround(255.0f * map.Darks[3 * at + c]))
+                          : map.Darker[below + at].Least[c];
+                const int high = isTexel ? low : map.Darker[below + at].Most[c];
+                dims.Least[c] = static_cast<std::uint8_t>(std::min<int>(dims.Least[c], low));
+                dims.Most[c] = static_cast<std::uint8_t>(std::max<int>(dims.Most[c], high));
+              }
+            }
+            const std::size_t at = to.First + static_cast<std::size_t>(y) * to.Size[0] + x;
+            map.Nodes[at] = { static_cast<std::uint16_t>(least), static_cast<std::uint16_t>(most) };
+            if (!this->Opaque)
+            {
+              map.Darker[at] = dims;
+            }
+          }
+        }
+      });
+    width = to.Size[0];
+    height = to.Size[1];
+  }
+}
+
+void vtkGodRaysShadowPyramid::Walk(const double origin[3], const double direction[3], double end,
+  std::vector<Stretch>& stretches) const
+{
+  const vtkGodRaysShadowGrids& grids = this->Grids;
+  if (grids.Levels == 0 || !(end > 0.0))
+  {
+    return;
+  }
+  struct Part
+  {
+    int Grid;
+    Interval Ray;
+  };
+  thread_local std::vector<Part> parts; // keeps its memory
+  parts.clear();
+  double starts[vtkGodRaysShadowGrids::MaximumGrids][3];
+  double changes[vtkGodRaysShadowGrids::MaximumGrids][3];
+  Interval inside[vtkGodRaysShadowGrids::MaximumGrids];
+  for (int g = 0; g < grids.Levels; ++g)
+  {
+    const vtkGodRaysShadowGrids::Grid& grid = grids.Grids[g];
+    const double away[3] = { -this->Light[0], -this->Light[1], -this->Light[2] };
+    for (int k = 0; k < 3; ++k)
+    {
+      const double* axis =
+        grids.Point ? grid.Axes[k] : k < 2 ? grids.Grids[0].Axes[k] : away;
+      starts[g][k] = Along(axis, origin) - (grids.Point ? Along(axis, this->Light) : 0.0);
+      changes[g][k] = Along(axis, direction);
+    }
+    Interval part = { 0.0, end };
+    if (grids.Point)
+    {
+      // Nothing is in the map that is nearer than its range.
+      part.Clip(starts[g][2] - 0.5 * grids.Range[0], changes[g][2]);
+    }
+    for (int k = 0; k < 2; ++k)
+    {
+      const double low = grid.Low[k];
+      const double high = low + grid.Size[k] * grid.Texel[k];
+      const double w = grids.Point ? starts[g][2] : 1.0;
+      const double dw = grids.Point ? changes[g][2] : 0.0;
+      part.Clip(starts[g][k] - low * w, changes[g][k] - low * dw);
+      part.Clip(high * w - starts[g][k], high * dw - changes[g][k]);
+    }
+    part.End = std::max(part.End, part.Begin);
+    if (g > 0 && !grids.Point) // within the coarser one
+    {
+      part.Begin = std::min(std::max(part.Begin, inside[g - 1].Begin), inside[g - 1].End);
+      part.End = std::min(std::max(part.End, inside[g - 1].Begin), inside[g - 1].End);
+    }
+    inside[g] = part;
+  }
+  if (grids.Point)
+  {
+    for (int g = 0; g < grids.Levels; ++g)
+    {
+      if (inside[g].End > inside[g].Begin)
+      {
+        parts.push_back({ g, inside[g] });
+      }
+    }
+    std::sort(parts.begin(), parts.end(),
+      [](const Part& one, const Part& other) { return one.Ray.Begin < other.Ray.Begin; });
+  }
+  else
+  {
+    const int levels = grids.Levels;
+    for (int k = 0; k < 2 * levels - 1; ++k)
+    {
+      const int g = k < levels ? k : 2 * levels - 2 - k;
+      const double from = k < levels ? inside[g].Begin : inside[g + 1].End;
+      const double to = k < levels - 1 ? inside[g + 1].Begin : inside[g].End;
+      if (to > from)
+      {
+        parts.push_back({ g, { from, to } });
+      }
+    }
+  }
+  const int layers = static_cast<int>(this->Maps.size()) / grids.Levels;
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    Walker walker(*this, stretches);
+    double last = 0.0;
+    for (const Part& part : parts)
+    {
+      const int g = part.Grid;
+      const vtkGodRaysShadowGrids::Grid& grid = grids.Grids[g];
+      const Interval& ray = part.Ray;
+      if (ray.Begin > last + 1e-6 * end)
+      {
+        walker.Close(last); // beyond the maps all is lit
+      }
+      double places[2][3];
+      double w[2] = { 1.0, 1.0 };
+      for (int i = 0; i < 2; ++i)
+      {
+        const double at = i == 0 ? ray.Begin : ray.End;
+        const double ahead = starts[g][2] + at * changes[g][2];
+        w[i] = grids.Point ? 1.0 / ahead : 1.0;
+        for (int a = 0; a < 2; ++a)
+        {
+          places[i][a] = ((starts[g][a] + at * changes[g][a]) * w[i] - grid.Low[a]) / grid.Texel[a];
+        }
+        // Above the map's far end.
+        places[i][2] = grids.Point ? w[i] : grids.Range[1] - ahead;
+      }
+      walker.WalkPart(this->Maps[static_cast<std::size_t>(layer) * grids.Levels + g], places[0],
+        places[1], ray.Begin, ray.End, w[0], w[1]);
+      last = ray.End;
+    }
+    // What ends in the dark goes on: rays that end farther away take this list, too.
+    walker.Close(last < end - 1e-6 * end ? last : 1e30);
+  }
+}
