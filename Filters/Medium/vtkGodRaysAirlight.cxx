@@ -24,8 +24,8 @@ constexpr int NumberOfNodes = NumberOfParts + 1;
 // Of the table's rays, in the picture's height.
 constexpr float NumberOfRows = 64.0f;
 
-// A point light is no nearer to a view ray than that, so that its pixel is finite [pixels].
-constexpr double NearestPass = 0.02;
+// A point light is no nearer to a view ray than that: 1/distance is then the mean over its pixel [pixels].
+constexpr double NearestPass = 0.28;
 
 // Places that are evaluated together.
 constexpr int Batch = 64;
@@ -361,6 +361,10 @@ void vtkGodRaysAirlight::Prepare(const Scene& scene)
   {
     this->Setup.Spot = vtkGodRaysSpot();
   }
+  const double away = std::max(length(ToVector(scene.Light)), 1e-30);
+  this->Nearest = std::max(NearestPass * scene.PixelSize *
+      (scene.Parallel ? 1.0 : scene.Light[2] * scene.Light[2] / away),
+    1e-9 * medium.FarLimit);
   const Vec3 up = ToVector(medium.Up);
   this->LightHeight =
     MediumStart(this->Setup.Medium.PlanetRadius, medium.EyeHeight, up, ToVector(scene.Light), up).x;
@@ -456,9 +460,7 @@ void vtkGodRaysAirlight::MakeLadder(int index, double x, double y)
   sampler.End = this->Setup.Medium.FarLimit * this->GetLengthPerDepth(x, y);
   if (this->Setup.Point)
   {
-    const double least = NearestPass * this->Setup.PixelSize *
-      (this->Setup.Parallel ? 1.0 : std::max(std::abs(sampler.Ray.Foot), 1e-9));
-    sampler.Ray.Distance = std::max(sampler.Ray.Distance, least);
+    sampler.Ray.Distance = std::max(sampler.Ray.Distance, this->Nearest);
     sampler.Point.Set(sampler.Ray.Foot, sampler.Ray.Distance, sampler.End);
   }
   else
@@ -616,7 +618,6 @@ void vtkGodRaysAirlight::GetPass(float x, float y, float& foot, float& height, f
   {
     to[i] = static_cast<float>(this->Setup.Light[i]);
   }
-  float least = static_cast<float>(NearestPass) * pixel;
   if (this->Setup.Parallel)
   {
     to[0] -= px;
@@ -635,9 +636,8 @@ void vtkGodRaysAirlight::GetPass(float x, float y, float& foot, float& height, f
     const float c = to[0] * py - to[1] * px;
     height = std::sqrt(a * a + b * b + c * c) * inverse;
     end = far * length;
-    least *= std::max(std::abs(foot), 1e-9f);
   }
-  height = std::max(height, least);
+  height = std::max(height, static_cast<float>(this->Nearest));
 }
 
 int vtkGodRaysAirlight::GetParts(

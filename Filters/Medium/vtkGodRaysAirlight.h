@@ -105,6 +105,7 @@ private:
   bool IsPlanet = false;
   float Extinction[3] = { 0.0f, 0.0f, 0.0f };
   double LightHeight = 0.0; // of a point light
+  double Nearest = 0.0;     // that it is to a view ray
   float Spacing = 16.0f; // of the table's rays [pixels]
   int Columns = 0;
   int Rows = 0;
