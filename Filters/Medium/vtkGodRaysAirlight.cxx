@@ -27,6 +27,13 @@ constexpr float NumberOfRows = 64.0f;
 // A point light is no nearer to a view ray than that: 1/distance is then the mean over its pixel [pixels].
 constexpr double NearestPass = 0.28;
 
+// What is left of a spotlight's light where it ends, at the least.
+constexpr double LeastFade = 1e-5;
+
+// Steps over which a spotlight's fade is a constant, before and behind a place.
+constexpr int FadeSteps = 8;
+constexpr int FadeEntries = 2048;
+
 // Places that are evaluated together.
 constexpr int Batch = 64;
 
@@ -54,8 +61,8 @@ Vec3 ToVector(const double* v)
   return Vec3(v[0], v[1], v[2]);
 }
 
-// The geometry of a point light and a ray, in the coordinate of its splines: v = y/(y + h), where y/h is the tangent
-// of half the scattering angle, is about even in the angle at the light, and t = 1 - sqrt(1 - v) is denser far away.
+// The geometry of a point light and a ray, in the coordinate of its splines: t = q/(1 + q), q^2 being the tangent of
+// half the scattering angle, is about even in the angle at the light, and denser far from it on both sides.
 // T is a floating-point type.
 template <typename T>
 struct PointRay
@@ -70,8 +77,15 @@ struct PointRay
     const T beyond = distance - this->Foot;
     const T r = std::sqrt(this->Height * this->Height + beyond * beyond);
     const T y = beyond > 0 ? r + beyond : this->Height * (this->Height / (r - beyond));
-    const T v = y / (y + this->Height);
-    return v / (1 + std::sqrt(this->Height / (y + this->Height)));
+    const T root = std::sqrt(y);
+    return root / (root + std::sqrt(this->Height));
+  }
+
+  T GetDistance(T t) const
+  {
+    const T root = std::max(t, T(1e-15)) / std::max(1 - t, T(1e-15));
+    const T ratio = root * root;
+    return this->Foot + T(0.5) * this->Height * (ratio - 1 / ratio);
   }
 
   void Set(T foot, T height, T end)
@@ -107,12 +121,9 @@ struct vtkGodRaysAirlight::Sampler
     if (this->Airlight.Setup.Point)
     {
       const double t = this->Point.Start + u * this->Point.Length;
-      const double v = t * (2.0 - t);
-      const double left = (1.0 - t) * (1.0 - t);
-      const double ratio = v / std::max(left, 1e-300); // tangent of half the scattering angle
-      distance = this->Point.Foot + 0.5 * this->Point.Height * (ratio - 1.0 / std::max(ratio, 1e-300));
-      distance = std::min(std::max(distance, 0.0), this->End);
-      change = 4.0 * (1.0 - t) * this->Point.Length / (v * v + left * left);
+      const double left = 1.0 - t;
+      distance = std::min(std::max(this->Point.GetDistance(t), 0.0), this->End);
+      change = 4.0 * t * left * this->Point.Length / (t * t * t * t + left * left * left * left);
     }
     else
     {
@@ -166,10 +177,6 @@ vtkGodRaysAirlight::Sampler::Sampler(const vtkGodRaysAirlight& airlight, double 
     ? airlight.LightHeight
     : MediumStart(medium.PlanetRadius, medium.EyeHeight, up, origin, light).y;
   ray.PlanetRadius = medium.PlanetRadius;
-  const Vec3 axis = ToVector(setup.Spot.Axis);
-  ray.AxisStart = -dot(axis, to);
-  ray.AxisSlope = dot(axis, direction);
-  setup.Spot.SetShape(ray);
   ray.ThroughGround = 1;
 }
 
@@ -196,7 +203,7 @@ void vtkGodRaysAirlight::Sampler::Sample(double distance, double* values) const
       component.ScaleHeight > 0.0 ? ExponentialDensity(height, component.ScaleHeight) : 1.0;
     if (setup.Point)
     {
-      parts[k] *= SpotFactor(ray, distance, r) *
+      parts[k] *=
         PhaseMix({ component.PhaseFunction, component.Asymmetry },
           { component.SecondPhaseFunction, component.SecondAsymmetry }, component.SecondWeight,
           -beyond / r);
@@ -368,6 +375,8 @@ void vtkGodRaysAirlight::Prepare(const Scene& scene)
   const Vec3 up = ToVector(medium.Up);
   this->LightHeight =
     MediumStart(this->Setup.Medium.PlanetRadius, medium.EyeHeight, up, ToVector(scene.Light), up).x;
+  this->FindPlanetShadow();
+  this->MakeFade();
   bool grey = true;
   bool alike = true; // whether components scatter all colours in one proportion
   double total[3] = { 0.0, 0.0, 0.0 };
@@ -419,7 +428,6 @@ void vtkGodRaysAirlight::MakeKey(std::vector<double>& key) const
     setup.Center[1], setup.Parallel + 0.0, setup.Point + 0.0, setup.Light[0], setup.Light[1],
     setup.Light[2], medium.Up[0], medium.Up[1], medium.Up[2], medium.EyeHeight,
     medium.PlanetRadius, medium.FarLimit, this->Channels + 0.0 });
-  setup.Spot.AddTo(key);
   for (int k = 0; k < medium.NumberOfComponents; ++k)
   {
     const Component& component = medium.Components[k];
@@ -468,9 +476,11 @@ void vtkGodRaysAirlight::MakeLadder(int index, double x, double y)
     sampler.FindEnds();
     sampler.FindBend();
   }
-  this->Ladders[index] = { static_cast<float>(sampler.Begin),
-    static_cast<float>(1.0 / std::max(sampler.End - sampler.Begin, 1e-30)),
-    static_cast<float>(sampler.Bend) };
+  const double first = this->Setup.Point ? sampler.Point.Start : sampler.Begin;
+  const double range = this->Setup.Point ? sampler.Point.Length : sampler.End - sampler.Begin;
+  this->Ladders[index] = { static_cast<float>(first),
+    static_cast<float>(1.0 / std::max(range, 1e-30)),
+    static_cast<float>(this->Setup.Point ? first + range : sampler.Bend) };
   const int planes = this->GetNumberOfPlanes();
   float* node = this->Nodes.data() + static_cast<std::size_t>(index) * NumberOfNodes * 2 * planes;
   const double step = 1.0 / NumberOfParts;
@@ -511,19 +521,136 @@ void vtkGodRaysAirlight::MakeLadder(int index, double x, double y)
   }
 }
 
-void vtkGodRaysAirlight::Evaluate(
-  int count, const float* x, const float* y, const float* distances, float* values) const
+void vtkGodRaysAirlight::Evaluate(int count, const float* x, const float* y,
+  const float* distances, float* values, float* lights) const
+{
+  if (!this->HasParts())
+  {
+    this->EvaluateWhole(count, x, y, distances, values, count);
+    if (lights)
+    {
+      std::fill_n(lights, this->GetNumberOfPlanes() * count, 1.0f);
+    }
+    return;
+  }
+  const int samples = this->MaximumNumberOfParts * (2 * (this->Fade.empty() ? 1 : FadeSteps) + 1);
+  const int step = std::max(Batch / samples, 1);
+  for (int first = 0; first < count; first += step)
+  {
+    this->EvaluateParts(std::min(step, count - first), x + first, y + first, distances + first,
+      values + first, lights ? lights + first : nullptr, count);
+  }
+}
+
+// Each part is read in steps up to a distance and beyond it, over which the light fades by its mean.
+void vtkGodRaysAirlight::EvaluateParts(int count, const float* x, const float* y,
+  const float* distances, float* values, float* lights, int stride) const
+{
+  float xs[Batch];
+  float ys[Batch];
+  float places[Batch];
+  float fades[Batch]; // from a place to the next one
+  int ends[Batch];    // of a place's samples
+  bool before[Batch]; // the distance
+  int samples = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    double parts[MaximumParts][2];
+    const int number = this->GetParts(x[i], y[i], parts);
+    const int begin = samples;
+    for (int k = 0; k < number; ++k)
+    {
+      const double middle = std::min(std::max<double>(distances[i], parts[k][0]), parts[k][1]);
+      const int first = samples;
+      samples += this->AddSteps(x[i], y[i], parts[k][0], middle, places + samples, fades + samples);
+      std::fill(before + first, before + samples, true);
+      const int beyond = samples;
+      samples += this->AddSteps(x[i], y[i], middle, parts[k][1], places + samples, fades + samples);
+      places[samples] = static_cast<float>(parts[k][1]);
+      fades[samples++] = 0.0f;
+      std::fill(before + beyond, before + samples, false);
+    }
+    std::fill(xs + begin, xs + samples, x[i]);
+    std::fill(ys + begin, ys + samples, y[i]);
+    ends[i] = samples;
+  }
+  float read[MaximumPlanes * Batch];
+  if (samples > 0)
+  {
+    this->EvaluateWhole(samples, xs, ys, places, read, samples);
+  }
+  for (int p = 0; p < this->GetNumberOfPlanes(); ++p)
+  {
+    const float* at = read + static_cast<std::ptrdiff_t>(p) * samples;
+    for (int i = 0; i < count; ++i)
+    {
+      float sums[2] = {};
+      for (int k = i > 0 ? ends[i - 1] : 0; k + 1 < ends[i]; ++k)
+      {
+        sums[before[k] ? 0 : 1] += fades[k] * std::max(at[k + 1] - at[k], 0.0f);
+      }
+      const float sum = sums[0] + sums[1];
+      values[static_cast<std::ptrdiff_t>(p) * stride + i] = sum > 0.0f ? sums[0] / sum : 0.0f;
+      if (lights)
+      {
+        lights[static_cast<std::ptrdiff_t>(p) * stride + i] = sum;
+      }
+    }
+  }
+}
+
+// The begins of steps over a part of a ray, and the light's fade over them. Returns their number.
+int vtkGodRaysAirlight::AddSteps(
+  double x, double y, double begin, double end, float* places, float* fades) const
+{
+  if (this->Fade.empty())
+  {
+    places[0] = static_cast<float>(begin);
+    fades[0] = 1.0f;
+    return 1;
+  }
+  const LitRay ray = this->MakeRay(x, y);
+  PointRay<double> coordinates;
+  coordinates.Foot = ray.Foot;
+  coordinates.Height = std::max(ray.Distance, this->Nearest);
+  const double first = coordinates.GetCoordinate(begin);
+  const double step = (coordinates.GetCoordinate(end) - first) / FadeSteps;
+  const float scale = static_cast<float>(this->Fade.size() - 2) / static_cast<float>(1.0 - this->CosLit);
+  const auto getFade = [&](double distance)
+  {
+    const double r = std::max(std::hypot(ray.Distance, distance - ray.Foot), 1e-30);
+    const double cosine = (ray.AxisStart + ray.AxisSlope * distance) / r;
+    const float entry =
+      scale * static_cast<float>(std::min(std::max(cosine, this->CosLit), 1.0) - this->CosLit);
+    const int i = std::min(static_cast<int>(entry), static_cast<int>(this->Fade.size()) - 2);
+    return this->Fade[i] + (entry - static_cast<float>(i)) * (this->Fade[i + 1] - this->Fade[i]);
+  };
+  float last = getFade(begin);
+  for (int i = 0; i < FadeSteps; ++i)
+  {
+    places[i] = static_cast<float>(i == 0 ? begin : coordinates.GetDistance(first + i * step));
+    const float middle = getFade(coordinates.GetDistance(first + (i + 0.5) * step));
+    const float next = getFade(i + 1 < FadeSteps ? coordinates.GetDistance(first + (i + 1) * step) : end);
+    fades[i] = (last + 4.0f * middle + next) / 6.0f; // Simpson's rule
+    last = next;
+  }
+  return FadeSteps;
+}
+
+// Airlight of a closed form or the table, as if no part of a ray were dark.
+void vtkGodRaysAirlight::EvaluateWhole(int count, const float* x, const float* y,
+  const float* distances, float* values, int stride) const
 {
   for (int first = 0; !this->Closed && first < count; first += Batch)
   {
     this->EvaluateTable(std::min(Batch, count - first), x + first, y + first, distances + first,
-      values + first, count);
+      values + first, stride);
   }
   for (int c = 0; this->Closed && c < this->Channels; ++c)
   {
     const float extinction = this->Extinction[c];
     const float inverse = 1.0f / extinction;
-    float* to = values + static_cast<std::ptrdiff_t>(c) * count;
+    float* to = values + static_cast<std::ptrdiff_t>(c) * stride;
     for (int i = 0; i < count; ++i)
     {
       // (1 - e^-k)/extinction, by its series where that would lose figures.
@@ -543,7 +670,10 @@ void vtkGodRaysAirlight::EvaluateTable(int count, const float* xs, const float* 
   int corners[Batch];
   float across[Batch];
   float along[Batch];
-  float own[Batch];
+  float own[Batch]; // of a point light: the coordinate, the ray's first and last one, and the weight of the first
+  float first[Batch];
+  float last[Batch];
+  float early[Batch];
   for (int i = 0; i < count; ++i)
   {
     const int left = std::min(static_cast<int>(xs[i] * inverse), this->Columns - 2);
@@ -562,7 +692,12 @@ void vtkGodRaysAirlight::EvaluateTable(int count, const float* xs, const float* 
       this->GetPass(xs[i], ys[i], foot, height, end);
       PointRay<float> ray;
       ray.Set(foot, height, end);
-      own[i] = (ray.GetCoordinate(std::min(distances[i], end)) - ray.Start) / ray.Length;
+      own[i] = ray.GetCoordinate(std::min(distances[i], end));
+      first[i] = ray.Start;
+      last[i] = ray.Start + ray.Length;
+      // Near their ends rays correspond by these, else by angles at the light, wherever their ends are.
+      const float x = 1.0f - 2.0f * (own[i] - ray.Start) / ray.Length;
+      early[i] = 0.5f + 0.5f * x * x * x * x * x;
     }
   }
   for (int p = 0; p < planes; ++p)
@@ -577,10 +712,16 @@ void vtkGodRaysAirlight::EvaluateTable(int count, const float* xs, const float* 
       const int index = corners[i] + offset;
       const float weight = (corner % 2 == 1 ? across[i] : 1.0f - across[i]) *
         (corner / 2 == 1 ? along[i] : 1.0f - along[i]);
-      float u = own[i];
-      if (!this->Setup.Point)
+      const Ladder& ladder = this->Ladders[index];
+      float u;
+      if (this->Setup.Point)
       {
-        const Ladder& ladder = this->Ladders[index];
+        const float shift =
+          early[i] * (ladder.Begin - first[i]) + (1.0f - early[i]) * (ladder.Bend - last[i]);
+        u = (own[i] + shift - ladder.Begin) * ladder.Inverse;
+      }
+      else
+      {
         const float part =
           std::min(std::max((distances[i] - ladder.Begin) * ladder.Inverse, 0.0f), 1.0f);
         u = part / (part + ladder.Bend * (1.0f - part));
@@ -590,16 +731,16 @@ void vtkGodRaysAirlight::EvaluateTable(int count, const float* xs, const float* 
       const float f = u - static_cast<float>(k);
       const float square = f * f;
       const float cube = square * f;
-      const float last = weight * (3.0f * square - 2.0f * cube);
-      const float first = weight - last;
+      const float upper = weight * (3.0f * square - 2.0f * cube);
+      const float lower = weight - upper;
       const float firstSlope = weight * (cube - 2.0f * square + f);
       const float lastSlope = weight * (cube - square);
       const float* node =
         this->Nodes.data() + (static_cast<std::size_t>(index) * NumberOfNodes + k) * 2 * planes;
       for (int p = 0; p < planes; ++p)
       {
-        values[static_cast<std::ptrdiff_t>(p) * stride + i] += first * node[2 * p] +
-          firstSlope * node[2 * p + 1] + last * node[2 * planes + 2 * p] +
+        values[static_cast<std::ptrdiff_t>(p) * stride + i] += lower * node[2 * p] +
+          firstSlope * node[2 * p + 1] + upper * node[2 * planes + 2 * p] +
           lastSlope * node[2 * planes + 2 * p + 1];
       }
     }
@@ -640,70 +781,58 @@ void vtkGodRaysAirlight::GetPass(float x, float y, float& foot, float& height, f
   height = std::max(height, static_cast<float>(this->Nearest));
 }
 
-int vtkGodRaysAirlight::GetParts(
-  double x, double y, double end, double parts[MaximumParts][2]) const
+// What a ray has in common with the light.
+LitRay vtkGodRaysAirlight::MakeRay(double x, double y) const
 {
-  const Sampler sampler(*this, x, y);
-  LitRay ray = sampler.Ray;
-  Vec2 part(0.0, this->IsPlanet ? MediumEnd(ray, end) : end);
-  part = SpotPart(ray, part.y);
-  parts[0][0] = part.x;
-  parts[0][1] = part.y;
-  if (!(part.y > part.x))
-  {
-    return 0;
-  }
-  if (!this->IsPlanet)
-  {
-    return 1;
-  }
-  // What is in the planet's shadow: behind it in a cylinder, or in a cone about a point light.
-  const Scene& setup = this->Setup;
-  const double radius = setup.Medium.PlanetRadius;
   double start[3];
   double way[3];
   this->GetRay(x, y, start, way);
-  const Vec3 center = -(radius + setup.Medium.EyeHeight) * ToVector(setup.Medium.Up);
-  const Vec3 light = ToVector(setup.Light);
   const Vec3 direction = ToVector(way);
-  Vec2 dark(0.0, 0.0);
-  if (setup.Point)
+  const Vec3 light = ToVector(this->Setup.Light);
+  const Vec3 to = this->Setup.Point ? light - ToVector(start) : light;
+  const Vec3 axis = ToVector(this->Setup.Spot.Axis);
+  LitRay ray = {};
+  ray.Infinite = this->Setup.Point ? 0 : 1;
+  ray.Foot = dot(to, direction);
+  ray.Distance = this->Setup.Point ? length(cross(to, direction)) : 0.0;
+  ray.AxisStart = -dot(axis, to);
+  ray.AxisSlope = dot(axis, direction);
+  ray.Shape.CosCone = this->CosLit;
+  ray.ThroughGround = 1;
+  return ray;
+}
+
+double vtkGodRaysAirlight::GetEnd(double x, double y, double distance) const
+{
+  const vtkGodRaysMedium& medium = this->Setup.Medium;
+  double start[3];
+  double way[3];
+  this->GetRay(x, y, start, way);
+  LitRay ray = {};
+  const Vec2 begin = MediumStart(
+    medium.PlanetRadius, medium.EyeHeight, ToVector(medium.Up), ToVector(start), ToVector(way));
+  ray.Height = begin.x;
+  ray.Slope = begin.y;
+  ray.PlanetRadius = medium.PlanetRadius;
+  return MediumEnd(ray, distance);
+}
+
+int vtkGodRaysAirlight::GetParts(double x, double y, double parts[MaximumParts][2]) const
+{
+  const LitRay ray = this->MakeRay(x, y);
+  const Vec2 part =
+    SpotPart(ray, this->Setup.Medium.FarLimit * this->GetLengthPerDepth(x, y));
+  parts[0][0] = part.x;
+  parts[0][1] = part.y;
+  if (!(part.y > part.x) || (this->IsPlanet && this->Setup.Point && this->LightHeight < 0.0))
   {
-    if (ray.LightHeight < 0.0)
-    {
-      return 0;
-    }
-    const Vec3 toCenter = center - light;
-    const double distance = length(toCenter);
-    const double room = ray.LightHeight * (2.0 * radius + ray.LightHeight);
-    const Vec3 axis = toCenter / distance;
-    const Vec3 from = ToVector(start) - light;
-    ray.AxisStart = dot(axis, from);
-    ray.AxisSlope = dot(axis, direction);
-    ray.Shape.CosCone = std::max(std::sqrt(room) / distance, 1e-9);
-    dark = SpotPart(ray, part.y);
-    const double beyond = room / distance - ray.AxisStart; // of the plane of all tangents' ends
-    const double at = beyond / (std::abs(ray.AxisSlope) > 1e-12 ? ray.AxisSlope : 1e-12);
-    dark = ray.AxisSlope > 0.0 ? Vec2(std::max(dark.x, at), dark.y)
-                               : Vec2(dark.x, std::min(dark.y, at));
+    return 0;
   }
-  else
+  if (!this->HasPlanetShadow)
   {
-    const Vec3 from = ToVector(start) - center;
-    const Vec3 across = from - dot(from, light) * light;
-    const Vec3 aside = direction - dot(direction, light) * light;
-    const double a = std::max(dot(aside, aside), 1e-18);
-    const double b = dot(across, aside);
-    const double root = b * b - a * (dot(across, across) - radius * radius);
-    if (root > 0.0)
-    {
-      dark = Vec2((-b - std::sqrt(root)) / a, (-b + std::sqrt(root)) / a);
-      const double slope = dot(direction, light);
-      const double at = -dot(from, light) / (std::abs(slope) > 1e-12 ? slope : 1e-12);
-      dark = slope > 0.0 ? Vec2(dark.x, std::min(dark.y, at)) : Vec2(std::max(dark.x, at), dark.y);
-    }
+    return 1;
   }
-  dark = clamp(dark, Vec2(part.x), Vec2(part.y));
+  const Vec2 dark = clamp(this->GetPlanetShadow(x, y, part.y), Vec2(part.x), Vec2(part.y));
   if (!(dark.y > dark.x))
   {
     return 1;
@@ -720,6 +849,90 @@ int vtkGodRaysAirlight::GetParts(
     parts[count++][1] = part.y;
   }
   return count;
+}
+
+// The part of a ray from which a planet hides the light: behind it in a cylinder, or in a cone about a point light.
+Vec2 vtkGodRaysAirlight::GetPlanetShadow(double x, double y, double end) const
+{
+  const Scene& setup = this->Setup;
+  const double radius = setup.Medium.PlanetRadius;
+  double start[3];
+  double way[3];
+  this->GetRay(x, y, start, way);
+  const Vec3 center = -(radius + setup.Medium.EyeHeight) * ToVector(setup.Medium.Up);
+  const Vec3 light = ToVector(setup.Light);
+  const Vec3 direction = ToVector(way);
+  if (setup.Point)
+  {
+    const Vec3 toCenter = center - light;
+    const double distance = length(toCenter);
+    const double room = this->LightHeight * (2.0 * radius + this->LightHeight);
+    const Vec3 axis = toCenter / distance;
+    LitRay ray = this->MakeRay(x, y);
+    ray.AxisStart = dot(axis, ToVector(start) - light);
+    ray.AxisSlope = dot(axis, direction);
+    ray.Shape.CosCone = std::max(std::sqrt(room) / distance, 1e-9);
+    const Vec2 dark = SpotPart(ray, end);
+    const double beyond = room / distance - ray.AxisStart; // of the plane of all tangents' ends
+    const double at = beyond / (std::abs(ray.AxisSlope) > 1e-12 ? ray.AxisSlope : 1e-12);
+    return ray.AxisSlope > 0.0 ? Vec2(std::max(dark.x, at), dark.y)
+                               : Vec2(dark.x, std::min(dark.y, at));
+  }
+  const Vec3 from = ToVector(start) - center;
+  const Vec3 across = from - dot(from, light) * light;
+  const Vec3 aside = direction - dot(direction, light) * light;
+  const double a = std::max(dot(aside, aside), 1e-18);
+  const double b = dot(across, aside);
+  const double root = b * b - a * (dot(across, across) - radius * radius);
+  if (root <= 0.0)
+  {
+    return Vec2(0.0, 0.0);
+  }
+  const double slope = dot(direction, light);
+  const double at = -dot(from, light) / (std::abs(slope) > 1e-12 ? slope : 1e-12);
+  const Vec2 dark((-b - std::sqrt(root)) / a, (-b + std::sqrt(root)) / a);
+  return slope > 0.0 ? Vec2(dark.x, std::min(dark.y, at)) : Vec2(std::max(dark.x, at), dark.y);
+}
+
+// None of a sun where it is higher over the eye than what can be seen is wide.
+void vtkGodRaysAirlight::FindPlanetShadow()
+{
+  const Scene& setup = this->Setup;
+  const vtkGodRaysMedium& medium = setup.Medium;
+  double reach = 0.0;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    double start[3];
+    double way[3];
+    const double x = corner % 2 == 0 ? 0.0 : setup.Size[0] + 8.0;
+    const double y = corner / 2 == 0 ? 0.0 : setup.Size[1] + 8.0;
+    this->GetRay(x, y, start, way);
+    reach = std::max(
+      reach, length(ToVector(start)) + medium.FarLimit * this->GetLengthPerDepth(x, y));
+  }
+  const double rise = dot(ToVector(medium.Up), ToVector(setup.Light));
+  this->HasPlanetShadow = this->IsPlanet &&
+    (setup.Point || (medium.PlanetRadius + medium.EyeHeight) * rise < reach);
+  this->MaximumNumberOfParts = this->HasPlanetShadow ? MaximumParts : 1;
+}
+
+// The cone of a light that fades ends where next to nothing is left of it.
+void vtkGodRaysAirlight::MakeFade()
+{
+  const vtkGodRaysSpot& spot = this->Setup.Spot;
+  this->Fade.clear();
+  this->CosLit = spot.CosCone;
+  if (!spot.Fades())
+  {
+    return;
+  }
+  this->CosLit = std::max(this->CosLit, std::pow(LeastFade, 1.0 / spot.Exponent));
+  this->Fade.resize(FadeEntries);
+  for (int i = 0; i < FadeEntries; ++i)
+  {
+    const double cosine = this->CosLit + (1.0 - this->CosLit) * i / (FadeEntries - 2.0);
+    this->Fade[i] = static_cast<float>(std::pow(std::min(cosine, 1.0), spot.Exponent));
+  }
 }
 
 void vtkGodRaysAirlight::GetFactors(

@@ -10,14 +10,15 @@
  * of the shared formulas. The table is kept while view, light and medium stay.
  *
  * Values are split into planes, one for each channel and, for a directional light in layered air, each component, as
- * the phase function is no part of them there. Cones, a planet's ground and its shadow do not cut the rays: see
- * GetParts().
+ * the phase function is no part of them there. A spotlight's cone and fade, and a planet's shadow, are no part of the
+ * table: they cut and weight what is read from it.
  */
 
 #ifndef vtkGodRaysAirlight_h
 #define vtkGodRaysAirlight_h
 
 #include "vtkGodRaysFiltersModule.h" // For export macro
+#include "vtkGodRaysMath.h"          // For vtkGodRays::LitRay
 #include "vtkGodRaysMedium.h"        // For vtkGodRaysMedium
 
 #include <string> // For std::string
@@ -58,19 +59,27 @@ public:
   double GetLengthPerDepth(double x, double y) const;
 
   /**
-   * Airlight up to distances, but for GetFactors().
+   * Airlight up to distances, as fractions of the whole ray's; of a closed form, but for GetFactors().
    * @param values  of planes, of places
+   * @param lights  what light comes from the whole rays in a cone or past a planet, as fractions of what would come
+   *                without; of planes, of places. Null: not asked for
    */
-  void Evaluate(
-    int count, const float* x, const float* y, const float* distances, float* values) const;
+  void Evaluate(int count, const float* x, const float* y, const float* distances, float* values,
+    float* lights = nullptr) const;
 
   ///@{
   /**
-   * Whether light can come from less than a whole ray; and the parts, at most two of them, of a ray's first part: what
-   * is in a spotlight's cone, before a planet's ground and not in its shadow. Returns their number.
+   * Whether light can come from less than a whole ray; and the parts, at most two of them, from which it can: in a
+   * spotlight's cone, and not in a planet's shadow. Returns their number.
    */
-  bool HasParts() const { return this->Setup.Spot.IsCone() || this->IsPlanet; }
-  int GetParts(double x, double y, double end, double parts[MaximumParts][2]) const;
+  bool HasParts() const { return this->Setup.Spot.IsCone() || this->HasPlanetShadow; }
+  int GetParts(double x, double y, double parts[MaximumParts][2]) const;
+  ///@}
+
+  ///@{
+  /// Whether there is a planet; and where its ground ends a ray, if that is before a distance.
+  bool IsOverPlanet() const { return this->IsPlanet; }
+  double GetEnd(double x, double y, double distance) const;
   ///@}
 
   /**
@@ -83,15 +92,25 @@ public:
 private:
   struct Ladder // along a ray
   {
-    float Begin;   // [scene units]
+    float Begin;   // [scene units], or of a point light's coordinate
     float Inverse; // of its length
-    float Bend;    // c of u = x/(x + c (1 - x)): where half of the light comes from is u = 1/2
+    float Bend;    // the end of a point light's; else c of u = x/(x + c (1 - x)): where half of the light comes from is u = 1/2
   };
   struct Sampler;
 
   void MakeTable();
   void MakeLadder(int ray, double x, double y);
   void MakeKey(std::vector<double>& key) const;
+  void EvaluateParts(int count, const float* x, const float* y, const float* distances,
+    float* values, float* lights, int stride) const;
+  int AddSteps(
+    double x, double y, double begin, double end, float* places, float* fades) const;
+  void EvaluateWhole(int count, const float* x, const float* y, const float* distances,
+    float* values, int stride) const;
+  vtkGodRays::LitRay MakeRay(double x, double y) const;
+  vtkGodRays::Vec2 GetPlanetShadow(double x, double y, double end) const;
+  void FindPlanetShadow();
+  void MakeFade();
   void EvaluateTable(int count, const float* x, const float* y, const float* distances,
     float* values, int stride) const;
   void GetPass(float x, float y, float& foot, float& height, float& end) const;
@@ -103,6 +122,10 @@ private:
   int Components = 1;
   bool Closed = true;
   bool IsPlanet = false;
+  bool HasPlanetShadow = false;
+  int MaximumNumberOfParts = 1;
+  double CosLit = 0.0;       // of the cone within which a spotlight's light is not negligible
+  std::vector<float> Fade;   // of a spotlight, over the cosine from CosLit to 1
   float Extinction[3] = { 0.0f, 0.0f, 0.0f };
   double LightHeight = 0.0; // of a point light
   double Nearest = 0.0;     // that it is to a view ray

@@ -19,7 +19,6 @@ constexpr int Levels = 3; // of grids above that of pixels
 constexpr int Coarsest = 1 << Levels;
 constexpr int MostPixels = Coarsest * Coarsest;
 constexpr int MaximumPlanes = vtkGodRaysAirlight::MaximumPlanes;
-constexpr int MaximumEdges = 2 * vtkGodRaysAirlight::MaximumParts;
 
 // On the coarsest grid, of the tolerance of a pixel. Measured on the scenes of ModelError.
 constexpr double CoarsestTolerance = 3.0;
@@ -35,6 +34,7 @@ struct Place
 };
 
 // The stretches of one ray: of each, the airlight of planes at its begin and end, then its darkness, unless that is 1.
+// Their number is -1 where no light comes from the ray at all.
 struct List
 {
   const float* Values;
@@ -90,16 +90,17 @@ private:
   void Write(int first, int row, int count);
   int GetComponents(const Parameters& parameters) const;
 
-  // Edges of what is lit of each pixel's ray, in airlight: [edge][plane][pixel].
-  const float* GetEdge(int edge, int plane) const
+  const float* GetOwn(int plane) const { return this->Own.data() + plane * this->Pixels; }
+
+  // Which part of the light can come from a pixel's ray.
+  float GetLight(int plane, std::size_t pixel) const
   {
-    return this->Edges.data() + static_cast<std::size_t>(edge * this->Planes + plane) * this->Pixels;
+    return this->Lights.empty() ? 1.0f : this->Lights[plane * this->Pixels + pixel];
   }
 
   double Color[3] = { 1.0, 1.0, 1.0 };
   double Tolerance = 0.0;
   int Planes = 1;
-  int NumberOfEdges = 1;
   std::size_t Pixels = 0;
   bool HasShadows = false;
   double FarLimit = 0.0;
@@ -110,8 +111,9 @@ private:
   double Light[3] = { 0.0, 0.0, 0.0 };
   vtkGodRaysShadowPyramid Pyramid;
   std::vector<float> Greatest[Levels]; // depths of cells
-  std::vector<float> Edges;
-  std::vector<float> Hidden; // airlight: [plane][pixel]
+  std::vector<float> Own;    // airlight of the pixels' rays: [plane][pixel]
+  std::vector<float> Hidden; // of it
+  std::vector<float> Lights; // see vtkGodRaysAirlight::Evaluate(); empty if they are 1
   Grid Grids[Levels + 1];
   std::vector<std::vector<float>> Values; // of the lists of each task; they only grow
   std::size_t NumberOfTasks = 0;
@@ -158,7 +160,6 @@ void vtkGodRaysInScattering::vtkInternals::Execute(const Parameters& parameters)
   std::copy_n(scene.Light, 3, this->Light);
   std::copy_n(scene.Center, 2, this->Center);
   this->Planes = this->Airlight.GetNumberOfPlanes();
-  this->NumberOfEdges = this->Airlight.HasParts() ? MaximumEdges : 1;
   this->Pixels = static_cast<std::size_t>(this->Size[0]) * this->Size[1];
   this->NumberOfComponents = scene.Colored ? 3 : this->GetComponents(parameters);
   this->NumberOfRays = 0;
@@ -185,10 +186,11 @@ int vtkGodRaysInScattering::vtkInternals::GetComponents(const Parameters& parame
   return grey ? 1 : 3;
 }
 
-// The airlight of each pixel's whole ray, or at the edges of its parts.
+// The airlight of each pixel's ray.
 void vtkGodRaysInScattering::vtkInternals::FindOwn()
 {
-  this->Edges.resize(static_cast<std::size_t>(this->NumberOfEdges) * this->Planes * this->Pixels);
+  this->Own.resize(this->Planes * this->Pixels);
+  this->Lights.resize(this->Airlight.HasParts() ? this->Planes * this->Pixels : 0);
   vtkSMPTools::For(0, this->Size[1], 8,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -206,8 +208,9 @@ void vtkGodRaysInScattering::vtkInternals::FindOwn(int first, int row, int count
 {
   float x[MostPixels];
   float y[MostPixels];
-  float distances[MaximumEdges][MostPixels];
+  float distances[MostPixels];
   float values[MaximumPlanes * MostPixels];
+  float lights[MaximumPlanes * MostPixels];
   const std::size_t pixel = static_cast<std::size_t>(row) * this->Size[0] + first;
   const float size = this->Parallel ? 0.0f : static_cast<float>(this->PixelSize);
   const float far = static_cast<float>(this->FarLimit);
@@ -217,32 +220,23 @@ void vtkGodRaysInScattering::vtkInternals::FindOwn(int first, int row, int count
     x[i] = static_cast<float>(first + i);
     y[i] = static_cast<float>(row);
     const float across = (x[i] - static_cast<float>(this->Center[0])) * size;
-    distances[0][i] = std::min(this->Depths[pixel + i], far) *
+    distances[i] = std::min(this->Depths[pixel + i], far) *
       std::sqrt(1.0f + across * across + along * along);
   }
-  for (int i = 0; this->NumberOfEdges > 1 && i < count; ++i)
+  for (int i = 0; this->Airlight.IsOverPlanet() && i < count; ++i)
   {
-    double parts[vtkGodRaysAirlight::MaximumParts][2] = {};
-    const int number = this->Airlight.GetParts(first + i, row, distances[0][i], parts);
-    for (int e = 0; e < this->NumberOfEdges; ++e)
-    {
-      distances[e][i] = static_cast<float>(e / 2 < number ? parts[e / 2][e % 2] : 0.0);
-    }
+    distances[i] = static_cast<float>(this->Airlight.GetEnd(first + i, row, distances[i]));
   }
-  for (int e = 0; e < this->NumberOfEdges; ++e)
+  const bool hasLights = !this->Lights.empty();
+  this->Airlight.Evaluate(count, x, y, distances, values, hasLights ? lights : nullptr);
+  for (int p = 0; p < this->Planes; ++p)
   {
-    if (std::all_of(distances[e], distances[e] + count, [](float at) { return at == 0.0f; }))
+    const std::ptrdiff_t from = static_cast<std::ptrdiff_t>(p) * count;
+    const std::size_t to = p * this->Pixels + pixel;
+    std::copy_n(values + from, count, this->Own.data() + to);
+    if (hasLights)
     {
-      std::fill_n(values, this->Planes * count, 0.0f);
-    }
-    else
-    {
-      this->Airlight.Evaluate(count, x, y, distances[e], values);
-    }
-    for (int p = 0; p < this->Planes; ++p)
-    {
-      std::copy_n(values + static_cast<std::ptrdiff_t>(p) * count, count,
-        this->Edges.data() + static_cast<std::size_t>(e * this->Planes + p) * this->Pixels + pixel);
+      std::copy_n(lights + from, count, this->Lights.data() + to);
     }
   }
 }
@@ -315,8 +309,19 @@ void vtkGodRaysInScattering::vtkInternals::WalkSome(const std::vector<Place>& pl
     double direction[3];
     this->Airlight.GetRay(x, y, origin, direction);
     stretches.clear();
-    this->Pyramid.Walk(origin, direction,
-      std::min<double>(depths[ray], this->FarLimit) / direction[2], stretches);
+    double end = std::min<double>(depths[ray], this->FarLimit) / direction[2];
+    if (this->Airlight.HasParts())
+    {
+      double parts[vtkGodRaysAirlight::MaximumParts][2];
+      const int number = this->Airlight.GetParts(x, y, parts);
+      if (number == 0)
+      {
+        counts[ray - begin] = -1;
+        continue;
+      }
+      end = std::min(end, parts[number - 1][1]);
+    }
+    this->Pyramid.Walk(origin, direction, end, stretches);
     const int count = static_cast<int>(stretches.size());
     counts[ray - begin] = count;
     numbers.resize(static_cast<std::size_t>(count) * 2 * (3 + this->Planes));
@@ -380,16 +385,16 @@ void vtkGodRaysInScattering::vtkInternals::Walk(
         for (std::size_t ray = from; ray < to; ++ray)
         {
           this->Lists[first + ray] = { at, counts[ray - from] };
-          at += static_cast<std::ptrdiff_t>(counts[ray - from]) * stride;
+          at += static_cast<std::ptrdiff_t>(std::max(counts[ray - from], 0)) * stride;
         }
       }
     });
 }
 
-// What is hidden of the airlight of some pixels: edges and results are [edge][plane][pixel] and [plane][pixel].
+// What is hidden of the airlight of some pixels, which is [plane][pixel].
 template <int Count>
 void vtkGodRaysInScattering::vtkInternals::GetHidden(
-  const List& list, const float* edges, float* hidden) const
+  const List& list, const float* airlight, float* hidden) const
 {
   const int planes = this->Planes;
   const int channels = this->Airlight.GetNumberOfChannels();
@@ -397,6 +402,7 @@ void vtkGodRaysInScattering::vtkInternals::GetHidden(
   const int stride = 2 * planes + (opaque ? 0 : 3);
   for (int p = 0; p < planes; ++p)
   {
+    const float* own = airlight + p * Count;
     float sums[Count] = {};
     const float* values = list.Values;
     for (int i = 0; i < list.Count; ++i, values += stride)
@@ -404,24 +410,9 @@ void vtkGodRaysInScattering::vtkInternals::GetHidden(
       const float begin = values[2 * p];
       const float end = values[2 * p + 1];
       const float dark = opaque ? 1.0f : values[2 * planes + p % channels];
-      if (this->NumberOfEdges == 1)
+      for (int k = 0; k < Count; ++k)
       {
-        const float* own = edges + p * Count;
-        for (int k = 0; k < Count; ++k)
-        {
-          sums[k] += dark * (std::min(end, own[k]) - std::min(begin, own[k]));
-        }
-        continue;
-      }
-      for (int e = 0; e < this->NumberOfEdges; e += 2)
-      {
-        const float* low = edges + (e * planes + p) * Count;
-        const float* high = low + planes * Count;
-        for (int k = 0; k < Count; ++k)
-        {
-          sums[k] += dark *
-            (std::min(std::max(end, low[k]), high[k]) - std::min(std::max(begin, low[k]), high[k]));
-        }
+        sums[k] += dark * (std::min(end, own[k]) - std::min(begin, own[k]));
       }
     }
     std::copy_n(sums, Count, hidden + p * Count);
@@ -506,29 +497,20 @@ void vtkGodRaysInScattering::vtkInternals::FindLimit()
       const int x = std::min(i * Coarsest, this->Size[0] - 1);
       const int y = std::min(j * Coarsest, this->Size[1] - 1);
       const std::size_t pixel = static_cast<std::size_t>(y) * this->Size[0] + x;
-      float edges[MaximumEdges * MaximumPlanes];
+      float own[MaximumPlanes];
       float hidden[MaximumPlanes];
-      for (int e = 0; e < this->NumberOfEdges; ++e)
+      for (int p = 0; p < this->Planes; ++p)
       {
-        for (int p = 0; p < this->Planes; ++p)
-        {
-          edges[e * this->Planes + p] = this->GetEdge(e, p)[pixel];
-        }
+        own[p] = this->GetOwn(p)[pixel];
       }
       const int index = grid.Index[static_cast<std::size_t>(j) * grid.Size[0] + i];
-      this->GetHidden<1>(this->Lists[index], edges, hidden);
+      this->GetHidden<1>(this->Lists[index], own, hidden);
       double weights[MaximumPlanes];
       this->GetWeights(x, y, weights);
       double sum = 0.0;
       for (int p = 0; p < this->Planes; ++p)
       {
-        float own = edges[p];
-        if (this->NumberOfEdges > 1)
-        {
-          own = edges[this->Planes + p] - edges[p] + edges[3 * this->Planes + p] -
-            edges[2 * this->Planes + p];
-        }
-        sum = std::max(sum, (own - hidden[p]) * weights[p]);
+        sum = std::max(sum, (own[p] - hidden[p]) * weights[p] * this->GetLight(p, pixel));
       }
       bright.push_back(static_cast<float>(sum));
     }
@@ -549,43 +531,69 @@ bool vtkGodRaysInScattering::vtkInternals::FillCell(int level, const Place& cell
   }
   const Grid& grid = this->Grids[level];
   const List* lists[4];
+  const List* lit = nullptr;
+  bool unlit = false;
   int stretches = 0;
   for (int corner = 0; corner < 4; ++corner)
   {
     const std::size_t at = static_cast<std::size_t>(cell.Y + corner / 2) * grid.Size[0] + cell.X +
       corner % 2;
     lists[corner] = &this->Lists[grid.Index[at]];
-    stretches += lists[corner]->Count;
+    unlit = unlit || lists[corner]->Count < 0;
+    lit = lists[corner]->Count < 0 ? lit : lists[corner];
+    stretches += std::max(lists[corner]->Count, 0);
   }
-  if (stretches == 0)
+  if (stretches == 0 && !unlit)
   {
     return true; // and nothing is hidden
   }
   const int planes = this->Planes;
   const int x0 = cell.X * Side;
   const int y0 = cell.Y * Side;
-  float edges[MaximumEdges * MaximumPlanes * count];
-  for (int e = 0; e < this->NumberOfEdges; ++e)
+  float own[MaximumPlanes * count];
+  float lights[MaximumPlanes * count];
+  for (int p = 0; p < planes; ++p)
   {
+    for (int i = 0; i < count; ++i)
+    {
+      const int x = std::min(x0 + i % Side, this->Size[0] - 1);
+      const int y = std::min(y0 + i / Side, this->Size[1] - 1);
+      const std::size_t pixel = static_cast<std::size_t>(y) * this->Size[0] + x;
+      own[p * count + i] = this->GetOwn(p)[pixel];
+      lights[p * count + i] = this->GetLight(p, pixel);
+    }
+  }
+  double weights[MaximumPlanes];
+  this->GetWeights(x0 + Side / 2, y0 + Side / 2, weights);
+  if (unlit)
+  {
+    // Rays without light tell nothing of those beside them.
     for (int p = 0; p < planes; ++p)
     {
-      const float* own = this->GetEdge(e, p);
-      float* to = edges + (e * planes + p) * count;
-      for (int i = 0; i < count; ++i)
+      float most = 0.0f;
+      for (int i = p * count; i < (p + 1) * count; ++i)
       {
-        const int x = std::min(x0 + i % Side, this->Size[0] - 1);
-        const int y = std::min(y0 + i / Side, this->Size[1] - 1);
-        to[i] = own[static_cast<std::size_t>(y) * this->Size[0] + x];
+        most = std::max(most, own[i] * lights[i]);
       }
+      if (most * weights[p] > limit)
+      {
+        return false;
+      }
+    }
+    if (!lit)
+    {
+      return true;
+    }
+    for (const List*& list : lists)
+    {
+      list = list->Count < 0 ? lit : list;
     }
   }
   float hidden[4][MaximumPlanes * count];
   for (int corner = 0; corner < 4; ++corner)
   {
-    this->GetHidden<count>(*lists[corner], edges, hidden[corner]);
+    this->GetHidden<count>(*lists[corner], own, hidden[corner]);
   }
-  double weights[MaximumPlanes];
-  this->GetWeights(x0 + Side / 2, y0 + Side / 2, weights);
   for (int p = 0; p < planes; ++p)
   {
     float most = 0.0f;
@@ -597,7 +605,7 @@ bool vtkGodRaysInScattering::vtkInternals::FillCell(int level, const Place& cell
         std::min(std::min(corners[0][i], corners[1][i]), std::min(corners[2][i], corners[3][i]));
       const float high =
         std::max(std::max(corners[0][i], corners[1][i]), std::max(corners[2][i], corners[3][i]));
-      most = std::max(most, high - low);
+      most = std::max(most, (high - low) * lights[p * count + i]);
     }
     if (most * weights[p] > limit)
     {
@@ -736,15 +744,15 @@ void vtkGodRaysInScattering::vtkInternals::Refine()
       {
         const Place& pixel = this->CellsLeft[i];
         const std::size_t at = static_cast<std::size_t>(pixel.Y) * this->Size[0] + pixel.X;
-        float edges[MaximumEdges * MaximumPlanes];
+        float own[MaximumPlanes];
         float hidden[MaximumPlanes];
-        for (int e = 0; e < this->NumberOfEdges * this->Planes; ++e)
+        for (int p = 0; p < this->Planes; ++p)
         {
-          edges[e] = this->Edges[static_cast<std::size_t>(e) * this->Pixels + at];
+          own[p] = this->GetOwn(p)[at];
         }
         const Grid& grid = this->Grids[0];
         const int index = grid.Index[static_cast<std::size_t>(pixel.Y) * grid.Size[0] + pixel.X];
-        this->GetHidden<1>(this->Lists[index], edges, hidden);
+        this->GetHidden<1>(this->Lists[index], own, hidden);
         for (int p = 0; p < this->Planes; ++p)
         {
           this->Hidden[p * this->Pixels + at] = hidden[p];
@@ -785,21 +793,11 @@ void vtkGodRaysInScattering::vtkInternals::Write(int first, int row, int count)
       const int p = k * channels + (channels == 3 ? c : 0);
       const float* factor = factors + static_cast<std::ptrdiff_t>(3 * k + c) * count;
       const float* hidden = this->Hidden.data() + p * this->Pixels + pixel;
-      const float* own = this->GetEdge(0, p) + pixel;
-      if (this->NumberOfEdges == 1)
-      {
-        for (int i = 0; i < count; ++i)
-        {
-          sums[i] += factor[i] * std::max(own[i] - hidden[i], 0.0f);
-        }
-        continue;
-      }
-      const float* edges[MaximumEdges] = { own, this->GetEdge(1, p) + pixel,
-        this->GetEdge(2, p) + pixel, this->GetEdge(3, p) + pixel };
+      const float* own = this->GetOwn(p) + pixel;
+      const float* lights = this->Lights.empty() ? nullptr : this->Lights.data() + p * this->Pixels + pixel;
       for (int i = 0; i < count; ++i)
       {
-        const float lit = edges[1][i] - edges[0][i] + edges[3][i] - edges[2][i];
-        sums[i] += factor[i] * std::max(lit - hidden[i], 0.0f);
+        sums[i] += factor[i] * (lights ? lights[i] : 1.0f) * std::max(own[i] - hidden[i], 0.0f);
       }
     }
     float* to = this->Result.data() + pixel * components + c;

@@ -127,6 +127,21 @@ private:
   Engine Sweep;
 };
 
+// The pixel in which the light is seen, or -1: there the truth is of a ray through the pixel's centre, what
+// is drawn the mean over the pixel.
+inline vtkIdType FindLight(vtkGodRaysMediumFilter* filter, const int size[2])
+{
+  const double* light = filter->GetLight();
+  const double halfHeight = filter->GetParallelProjection()
+    ? filter->GetParallelScale()
+    : -light[2] * std::tan(0.5 * vtkMath::RadiansFromDegrees(filter->GetViewAngle()));
+  const double perUnit = 0.5 * size[1] / halfHeight;
+  const double x = std::floor(light[0] * perUnit + 0.5 * size[0]);
+  const double y = std::floor(light[1] * perUnit + 0.5 * size[1]);
+  const bool isShown = halfHeight > 0.0 && x >= 0.0 && y >= 0.0 && x < size[0] && y < size[1];
+  return isShown ? static_cast<vtkIdType>(y * size[0] + x) : -1;
+}
+
 // Fractions of the truth's peak.
 struct Error
 {
