@@ -16,8 +16,7 @@ vtkStandardNewMacro(vtkGodRaysAutomaticIntegrator);
 namespace
 {
 // Measured: on the twelve scenes of Documentation/ModelError.md, 95 of 100 cases are within 0.0093 with one
-// map of 1024 pixels; with four nested ones within 0.0057 (half of 512 pixels, lines 2 apart), 0.0030 (1536),
-// 0.0019 (3072, lines 1 apart) and 0.0017 (lines 0.5 apart).
+// map of 1024 pixels; with four nested ones within 0.0057 (half of 512 pixels), 0.0030 (1536) and 0.0017 (3072).
 constexpr double OneMapTolerance = 0.009;
 constexpr int OneMapSize = 1024;
 constexpr int NumberOfNestedMaps = 4;
@@ -27,21 +26,16 @@ int GetMapSize(double tolerance)
   const double steps = std::round(6.0 / 256.0 / tolerance);
   return 256 * static_cast<int>(std::min(std::max(steps, 2.0), 16.0));
 }
-
-double GetLineSpacing(double tolerance)
-{
-  return tolerance > 0.003 ? 2.0 : tolerance > 0.0015 ? 1.0 : 0.5;
-}
 }
 
 vtkGodRaysAutomaticIntegrator::vtkGodRaysAutomaticIntegrator()
 {
-  this->Shadows->SweepMapOn();
+  this->Shadows->WalkMapOn();
 }
 
 vtkGodRaysAutomaticIntegrator::~vtkGodRaysAutomaticIntegrator() = default;
 
-void vtkGodRaysAutomaticIntegrator::Choose(const Request& request)
+vtkGodRaysMediumIntegrator::Request vtkGodRaysAutomaticIntegrator::Choose(const Request& request)
 {
   double greatest[2] = { this->GetCorrectedTolerance(request), request.Interactive ? 1.0 : 0.0 };
   if (request.Compositor && request.Compositor->IsDistributed())
@@ -53,8 +47,10 @@ void vtkGodRaysAutomaticIntegrator::Choose(const Request& request)
   const bool oneServes = greatest[1] > 0.0 && tolerance > OneMapTolerance;
   const bool isPoint = !request.Light->IsInfinite();
   this->Shadows->SetMapSize(isPoint || oneServes ? OneMapSize : GetMapSize(tolerance));
-  this->Shadows->SetLineSpacing(GetLineSpacing(tolerance));
+  Request corrected = request;
+  corrected.ErrorTolerance = tolerance;
   this->Shadows->SetNumberOfNestedMaps(oneServes ? 1 : NumberOfNestedMaps);
+  return corrected;
 }
 
 // Once a frame, however many lights it has.
@@ -77,14 +73,12 @@ double vtkGodRaysAutomaticIntegrator::GetCorrectedTolerance(const Request& reque
 
 bool vtkGodRaysAutomaticIntegrator::Integrate(const Request& request)
 {
-  this->Choose(request);
-  return this->Shadows->Integrate(request);
+  return this->Shadows->Integrate(this->Choose(request));
 }
 
 bool vtkGodRaysAutomaticIntegrator::Contribute(const Request& request)
 {
-  this->Choose(request);
-  return this->Shadows->Contribute(request);
+  return this->Shadows->Contribute(this->Choose(request));
 }
 
 const vtkGodRaysShadowGrids* vtkGodRaysAutomaticIntegrator::GetShadows()
@@ -94,8 +88,7 @@ const vtkGodRaysShadowGrids* vtkGodRaysAutomaticIntegrator::GetShadows()
 
 const vtkGodRaysShadowGrids* vtkGodRaysAutomaticIntegrator::DrawShadows(const Request& request)
 {
-  this->Choose(request);
-  return this->Shadows->DrawShadows(request);
+  return this->Shadows->DrawShadows(this->Choose(request));
 }
 
 std::string vtkGodRaysAutomaticIntegrator::Describe(vtkGodRaysModel* model)

@@ -18,6 +18,7 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
+#include <atomic>
 #include <functional>
 #include <iterator>
 #include <string>
@@ -46,6 +47,8 @@ bool vtkGodRaysShadowMap::Draw(
   {
     return true;
   }
+  static std::atomic<unsigned int> version{ 0 };
+  this->Faces.Grids.Version = ++version;
   const bool hasRest = this->FindRest();
   this->Drawn.Clear();
   this->Depths.clear();

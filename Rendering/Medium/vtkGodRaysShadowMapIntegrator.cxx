@@ -7,12 +7,11 @@
 #include "vtkGodRaysMediumRays.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysQuad.h"
-#include "vtkGodRaysSetGet.h"
 #include "vtkGodRaysShadowMap.h"
 #include "vtkGodRaysShadowMapFS.h"
 #include "vtkGodRaysShadowMapFilterFS.h"
 #include "vtkGodRaysSum.h"
-#include "vtkGodRaysSweptLight.h"
+#include "vtkGodRaysWalkedLight.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysViewDepths.h"
 #include "vtkObjectFactory.h"
@@ -27,8 +26,6 @@
 
 vtkStandardNewMacro(vtkGodRaysShadowMapIntegrator);
 
-vtkGodRaysSetFiniteMacro(vtkGodRaysShadowMapIntegrator, LineSpacing, 0.5, 2.0);
-
 struct vtkGodRaysShadowMapIntegrator::Internals
 {
   vtkGodRaysQuad March{ "vtkGodRaysShadowMapFS",
@@ -39,12 +36,12 @@ struct vtkGodRaysShadowMapIntegrator::Internals
   struct Light
   {
     vtkGodRaysShadowMap Map;
-    vtkGodRaysSweptLight Swept; // whose sweep has the light's table of airlight
+    vtkGodRaysWalkedLight Walked; // which has the light's table of airlight
 
     void Release(vtkWindow* window)
     {
       this->Map.Release(window);
-      this->Swept.Release(window);
+      this->Walked.Release(window);
     }
   };
   std::deque<Light> Lights = std::deque<Light>(1); // in the frame's order
@@ -52,9 +49,9 @@ struct vtkGodRaysShadowMapIntegrator::Internals
   unsigned int LightsFrame = 0;
   vtkGodRaysTarget Lit[2];      // the part that is lit, of one channel, and of three, and the depth
   vtkGodRaysTarget RowMeans[2]; // its means of rows, alike
-  bool IsSwept = false;         // the last light
+  bool IsWalked = false;         // the last light
   bool ShadowsAlone = false;
-  unsigned int EndsFrame = 0; // whose ends of view rays the sweep of its first light has
+  unsigned int EndsFrame = 0; // whose ends of view rays the walk of its first light has
   const float* Ends = nullptr;
 
   Light& GetLight() { return this->Lights[this->Last]; }
@@ -91,7 +88,7 @@ void vtkGodRaysShadowMapIntegrator::Internals::CountLight(const Request& request
 // They are read from the graphics card once a frame.
 bool vtkGodRaysShadowMapIntegrator::Internals::ReadEnds(const Request& request, const int size[2])
 {
-  float* const ends = this->GetLight().Swept.Sweep.PrepareInput(size[0], size[1]);
+  float* const ends = this->GetLight().Walked.Walk.PrepareInput(size[0], size[1]);
   if (this->EndsFrame == request.Depths->GetFrame())
   {
     std::copy_n(this->Ends, static_cast<std::size_t>(size[0]) * size[1], ends);
@@ -155,9 +152,9 @@ bool vtkGodRaysShadowMapIntegrator::Integrate(const Request& request)
   {
     return false;
   }
-  if (self.IsSwept)
+  if (self.IsWalked)
   {
-    return this->Sweep(request);
+    return this->Walk(request);
   }
   vtkGodRaysTarget* const ends = request.Depths->GetEnds();
   if (!ends)
@@ -197,20 +194,20 @@ bool vtkGodRaysShadowMapIntegrator::Integrate(const Request& request)
 bool vtkGodRaysShadowMapIntegrator::DrawMap(const Request& request)
 {
   Internals& self = *this->Internal;
-  self.IsSwept = this->SweepMap;
+  self.IsWalked = this->WalkMap;
   self.CountLight(request);
   return self.GetMap().Draw(
-    request, this->MapSize, self.IsSwept ? this->NumberOfNestedMaps : 1, self.IsSwept);
+    request, this->MapSize, self.IsWalked ? this->NumberOfNestedMaps : 1, self.IsWalked);
 }
 
-bool vtkGodRaysShadowMapIntegrator::Sweep(const Request& request)
+bool vtkGodRaysShadowMapIntegrator::Walk(const Request& request)
 {
   Internals& self = *this->Internal;
   int size[2];
   request.Depths->GetSize(size);
-  auto parameters = vtkGodRaysSweptLight::GetParameters(request, size, &self.GetMap().GetGrids());
-  parameters.LineSpacing = this->LineSpacing;
-  return self.ReadEnds(request, size) && self.GetLight().Swept.Add(request, parameters, size);
+  const auto parameters =
+    vtkGodRaysWalkedLight::GetParameters(request, size, &self.GetMap().GetGrids());
+  return self.ReadEnds(request, size) && self.GetLight().Walked.Add(request, parameters, size);
 }
 
 bool vtkGodRaysShadowMapIntegrator::Contribute(const Request& request)
@@ -244,9 +241,9 @@ std::string vtkGodRaysShadowMapIntegrator::Describe(vtkGodRaysModel*)
   {
     text << "for data alone";
   }
-  else if (this->Internal->IsSwept)
+  else if (this->Internal->IsWalked)
   {
-    text << "swept on the processor: " << this->Internal->GetLight().Swept.Sweep.Describe();
+    text << "walked on the processor: " << this->Internal->GetLight().Walked.Walk.Describe();
   }
   else
   {
@@ -277,7 +274,6 @@ void vtkGodRaysShadowMapIntegrator::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MapSize: " << this->MapSize << "\n";
   os << indent << "NumberOfSteps: " << this->NumberOfSteps << "\n";
-  os << indent << "SweepMap: " << (this->SweepMap ? "On\n" : "Off\n");
+  os << indent << "WalkMap: " << (this->WalkMap ? "On\n" : "Off\n");
   os << indent << "NumberOfNestedMaps: " << this->NumberOfNestedMaps << "\n";
-  os << indent << "LineSpacing: " << this->LineSpacing << "\n";
 }

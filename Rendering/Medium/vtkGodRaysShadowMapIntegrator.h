@@ -18,8 +18,8 @@
  * what is seen of its shadow for a directional light. A point light that does not see all that blocks
  * within 60 degrees of one direction takes a cube of six maps, which leave out what is nearer than 1e-4
  * of the farthest thing. A shadow starts 1.5 of the map's pixels behind what casts it, and its edge is
- * no finer than they are. A sweep lets light through translucent surfaces and volumes by what they leave of
- * it; steps leave these out. Each light's map, and a sweep's table of its airlight, are kept while nothing in
+ * no finer than they are. A walk lets light through translucent surfaces and volumes by what they leave of
+ * it; steps leave these out. Each light's map, and a walk's table of its airlight, are kept while nothing in
  * them changes. In a scene on several processes the maps are joined.
  *
  * @sa vtkGodRaysMediumModel
@@ -61,35 +61,26 @@ public:
 
   ///@{
   /**
-   * Set/Get whether light is summed on the processor in place of steps. In each plane through the eye and
-   * the light a sweep adds what comes from every pixel of the map, at a cost that does not depend on their
-   * number along a ray; there is neither noise nor a mean of pixels, and a shadow starts at what casts it.
-   * For a directional light, seen in perspective, the map is then NumberOfNestedMaps. Default is off.
+   * Set/Get whether light is summed on the processor in place of steps. View rays walk through the map by its
+   * least and greatest heights, at a cost that hardly depends on its size, one in 8 x 8 pixels at first and up to
+   * every one where the error would be above that which the pass asks for; there is no noise, and a shadow starts
+   * at what casts it. For a directional light, seen in perspective, the map is then NumberOfNestedMaps. Default is
+   * off.
    */
-  vtkSetMacro(SweepMap, bool);
-  vtkGetMacro(SweepMap, bool);
-  vtkBooleanMacro(SweepMap, bool);
+  vtkSetMacro(WalkMap, bool);
+  vtkGetMacro(WalkMap, bool);
+  vtkBooleanMacro(WalkMap, bool);
   ///@}
 
   ///@{
   /**
-   * Set/Get how many maps a directional light has for a sweep [no unit]: one of MapSize, which serves while
+   * Set/Get how many maps a directional light has for a walk [no unit]: one of MapSize, which serves while
    * the camera moves; or more of half of it, each half as wide as the one before, about the axis through the
    * eye, which need drawing when the eye moves and are finer where shadows are seen small. Valid range:
    * [1, 4]. Default is 4.
    */
   vtkSetClampMacro(NumberOfNestedMaps, int, 1, 4);
   vtkGetMacro(NumberOfNestedMaps, int);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get how far a sweep's lines through the light are apart where that is most [pixels]. A pixel takes
-   * the nearest line, which makes edges of shadows as uneven; the cost grows with the number of lines. Valid
-   * range: [0.5, 2]. Default is 2.
-   */
-  void SetLineSpacing(double pixels);
-  vtkGetMacro(LineSpacing, double);
   ///@}
 
   VTK_WRAPEXCLUDE bool Integrate(const Request& request) override;
@@ -108,16 +99,15 @@ private:
   void operator=(const vtkGodRaysShadowMapIntegrator&) = delete;
 
   bool DrawMap(const Request& request);
-  bool Sweep(const Request& request);
+  bool Walk(const Request& request);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;
 
   int MapSize = 1024;
   int NumberOfSteps = 16;
-  bool SweepMap = false;
+  bool WalkMap = false;
   int NumberOfNestedMaps = 4;
-  double LineSpacing = 2.0;
 };
 
 #endif

@@ -6,7 +6,7 @@
 #ifndef DataScene_h
 #define DataScene_h
 
-#include "vtkGodRaysCoverageSweep.h"
+#include "vtkGodRaysInScattering.h"
 #include "vtkGodRaysGridPicture.h"
 #include "vtkGodRaysMath.h"
 

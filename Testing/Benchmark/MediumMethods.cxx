@@ -29,7 +29,7 @@ namespace
 {
 //------------------------------------------------------------------------------
 // Sums of the light before each end of the slices, of the columns of cells of a row.
-void FillRow(Froxels& froxels, int row, const vtkGodRaysCoverageSweep::Parameters& scene,
+void FillRow(Froxels& froxels, int row, const vtkGodRaysInScattering::Parameters& scene,
   const int size[2], int components)
 {
   const vtkGodRaysMedium::Component& medium = scene.Medium.Components[0];
@@ -70,8 +70,8 @@ bool ClosedFormIntegrator::Integrate(const Request& request)
 {
   int size[2];
   request.Depths->GetSize(size);
-  return request.Depths->ReadEnds(this->Light.Sweep.PrepareInput(size[0], size[1])) &&
-    this->Light.Add(request, vtkGodRaysSweptLight::GetParameters(request, size), size);
+  return request.Depths->ReadEnds(this->Light.Walk.PrepareInput(size[0], size[1])) &&
+    this->Light.Add(request, vtkGodRaysWalkedLight::GetParameters(request, size), size);
 }
 
 //------------------------------------------------------------------------------
@@ -89,7 +89,7 @@ void ClosedFormIntegrator::ReleaseGraphicsResources(vtkWindow* window)
 //------------------------------------------------------------------------------
 PictureIntegrator::PictureIntegrator()
 {
-  this->Map->SweepMapOn();
+  this->Map->WalkMapOn();
   this->Map->SetMapSize(1024);
   this->Map->SetNumberOfNestedMaps(1);
 }
@@ -113,7 +113,7 @@ bool PictureIntegrator::Integrate(const Request& request)
   {
     return false;
   }
-  this->Fill(vtkGodRaysSweptLight::GetParameters(request, size, shadows), size, components,
+  this->Fill(vtkGodRaysWalkedLight::GetParameters(request, size, shadows), size, components,
     this->Depths.data(), this->Picture.data());
   vtkGodRaysTarget& rays = this->Rays[grey ? 0 : 1];
   if (!request.Result->Settle())

@@ -11,7 +11,7 @@
 
 #include "vtkGodRaysMediumIntegrator.h"
 #include "vtkGodRaysShadowMapIntegrator.h"
-#include "vtkGodRaysSweptLight.h"
+#include "vtkGodRaysWalkedLight.h"
 
 #include "vtkNew.h"
 
@@ -34,7 +34,7 @@ protected:
   ~ClosedFormIntegrator() override = default;
 
 private:
-  vtkGodRaysSweptLight Light;
+  vtkGodRaysWalkedLight Light;
 };
 
 /// A picture of the light in a homogeneous medium that the processor makes from the library's shadow map, one
@@ -48,7 +48,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
-  using Scene = vtkGodRaysCoverageSweep::Parameters;
+  using Scene = vtkGodRaysInScattering::Parameters;
 
   PictureIntegrator();
   ~PictureIntegrator() override = default;

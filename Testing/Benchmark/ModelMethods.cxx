@@ -49,13 +49,13 @@ std::vector<ModelMethod> MakeModelMethods()
   for (const int size : { 512, 1024, 1536, 3072 })
   {
     auto sweep = vtkSmartPointer<vtkGodRaysShadowMapIntegrator>::New();
-    sweep->SweepMapOn();
+    sweep->WalkMapOn();
     sweep->SetMapSize(size);
     add(
       ("shadow map, swept, 4 of " + std::to_string(size / 2)).c_str(), "shadow map, swept", sweep);
   }
   auto one = vtkSmartPointer<vtkGodRaysShadowMapIntegrator>::New();
-  one->SweepMapOn();
+  one->WalkMapOn();
   one->SetNumberOfNestedMaps(1);
   add("shadow map, swept, 1 of 1024", "one map, swept", one);
   for (const int share : { 16, 32, 64, 128, 255, 512, 1024 })

@@ -9,7 +9,6 @@
 #define GodRaysAirlight_h
 
 #include "GodRaysFiltersTesting.h"
-#include "vtkGodRaysCoverageSweep.h"
 #include "vtkGodRaysInScattering.h"
 #include "vtkGodRaysMediumFilter.h"
 
@@ -22,57 +21,7 @@
 
 namespace GodRaysMediumScenes
 {
-// What a test is about: the sweep, or the walk.
-class Engine
-{
-public:
-  using Parameters = vtkGodRaysCoverageSweep::Parameters;
-  static constexpr float Sky = vtkGodRaysCoverageSweep::Sky;
-  static inline bool IsWalk = std::getenv("GODRAYS_WALK") != nullptr;
-  static inline double Tolerance = 1e-4; // of the walk
-
-  float* PrepareInput(int width, int height)
-  {
-    return IsWalk ? this->Walked.PrepareInput(width, height) : this->Swept.PrepareInput(width, height);
-  }
-
-  bool Execute(const Parameters& parameters)
-  {
-    if (!IsWalk)
-    {
-      return this->Swept.Execute(parameters);
-    }
-    vtkGodRaysInScattering::Parameters same;
-    same.PixelSize = parameters.PixelSize;
-    std::copy_n(parameters.Center, 2, same.Center);
-    same.Parallel = parameters.Parallel;
-    std::copy_n(parameters.Light, 4, same.Light);
-    std::copy_n(parameters.LightColor, 3, same.LightColor);
-    same.Spot = parameters.Spot;
-    same.Medium = parameters.Medium;
-    same.Shadows = parameters.Shadows;
-    same.Tolerance = Tolerance;
-    return this->Walked.Execute(same);
-  }
-
-  int GetNumberOfComponents() const
-  {
-    return IsWalk ? this->Walked.GetNumberOfComponents() : this->Swept.GetNumberOfComponents();
-  }
-  const float* GetResult() const
-  {
-    return IsWalk ? this->Walked.GetResult() : this->Swept.GetResult();
-  }
-  double GetBound() const { return IsWalk ? VTK_DOUBLE_MAX : this->Swept.GetBound(); }
-  std::string Describe() const { return IsWalk ? this->Walked.Describe() : this->Swept.Describe(); }
-  double GetWalkedPart() const { return this->Walked.GetWalkedPart(); }
-
-private:
-  vtkGodRaysCoverageSweep Swept;
-  vtkGodRaysInScattering Walked;
-};
-
-// A filter's camera, light and medium, as the sweep or the walk computes them.
+// A filter's camera, light and medium, as vtkGodRaysInScattering computes them.
 class Airlight : public vtkGodRaysMediumFilter
 {
 public:
@@ -88,7 +37,7 @@ public:
   GodRaysFiltersTesting::Picture Draw(const GodRaysFiltersTesting::Picture& ends)
   {
     const View view = this->GetView(ends.Height);
-    Engine::Parameters parameters;
+    vtkGodRaysInScattering::Parameters parameters;
     parameters.PixelSize = view.PixelSize;
     parameters.Center[0] = 0.5 * ends.Width;
     parameters.Center[1] = 0.5 * ends.Height;
@@ -105,26 +54,26 @@ public:
     std::copy_n(this->LightColor, 3, parameters.LightColor);
     parameters.Medium = this->GetMedium(view);
     parameters.Spot = this->GetSpot(view);
-    float* input = this->Sweep.PrepareInput(ends.Width, ends.Height);
+    parameters.Tolerance = 1e-4;
+    float* input = this->Walk.PrepareInput(ends.Width, ends.Height);
     std::transform(ends.Values.begin(), ends.Values.end(), input,
       [](double end)
-      { return static_cast<float>(std::min<double>(end, vtkGodRaysCoverageSweep::Sky)); });
-    EXPECT_TRUE(this->Sweep.Execute(parameters));
+      { return static_cast<float>(std::min<double>(end, vtkGodRaysInScattering::Sky)); });
+    EXPECT_TRUE(this->Walk.Execute(parameters));
     GodRaysFiltersTesting::Picture picture(
-      ends.Width, ends.Height, this->Sweep.GetNumberOfComponents());
-    std::copy_n(this->Sweep.GetResult(), picture.Values.size(), picture.Values.begin());
+      ends.Width, ends.Height, this->Walk.GetNumberOfComponents());
+    std::copy_n(this->Walk.GetResult(), picture.Values.size(), picture.Values.begin());
     return picture;
   }
 
-  double GetBound() const { return this->Sweep.GetBound(); }
-  std::string Describe() const { return this->Sweep.Describe(); }
+  std::string Describe() const { return this->Walk.Describe(); }
 
 protected:
   Airlight() = default;
   ~Airlight() override = default;
 
 private:
-  Engine Sweep;
+  vtkGodRaysInScattering Walk;
 };
 
 // The pixel in which the light is seen, or -1: there the truth is of a ray through the pixel's centre, what

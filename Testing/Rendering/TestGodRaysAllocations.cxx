@@ -220,7 +220,7 @@ const Kind Kinds[] = {
     [](Stage& scene)
     {
       auto* integrator = SetMedium<vtkGodRaysShadowMapIntegrator>(scene);
-      integrator->SweepMapOn();
+      integrator->WalkMapOn();
       integrator->SetMapSize(128);
     } },
   { "TwoLampsInAnAtmosphere", [](Stage& scene) { AddLampsInAnAtmosphere(scene, 2); } },

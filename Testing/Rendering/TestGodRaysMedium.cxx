@@ -372,7 +372,7 @@ TEST_F(GodRaysMedium, GoesTogetherWithARadialSum)
 TEST_F(GodRaysMedium, AnIntegratorServesOnePassAfterAnother)
 {
   vtkNew<vtkGodRaysShadowMapIntegrator> integrator;
-  integrator->SweepMapOn();
+  integrator->WalkMapOn();
   double means[2];
   for (const bool pillars : { false, true })
   {

@@ -473,7 +473,7 @@ TEST(GodRaysResources, AreThoseOfTheLightsThatThereAre)
   scene.AddPillarsAndSun();
   scene.Rays->SetModel(vtkNew<vtkGodRaysHomogeneousModel>());
   vtkNew<vtkGodRaysShadowMapIntegrator> integrator;
-  integrator->SweepMapOn();
+  integrator->WalkMapOn();
   integrator->SetMapSize(64);
   scene.Rays->SetIntegrator(integrator);
   scene.Rays->RemoveAllLights();

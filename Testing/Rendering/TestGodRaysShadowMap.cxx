@@ -612,7 +612,7 @@ struct Air
     model->SetScatteringCoefficient(0.05, 0.05, 0.05);
     model->SetFarLimit(30.0);
     vtkNew<vtkGodRaysShadowMapIntegrator> integrator;
-    integrator->SweepMapOn();
+    integrator->WalkMapOn();
     integrator->SetNumberOfNestedMaps(1);
     integrator->SetMapSize(256);
     this->Scene.Rays->SetModel(model);

@@ -87,7 +87,7 @@ const Kind Kinds[] = {
       AddFog(scene);
       // Small maps: a driver keeps up to three of them for a while, and each is to be seen if it stays.
       vtkNew<vtkGodRaysShadowMapIntegrator> integrator;
-      integrator->SweepMapOn();
+      integrator->WalkMapOn();
       integrator->SetMapSize(128);
       scene.Rays->SetIntegrator(integrator);
     } },

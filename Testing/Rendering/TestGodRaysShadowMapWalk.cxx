@@ -17,14 +17,14 @@ using namespace GodRaysTesting;
 
 namespace
 {
-class GodRaysShadowMapSweep : public MediumTest
+class GodRaysShadowMapWalk : public MediumTest
 {
 protected:
   vtkNew<vtkGodRaysShadowMapIntegrator> Integrator;
 
-  GodRaysShadowMapSweep()
+  GodRaysShadowMapWalk()
   {
-    this->Integrator->SweepMapOn();
+    this->Integrator->WalkMapOn();
     this->Rays->SetIntegrator(this->Integrator);
   }
 
@@ -32,7 +32,7 @@ protected:
 };
 }
 
-TEST_F(GodRaysShadowMapSweep, IsTheClosedFormWithoutShadows)
+TEST_F(GodRaysShadowMapWalk, IsTheClosedFormWithoutShadows)
 {
   EXPECT_LT(this->GetError({ 0.3, 0.2, -1.0, 0.0 }), 1e-4);
   // a thing that casts no shadow into the picture
@@ -41,7 +41,7 @@ TEST_F(GodRaysShadowMapSweep, IsTheClosedFormWithoutShadows)
   EXPECT_TRUE(this->IsSwept()) << this->Rays->GetPlan();
 }
 
-TEST_F(GodRaysShadowMapSweep, IsTheGroundTruthWithOccluders)
+TEST_F(GodRaysShadowMapWalk, IsTheGroundTruthWithOccluders)
 {
   this->AddPillars();
   this->CheckErrors({
@@ -53,7 +53,7 @@ TEST_F(GodRaysShadowMapSweep, IsTheGroundTruthWithOccluders)
   EXPECT_TRUE(this->IsSwept()) << this->Rays->GetPlan();
 }
 
-TEST_F(GodRaysShadowMapSweep, IsTheGroundTruthInThreeColours)
+TEST_F(GodRaysShadowMapWalk, IsTheGroundTruthInThreeColours)
 {
   this->AddPillars();
   this->Model->SetScatteringCoefficient(0.02, 0.05, 0.1);
@@ -63,7 +63,7 @@ TEST_F(GodRaysShadowMapSweep, IsTheGroundTruthInThreeColours)
 }
 
 // The control: so coarse a map must fail, and steps are off by more.
-TEST_F(GodRaysShadowMapSweep, IsAsGoodAsTheMap)
+TEST_F(GodRaysShadowMapWalk, IsAsGoodAsTheMap)
 {
   this->AddPillars();
   const std::array<double, 4> light{ 0.3, 0.4, 1.0, 0.0 };
@@ -71,7 +71,7 @@ TEST_F(GodRaysShadowMapSweep, IsAsGoodAsTheMap)
   this->Integrator->SetMapSize(64);
   const double coarse = this->GetError(light);
   this->Integrator->SetMapSize(1024);
-  this->Integrator->SweepMapOff();
+  this->Integrator->WalkMapOff();
   const double steps = this->GetError(light);
   std::cout << "swept " << swept << ", in a map of 64 pixels " << coarse << ", 16 steps " << steps
             << "\n";
@@ -79,7 +79,7 @@ TEST_F(GodRaysShadowMapSweep, IsAsGoodAsTheMap)
   EXPECT_GT(steps, 1.6 * swept);
 }
 
-TEST_F(GodRaysShadowMapSweep, SeesWhatThePictureDoesNot)
+TEST_F(GodRaysShadowMapWalk, SeesWhatThePictureDoesNot)
 {
   this->Renderer->AddActor(MakeBox({ 9.0, 0.5, 0.0 }, { 0.5, 2.0, 4.0 })); // outside
   const double outside = this->GetError({ 1.0, 0.1, 0.0, 0.0 });
@@ -87,7 +87,7 @@ TEST_F(GodRaysShadowMapSweep, SeesWhatThePictureDoesNot)
   EXPECT_LT(outside, 0.005);
 }
 
-TEST_F(GodRaysShadowMapSweep, IsTheGroundTruthOfLamps)
+TEST_F(GodRaysShadowMapWalk, IsTheGroundTruthOfLamps)
 {
   this->AddPillars();
   this->CheckErrors({
@@ -101,7 +101,7 @@ TEST_F(GodRaysShadowMapSweep, IsTheGroundTruthOfLamps)
 
 // A spotlight 0.16 below the top of a closed slab that the camera looks down to: all before the slab is dark,
 // also the pixels next to the light, where rays end shortly before it.
-TEST_F(GodRaysShadowMapSweep, ASpotlightInAClosedThingIsDarkOutside)
+TEST_F(GodRaysShadowMapWalk, ASpotlightInAClosedThingIsDarkOutside)
 {
   this->Renderer->GetActiveCamera()->SetPosition(2.96, 2.22, -6.22);
   this->Renderer->GetActiveCamera()->SetFocalPoint(0.23, -0.68, -1.19);
@@ -137,7 +137,7 @@ TEST_F(GodRaysShadowMapSweep, ASpotlightInAClosedThingIsDarkOutside)
   }
 }
 
-TEST_F(GodRaysShadowMapSweep, IsTheGroundTruthInAParallelProjection)
+TEST_F(GodRaysShadowMapWalk, IsTheGroundTruthInAParallelProjection)
 {
   this->AddPillars();
   this->Renderer->GetActiveCamera()->ParallelProjectionOn();
@@ -151,7 +151,7 @@ TEST_F(GodRaysShadowMapSweep, IsTheGroundTruthInAParallelProjection)
   EXPECT_TRUE(this->IsSwept()) << this->Rays->GetPlan();
 }
 
-TEST_F(GodRaysShadowMapSweep, KeepsTheMapAndDrawsTheSameAgain)
+TEST_F(GodRaysShadowMapWalk, KeepsTheMapAndDrawsTheSameAgain)
 {
   this->AddPillars();
   auto box = MakeBox({ 0.5, 0.5, 2.0 }, { 2.0, 2.0, 0.1 });
@@ -167,17 +167,17 @@ TEST_F(GodRaysShadowMapSweep, KeepsTheMapAndDrawsTheSameAgain)
   const auto moved = GetPixels(this->Scene.Window);
   EXPECT_FALSE(Says(this->Rays->GetPlan(), ", kept"));
   EXPECT_GT(GetLargestDifference(before, moved), 2);
-  this->Integrator->SweepMapOff(); // a map of one face
+  this->Integrator->WalkMapOff(); // a map of one face
   this->Scene.Window->Render();
   EXPECT_FALSE(Says(this->Rays->GetPlan(), ", kept"));
-  this->Integrator->SweepMapOn();
+  this->Integrator->WalkMapOn();
   EXPECT_EQ(moved, GetPixels(this->Scene.Window));
   this->Scene.Window->Finalize();
   EXPECT_EQ(moved, GetPixels(this->Scene.Window));
 }
 
 // Two suns share what the sweep has of the frame.
-TEST_F(GodRaysShadowMapSweep, AddsLights)
+TEST_F(GodRaysShadowMapWalk, AddsLights)
 {
   this->AddPillars();
   const std::array<double, 3> one{ 0.15, 0.1, -1.0 };

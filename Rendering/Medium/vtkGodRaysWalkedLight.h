@@ -1,30 +1,30 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkGodRaysSweptLight
- * @brief   a light's rays as vtkGodRaysCoverageSweep computes them, and their way into the sum; private to
+ * @class   vtkGodRaysWalkedLight
+ * @brief   a light's rays as vtkGodRaysInScattering computes them, and their way into the sum; private to
  * this module
  */
 
-#ifndef vtkGodRaysSweptLight_h
-#define vtkGodRaysSweptLight_h
+#ifndef vtkGodRaysWalkedLight_h
+#define vtkGodRaysWalkedLight_h
 
-#include "vtkGodRaysCoverageSweep.h"
+#include "vtkGodRaysInScattering.h"
 #include "vtkGodRaysMediumIntegrator.h" // For Request
 #include "vtkGodRaysTarget.h"
 
 class vtkWindow;
 
-class vtkGodRaysSweptLight
+class vtkGodRaysWalkedLight
 {
 public:
-  vtkGodRaysCoverageSweep Sweep;
+  vtkGodRaysInScattering Walk;
 
   /**
-   * Returns the sweep's parameters for a layer of this size [pixels] that a pinhole can see; without a shadow
+   * Returns the walk's parameters for a layer of this size [pixels] that a pinhole can see; without a shadow
    * map nothing blocks.
    */
-  static vtkGodRaysCoverageSweep::Parameters GetParameters(
+  static vtkGodRaysInScattering::Parameters GetParameters(
     const vtkGodRaysMediumIntegrator::Request& request, const int size[2],
     const vtkGodRaysShadowGrids* shadows = nullptr);
 
@@ -32,7 +32,7 @@ public:
    * Compute it, and add it to the request's result. Returns false, after an error, if that failed.
    */
   bool Add(const vtkGodRaysMediumIntegrator::Request& request,
-    const vtkGodRaysCoverageSweep::Parameters& parameters, const int size[2]);
+    const vtkGodRaysInScattering::Parameters& parameters, const int size[2]);
 
   void Release(vtkWindow* window);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkGodRaysSweptLight.h"
+#include "vtkGodRaysWalkedLight.h"
 
 #include "vtkGodRaysLight.h"
 #include "vtkGodRaysMediumRays.h"
@@ -15,25 +15,26 @@ namespace
 {
 /// Whether one channel serves a light of any colour.
 bool IsGrey(const vtkGodRaysMediumIntegrator::Request& request,
-  const vtkGodRaysCoverageSweep::Parameters& parameters)
+  const vtkGodRaysInScattering::Parameters& parameters)
 {
   const vtkGodRaysShadowGrids* shadows = parameters.Shadows;
   return request.Medium->IsGrey() && !(shadows && shadows->NumberOfLayers > 0 && shadows->Colored);
 }
 }
 
-vtkGodRaysCoverageSweep::Parameters vtkGodRaysSweptLight::GetParameters(
+vtkGodRaysInScattering::Parameters vtkGodRaysWalkedLight::GetParameters(
   const vtkGodRaysMediumIntegrator::Request& request, const int size[2],
   const vtkGodRaysShadowGrids* shadows)
 {
   const vtkGodRaysLight& light = *request.Light;
   const vtkGodRaysMediumRays rays(request, size);
-  vtkGodRaysCoverageSweep::Parameters parameters;
+  vtkGodRaysInScattering::Parameters parameters;
   parameters.PixelSize = rays.GetPinhole().PixelSize;
   std::copy_n(rays.GetPinhole().Center, 2, parameters.Center);
   parameters.Parallel = request.View->Parallel;
   std::copy_n(light.Position, 4, parameters.Light);
   parameters.Shadows = shadows;
+  parameters.Tolerance = request.ErrorTolerance;
   const bool grey = IsGrey(request, parameters);
   for (int i = 0; i < 3; ++i)
   {
@@ -44,10 +45,10 @@ vtkGodRaysCoverageSweep::Parameters vtkGodRaysSweptLight::GetParameters(
   return parameters;
 }
 
-bool vtkGodRaysSweptLight::Add(const vtkGodRaysMediumIntegrator::Request& request,
-  const vtkGodRaysCoverageSweep::Parameters& parameters, const int size[2])
+bool vtkGodRaysWalkedLight::Add(const vtkGodRaysMediumIntegrator::Request& request,
+  const vtkGodRaysInScattering::Parameters& parameters, const int size[2])
 {
-  this->Sweep.Execute(parameters);
+  this->Walk.Execute(parameters);
   if (!request.Result->Settle()) // what is lent may be these rays, of another light
   {
     return false;
@@ -56,11 +57,11 @@ bool vtkGodRaysSweptLight::Add(const vtkGodRaysMediumIntegrator::Request& reques
   vtkGodRaysTarget& sum = this->Rays[grey ? 0 : 1];
   sum.Prepare(request.Window, size[0], size[1],
     { static_cast<unsigned int>(grey ? GL_R32F : GL_RGBA32F), 0 });
-  sum.Write(grey ? GL_RED : GL_RGB, GL_FLOAT, this->Sweep.GetResult());
+  sum.Write(grey ? GL_RED : GL_RGB, GL_FLOAT, this->Walk.GetResult());
   return request.Result->Lend(sum, request.Light->Color, request.View->ViewScale);
 }
 
-void vtkGodRaysSweptLight::Release(vtkWindow* window)
+void vtkGodRaysWalkedLight::Release(vtkWindow* window)
 {
   this->Rays[0].Release(window);
   this->Rays[1].Release(window);

@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The sweep over a shadow map, and the walk through it, against looking every point of every view ray up in
+// View rays' walks through a shadow map, against looking every point of every view ray up in
 // the same map.
 
-#include "GodRaysAirlight.h"
 #include "GodRaysFiltersTesting.h"
+#include "vtkGodRaysInScattering.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysMediumFilter.h"
 #include "vtkGodRaysShadowGrids.h"
-#include "vtkGodRaysSweepKernels.h"
 
 #include "vtkMath.h"
 #include "vtkSMPTools.h"
@@ -23,13 +22,7 @@ using namespace GodRaysFiltersTesting;
 
 namespace
 {
-using Sweep = GodRaysMediumScenes::Engine;
-
-class ShadowSweep : public testing::TestWithParam<bool>
-{
-public:
-  ShadowSweep() { Sweep::IsWalk = this->GetParam(); }
-};
+using Walk = vtkGodRaysInScattering;
 
 constexpr int Width = 160;
 constexpr int Height = 90;
@@ -43,15 +36,16 @@ const Direction Directions[] = { { "front", { 0.15, 0.22, 1.0 } }, { "edge", { 0
   { "aside", { 1.0, 0.4, 0.0 } }, { "off", { 1.6, 0.7, 1.0 } }, { "behind", { 0.2, 0.3, -1.0 } },
   { "above", { 0.0, 1.0, 0.0 } }, { "nearly aside", { -1.0, 0.3, 1e-7 } } };
 
-Sweep::Parameters MakeParameters(int width, int height, const double light[3])
+Walk::Parameters MakeParameters(int width, int height, const double light[3])
 {
-  Sweep::Parameters parameters;
+  Walk::Parameters parameters;
   parameters.PixelSize = 2.0 / height * std::tan(vtkMath::RadiansFromDegrees(30.0));
   parameters.Center[0] = 0.5 * width;
   parameters.Center[1] = 0.5 * height;
   std::copy_n(light, 3, parameters.Light);
   vtkMath::Normalize(parameters.Light);
   parameters.Medium.FarLimit = 20.0;
+  parameters.Tolerance = 1e-4;
   vtkGodRaysMedium::Component& component = parameters.Medium.Components[0];
   std::fill_n(component.Scattering, 3, 0.1);
   component.PhaseFunction = vtkGodRaysMediumFilter::HENYEY_GREENSTEIN;
@@ -60,11 +54,10 @@ Sweep::Parameters MakeParameters(int width, int height, const double light[3])
 }
 
 // A picture 10 high.
-void SetParallel(Sweep::Parameters& parameters)
+void SetParallel(Walk::Parameters& parameters)
 {
   parameters.Parallel = true;
   parameters.PixelSize = 10.0 / Height;
-  parameters.LineSpacing = 0.5; // pixels are large
 }
 
 struct Ball
@@ -238,18 +231,17 @@ Picture MakeEnds(int width, int height)
 {
   return MakePicture(width, height,
     [&](int x, int y)
-    { return (x / 16 + y / 12) % 3 == 0 ? Sweep::Sky : 4.0 + 0.05 * x + 0.02 * y; });
+    { return (x / 16 + y / 12) % 3 == 0 ? Walk::Sky : 4.0 + 0.05 * x + 0.02 * y; });
 }
 
-Picture Execute(Sweep& sweep, const Sweep::Parameters& parameters, const Picture& ends)
+Picture Execute(Walk& walk, const Walk::Parameters& parameters, const Picture& ends)
 {
   std::transform(ends.Values.begin(), ends.Values.end(),
-    sweep.PrepareInput(ends.Width, ends.Height),
+    walk.PrepareInput(ends.Width, ends.Height),
     [](double end) { return static_cast<float>(end); });
-  EXPECT_TRUE(sweep.Execute(parameters));
-  Picture picture(ends.Width, ends.Height, sweep.GetNumberOfComponents());
-  std::copy_n(sweep.GetResult(), picture.Values.size(), picture.Values.begin());
-  EXPECT_LE(picture.GetMaximum(), sweep.GetBound());
+  EXPECT_TRUE(walk.Execute(parameters));
+  Picture picture(ends.Width, ends.Height, walk.GetNumberOfComponents());
+  std::copy_n(walk.GetResult(), picture.Values.size(), picture.Values.begin());
   for (const double value : picture.Values)
   {
     EXPECT_TRUE(std::isfinite(value) && value >= 0.0);
@@ -258,7 +250,7 @@ Picture Execute(Sweep& sweep, const Sweep::Parameters& parameters, const Picture
 }
 
 // The optical depths of a place in layers for an extinction of 1: of the ways to the eye and to the light.
-double GetDepth(const Sweep::Parameters& parameters, const double place[3], double alongEye,
+double GetDepth(const Walk::Parameters& parameters, const double place[3], double alongEye,
   double rise, double alongLight)
 {
   const vtkGodRaysMedium& medium = parameters.Medium;
@@ -275,7 +267,7 @@ double GetDepth(const Sweep::Parameters& parameters, const double place[3], doub
 }
 
 // The sum over so many steps of each ray, of the picture that is all lit.
-Picture March(const Sweep::Parameters& parameters, const Picture& ends, const Picture& lit,
+Picture March(const Walk::Parameters& parameters, const Picture& ends, const Picture& lit,
   const Map& map, int steps)
 {
   Picture picture(lit.Width, lit.Height, lit.Components);
@@ -341,15 +333,15 @@ double GetRms(const Picture& a, const Picture& b)
   return std::sqrt(squares / a.Values.size()) / b.GetMaximum();
 }
 
-// Sweeps a map, and compares with the march through it.
-void Check(const std::string& name, Sweep::Parameters parameters, const Map& map, int steps,
+// Walks a map, and compares with the march through it.
+void Check(const std::string& name, Walk::Parameters parameters, const Map& map, int steps,
   double bound = 0.004)
 {
   const Picture ends = MakeEnds(Width, Height);
-  Sweep sweep;
-  const Picture lit = Execute(sweep, parameters, ends);
+  Walk walk;
+  const Picture lit = Execute(walk, parameters, ends);
   parameters.Shadows = &map.Grids;
-  const Picture swept = Execute(sweep, parameters, ends);
+  const Picture swept = Execute(walk, parameters, ends);
   const Picture truth = March(parameters, ends, lit, map, steps);
   const double rms = GetRms(swept, truth);
   const double shadows = GetRms(lit, truth);
@@ -361,7 +353,7 @@ void Check(const std::string& name, Sweep::Parameters parameters, const Map& map
 void Check(const Direction& direction, int levels, const double scattering[3])
 {
   const SunMap map(direction.Light, levels == 1 ? 512 : 256, levels);
-  Sweep::Parameters parameters = MakeParameters(Width, Height, direction.Light);
+  Walk::Parameters parameters = MakeParameters(Width, Height, direction.Light);
   std::copy_n(scattering, 3, parameters.Medium.Components[0].Scattering);
   Check(
     std::to_string(levels) + " level(s), " + direction.Name + ", " + std::to_string(scattering[0]),
@@ -378,7 +370,7 @@ struct Lamp
 void Check(const Lamp& lamp, bool parallel)
 {
   const LampMap map(lamp.Light, lamp.Faces == 6 ? 256 : 512, lamp.Faces);
-  Sweep::Parameters parameters = MakeParameters(Width, Height, Directions[0].Light);
+  Walk::Parameters parameters = MakeParameters(Width, Height, Directions[0].Light);
   std::copy_n(lamp.Light, 3, parameters.Light);
   parameters.Light[3] = 1.0;
   if (parallel)
@@ -397,7 +389,7 @@ const Lamp Lamps[] = { { "among", { 0.5, 0.6, 6.0 }, 6 }, { "aside", { 7.0, 1.0,
 
 //------------------------------------------------------------------------------
 // What is left are lines that are 2 pixels apart, and the march's steps.
-TEST_P(ShadowSweep, IsTheMapLookedUpEverywhere)
+TEST(InScattering, IsTheMapLookedUpEverywhere)
 {
   for (const Direction& direction : Directions)
   {
@@ -410,7 +402,7 @@ TEST_P(ShadowSweep, IsTheMapLookedUpEverywhere)
 }
 
 //------------------------------------------------------------------------------
-TEST_P(ShadowSweep, NestedMapsAndThreeColours)
+TEST(InScattering, NestedMapsAndThreeColours)
 {
   for (const Direction& direction : Directions)
   {
@@ -420,7 +412,7 @@ TEST_P(ShadowSweep, NestedMapsAndThreeColours)
 }
 
 //------------------------------------------------------------------------------
-TEST_P(ShadowSweep, IsTheMapOfALampLookedUpEverywhere)
+TEST(InScattering, IsTheMapOfALampLookedUpEverywhere)
 {
   for (const Lamp& lamp : Lamps)
   {
@@ -430,12 +422,12 @@ TEST_P(ShadowSweep, IsTheMapOfALampLookedUpEverywhere)
 
 //------------------------------------------------------------------------------
 // A pixel is as large as 2 of the map's: its one line is what is off.
-TEST_P(ShadowSweep, IsTheMapLookedUpEverywhereAlongParallelRays)
+TEST(InScattering, IsTheMapLookedUpEverywhereAlongParallelRays)
 {
   for (const Direction& direction : Directions)
   {
     const SunMap map(direction.Light, 512, 1);
-    Sweep::Parameters parameters = MakeParameters(Width, Height, direction.Light);
+    Walk::Parameters parameters = MakeParameters(Width, Height, direction.Light);
     SetParallel(parameters);
     Check(std::string(direction.Name) + ", parallel", parameters, map, 600, 0.011);
   }
@@ -444,7 +436,7 @@ TEST_P(ShadowSweep, IsTheMapLookedUpEverywhereAlongParallelRays)
   for (const double* light : { along, against })
   {
     const SunMap map(light, 512, 1);
-    Sweep::Parameters parameters = MakeParameters(Width, Height, light);
+    Walk::Parameters parameters = MakeParameters(Width, Height, light);
     SetParallel(parameters);
     Check("along the rays, parallel", parameters, map, 600);
   }
@@ -456,7 +448,7 @@ TEST_P(ShadowSweep, IsTheMapLookedUpEverywhereAlongParallelRays)
 
 //------------------------------------------------------------------------------
 // Any size of picture, the light in a pixel's centre, along an axis, or nearly in the picture's plane.
-TEST_P(ShadowSweep, IsFiniteInDegenerateCases)
+TEST(InScattering, IsFiniteInDegenerateCases)
 {
   const int sizes[][2] = { { 1, 1 }, { 3, 90 }, { 90, 2 }, { 81, 45 } };
   const double lights[][3] = { { 0, 0, 1 }, { 0, 0, -1 }, { 1, 0, 0 }, { 0, -1, 0 },
@@ -467,61 +459,61 @@ TEST_P(ShadowSweep, IsFiniteInDegenerateCases)
     for (const auto& light : lights)
     {
       const SunMap map(light, 64, 4);
-      Sweep::Parameters parameters = MakeParameters(size[0], size[1], light);
+      Walk::Parameters parameters = MakeParameters(size[0], size[1], light);
       parameters.Shadows = &map.Grids;
       for (const double scattering : { 1e-9, 0.1, 1e4 })
       {
         std::fill_n(parameters.Medium.Components[0].Scattering, 3, scattering);
-        Sweep sweep;
-        Execute(sweep, parameters, ends); // expects finite values
+        Walk walk;
+        Execute(walk, parameters, ends); // expects finite values
       }
       const LampMap lamp(light, 32, 6);
       parameters.Light[3] = 1.0;
       parameters.Shadows = &lamp.Grids;
-      Sweep sweep;
-      Execute(sweep, parameters, ends);
+      Walk walk;
+      Execute(walk, parameters, ends);
       parameters.Parallel = true;
-      Execute(sweep, parameters, ends);
+      Execute(walk, parameters, ends);
       std::fill_n(parameters.Light, 3, 0.0); // in the eye
-      Execute(sweep, parameters, ends);
+      Execute(walk, parameters, ends);
       parameters.Parallel = false;
-      Execute(sweep, parameters, ends);
+      Execute(walk, parameters, ends);
     }
   }
 }
 
 //------------------------------------------------------------------------------
 // The pixel in whose centre the light is: all before the occluder's end is dark.
-TEST_P(ShadowSweep, ThePixelOfTheLight)
+TEST(InScattering, ThePixelOfTheLight)
 {
   const double light[3] = { 0.0, 0.0, 1.0 };
   const SunMap map(light, 127, 1); // the axis goes through a texel's centre
-  Sweep::Parameters parameters = MakeParameters(21, 11, light);
-  const Picture ends = MakePicture(21, 11, [](int, int) { return Sweep::Sky + 0.0; });
-  Sweep sweep;
-  const double lit = Execute(sweep, parameters, ends).Get(10, 5);
+  Walk::Parameters parameters = MakeParameters(21, 11, light);
+  const Picture ends = MakePicture(21, 11, [](int, int) { return Walk::Sky + 0.0; });
+  Walk walk;
+  const double lit = Execute(walk, parameters, ends).Get(10, 5);
   parameters.Shadows = &map.Grids;
   const double eye[3] = { 0.0, 0.0, 0.0 };
   const double end = std::max(0.0f, map.Grids.GetHeight(eye));
   const double far = parameters.Medium.FarLimit;
   const double share = (std::exp(-0.1 * end) - std::exp(-0.1 * far)) / (1.0 - std::exp(-0.1 * far));
   EXPECT_GT(end, 0.0);
-  EXPECT_NEAR(Execute(sweep, parameters, ends).Get(10, 5), lit * share, 1e-3 * lit);
+  EXPECT_NEAR(Execute(walk, parameters, ends).Get(10, 5), lit * share, 1e-3 * lit);
 }
 
 //------------------------------------------------------------------------------
 // Below a roof without end all is dark, whatever is between the steps of the ladder.
-TEST_P(ShadowSweep, AllDarkIsDark)
+TEST(InScattering, AllDarkIsDark)
 {
   const Picture ends = MakeEnds(Width, Height);
   const std::vector<float> roof(64 * 64, 0.0f);
   for (const Direction& direction : Directions)
   {
-    Sweep::Parameters parameters = MakeParameters(Width, Height, direction.Light);
+    Walk::Parameters parameters = MakeParameters(Width, Height, direction.Light);
     vtkGodRaysShadowGrids grids;
     parameters.Shadows = &grids;
-    Sweep sweep;
-    const double brightest = Execute(sweep, parameters, ends).GetMaximum();
+    Walk walk;
+    const double brightest = Execute(walk, parameters, ends).GetMaximum();
     vtkMath::Perpendiculars(parameters.Light, grids.Grids[0].Axes[0], grids.Grids[0].Axes[1], 0.3);
     grids.Levels = 1;
     grids.Range[0] = -1000.0;
@@ -534,7 +526,7 @@ TEST_P(ShadowSweep, AllDarkIsDark)
       grids.Grids[0].Low[k] = -40.0;
       grids.Grids[0].Texel[k] = 80.0 / 64.0;
     }
-    const double left = Execute(sweep, parameters, ends).GetMaximum();
+    const double left = Execute(walk, parameters, ends).GetMaximum();
     std::cout << direction.Name << ": left " << left / brightest << "\n";
     EXPECT_LT(left, 5e-4 * brightest) << direction.Name;
   }
@@ -542,9 +534,9 @@ TEST_P(ShadowSweep, AllDarkIsDark)
 
 //------------------------------------------------------------------------------
 // Suns and lamps in a medium whose density falls with height, whose light is read from a table.
-TEST_P(ShadowSweep, LayersAreShadowed)
+TEST(InScattering, LayersAreShadowed)
 {
-  const auto check = [](const std::string& name, Sweep::Parameters parameters, const Map& map)
+  const auto check = [](const std::string& name, Walk::Parameters parameters, const Map& map)
   {
     parameters.Medium.EyeHeight = 1.0;
     parameters.Medium.Components[0].ScaleHeight = 2.0;
@@ -561,7 +553,7 @@ TEST_P(ShadowSweep, LayersAreShadowed)
   for (const int index : { 1, 3 })
   {
     const Lamp& lamp = Lamps[index];
-    Sweep::Parameters parameters = MakeParameters(Width, Height, Directions[0].Light);
+    Walk::Parameters parameters = MakeParameters(Width, Height, Directions[0].Light);
     std::copy_n(lamp.Light, 3, parameters.Light);
     parameters.Light[3] = 1.0;
     check(lamp.Name, parameters, LampMap(lamp.Light, 256, lamp.Faces));
@@ -569,25 +561,24 @@ TEST_P(ShadowSweep, LayersAreShadowed)
 }
 
 //------------------------------------------------------------------------------
-TEST_P(ShadowSweep, NeedsInput)
+TEST(InScattering, NeedsInput)
 {
-  Sweep sweep;
-  EXPECT_FALSE(sweep.Execute(MakeParameters(4, 4, Directions[0].Light)));
-  EXPECT_EQ(sweep.GetResult(), nullptr);
-  EXPECT_EQ(sweep.Describe(), "nothing yet");
+  Walk walk;
+  EXPECT_FALSE(walk.Execute(MakeParameters(4, 4, Directions[0].Light)));
+  EXPECT_EQ(walk.GetResult(), nullptr);
+  EXPECT_EQ(walk.Describe(), "nothing yet");
 }
 
 //------------------------------------------------------------------------------
 // A part of a picture is the picture's part, but for the places of lines.
-TEST_P(ShadowSweep, PartsOfAPicture)
+TEST(InScattering, PartsOfAPicture)
 {
   const Picture ends = MakeEnds(Width, Height);
   const SunMap map(Directions[0].Light, 512, 1);
-  Sweep::Parameters parameters = MakeParameters(Width, Height, Directions[0].Light);
-  parameters.LineSpacing = 0.5;
+  Walk::Parameters parameters = MakeParameters(Width, Height, Directions[0].Light);
   parameters.Shadows = &map.Grids;
-  Sweep sweep;
-  const Picture whole = Execute(sweep, parameters, ends);
+  Walk walk;
+  const Picture whole = Execute(walk, parameters, ends);
   const int left = 30;
   const int low = 20;
   const auto crop = [&](const Picture& picture)
@@ -597,44 +588,17 @@ TEST_P(ShadowSweep, PartsOfAPicture)
   };
   parameters.Center[0] -= left;
   parameters.Center[1] -= low;
-  const double rms = GetRms(Execute(sweep, parameters, crop(ends)), crop(whole));
+  const double rms = GetRms(Execute(walk, parameters, crop(ends)), crop(whole));
   parameters.Center[0] += 8.0;
-  const double aside = GetRms(Execute(sweep, parameters, crop(ends)), crop(whole));
+  const double aside = GetRms(Execute(walk, parameters, crop(ends)), crop(whole));
   std::cout << "rms difference " << rms << ", 8 pixels aside " << aside << "\n";
   EXPECT_LE(rms, 2e-3);
   EXPECT_GT(aside, 10.0 * rms);
 }
 
 //------------------------------------------------------------------------------
-TEST_P(ShadowSweep, InstructionSetsAgree)
-{
-  const Picture ends = MakeEnds(Width, Height);
-  const SunMap sun(Directions[0].Light, 256, 1);
-  const LampMap lamp(Lamps[0].Light, 256, 6);
-  for (const bool point : { false, true })
-  {
-    Sweep::Parameters parameters = MakeParameters(Width, Height, Directions[0].Light);
-    std::copy_n(point ? lamp.Light : sun.Light, 3, parameters.Light);
-    parameters.Light[3] = point;
-    parameters.Shadows = point ? &lamp.Grids : &sun.Grids;
-    Picture first;
-    for (const std::string& name : vtkGodRays::GetInstructionSets())
-    {
-      ASSERT_TRUE(vtkGodRays::UseInstructionSet(name));
-      Sweep sweep;
-      const Picture picture = Execute(sweep, parameters, ends);
-      first = first.Values.empty() ? picture : first;
-      const double difference = GetLargestDifference(first, picture) / first.GetMaximum();
-      std::cout << name << ": " << difference << "\n";
-      EXPECT_LE(difference, 1e-5);
-    }
-    vtkGodRays::UseInstructionSet("");
-  }
-}
-
-//------------------------------------------------------------------------------
 // The threads of vtkSMPTools need memory of their own: one alone is counted. Others change no byte.
-TEST_P(ShadowSweep, SteadyExecutionAllocatesNothing)
+TEST(InScattering, SteadyExecutionAllocatesNothing)
 {
   const Picture ends = MakeEnds(120, 80);
   const SunMap sun(Directions[0].Light, 128, 4);
@@ -643,7 +607,7 @@ TEST_P(ShadowSweep, SteadyExecutionAllocatesNothing)
   {
     for (const double scaleHeight : { 0.0, 2.0 })
     {
-      Sweep::Parameters parameters = MakeParameters(120, 80, Directions[0].Light);
+      Walk::Parameters parameters = MakeParameters(120, 80, Directions[0].Light);
       std::copy_n(point ? lamp.Light : sun.Light, 3, parameters.Light);
       parameters.Light[3] = point;
       parameters.Shadows = point ? &lamp.Grids : &sun.Grids;
@@ -652,36 +616,32 @@ TEST_P(ShadowSweep, SteadyExecutionAllocatesNothing)
       vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1, "Sequential", false },
         [&]()
         {
-          Sweep sweep;
-          alone = Execute(sweep, parameters, ends);
-          EXPECT_EQ(CountAllocations([&]() { sweep.Execute(parameters); }), 0) << sweep.Describe();
-          EXPECT_EQ(GetLargestDifference(Execute(sweep, parameters, ends), alone), 0.0);
+          Walk walk;
+          alone = Execute(walk, parameters, ends);
+          EXPECT_EQ(CountAllocations([&]() { walk.Execute(parameters); }), 0) << walk.Describe();
+          EXPECT_EQ(GetLargestDifference(Execute(walk, parameters, ends), alone), 0.0);
         });
-      Sweep sweep;
-      EXPECT_EQ(GetLargestDifference(Execute(sweep, parameters, ends), alone), 0.0);
+      Walk walk;
+      EXPECT_EQ(GetLargestDifference(Execute(walk, parameters, ends), alone), 0.0);
     }
   }
 }
 
 //------------------------------------------------------------------------------
 // Of the 99.9 % brightness; each tolerance is kept, and a looser one walks fewer rays.
-TEST_P(ShadowSweep, ToleranceSpends)
+TEST(InScattering, ToleranceSpends)
 {
-  if (!Sweep::IsWalk)
-  {
-    return;
-  }
   const Picture ends = MakeEnds(4 * Width, 4 * Height);
   const SunMap sun(Directions[0].Light, 256, 4);
   const LampMap lamp(Lamps[3].Light, 256, 6);
   for (const bool point : { false, true })
   {
-    Sweep::Parameters parameters = MakeParameters(4 * Width, 4 * Height, Directions[0].Light);
+    Walk::Parameters parameters = MakeParameters(4 * Width, 4 * Height, Directions[0].Light);
     std::copy_n(point ? lamp.Light : sun.Light, 3, parameters.Light);
     parameters.Light[3] = point;
     parameters.Shadows = point ? &lamp.Grids : &sun.Grids;
-    Sweep::Tolerance = 1e-6;
-    Sweep walk;
+    parameters.Tolerance = 1e-6;
+    Walk walk;
     const Picture exact = Execute(walk, parameters, ends);
     std::vector<double> values = exact.Values;
     const auto bright = values.begin() + static_cast<std::ptrdiff_t>(0.999 * values.size());
@@ -689,7 +649,7 @@ TEST_P(ShadowSweep, ToleranceSpends)
     double last = walk.GetWalkedPart();
     for (const double tolerance : { 1.0 / 1024.0, 1.0 / 255.0, 1.0 / 64.0, 1.0 / 16.0 })
     {
-      Sweep::Tolerance = tolerance;
+      parameters.Tolerance = tolerance;
       const double rms = GetRms(Execute(walk, parameters, ends), exact) * exact.GetMaximum() / *bright;
       std::cout << (point ? "lamp" : "sun") << ", tolerance 1/" << 1.0 / tolerance << ": " << rms
                 << ", walked " << walk.GetWalkedPart() << " of " << last << "\n";
@@ -697,9 +657,5 @@ TEST_P(ShadowSweep, ToleranceSpends)
       EXPECT_LT(walk.GetWalkedPart(), last);
       last = walk.GetWalkedPart();
     }
-    Sweep::Tolerance = 1e-4;
   }
 }
-
-INSTANTIATE_TEST_SUITE_P(Engines, ShadowSweep, testing::Bool(),
-  [](const testing::TestParamInfo<bool>& info) { return info.param ? "Walk" : "Sweep"; });
