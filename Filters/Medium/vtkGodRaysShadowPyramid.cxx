@@ -14,7 +14,7 @@ namespace
 // 1/distance is above 0.
 constexpr float None = -1e30f;
 
-// Texels of a layer whose parts of the light differ by no more count as alike [1/255].
+// Texels of a layer whose parts of the light differ by no more count as alike, and have their mean [1/255].
 constexpr int Alike = 2;
 
 double Along(const double axis[3], const double vector[3])
@@ -90,25 +90,44 @@ public:
 private:
   void Set(float at, float red, float green, float blue)
   {
-    if (red == this->Dark[0] && green == this->Dark[1] && blue == this->Dark[2])
+    const float next[3] = { red, green, blue };
+    const float length = std::max(at - this->Last, 0.0f);
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Sum[c] += length * this->Dark[c];
+    }
+    this->Last = std::max(at, this->Last);
+    // What is about as dark goes on, so that a stretch of haze is not one of each texel.
+    const auto isNone = [](const float* dark) { return dark[0] + dark[1] + dark[2] <= 0.0f; };
+    const auto isAlike = [&](const float* dark)
+    {
+      return isNone(dark) == isNone(next) &&
+        std::abs(dark[0] - red) + std::abs(dark[1] - green) + std::abs(dark[2] - blue) <
+        Alike / 255.0f;
+    };
+    std::copy_n(next, 3, this->Dark);
+    if (isAlike(this->First))
     {
       return;
     }
-    if (this->Dark[0] + this->Dark[1] + this->Dark[2] > 0.0f && at > this->Begin)
+    if (!isNone(this->First) && at > this->Begin)
     {
-      this->Stretches.push_back(
-        { this->Begin, at, { this->Dark[0], this->Dark[1], this->Dark[2] } });
+      const float inverse = 1.0f / (at - this->Begin);
+      this->Stretches.push_back({ this->Begin, at,
+        { inverse * this->Sum[0], inverse * this->Sum[1], inverse * this->Sum[2] } });
     }
-    this->Begin = at;
-    this->Dark[0] = red;
-    this->Dark[1] = green;
-    this->Dark[2] = blue;
+    this->Begin = this->Last = at;
+    std::copy_n(next, 3, this->First);
+    std::fill_n(this->Sum, 3, 0.0f);
   }
 
   const vtkGodRaysShadowPyramid& Pyramid;
   std::vector<Stretch>& Stretches;
   float Begin = 0.0f;
+  float Last = 0.0f;                     // from where on Dark is
   float Dark[3] = { 0.0f, 0.0f, 0.0f };
+  float First[3] = { 0.0f, 0.0f, 0.0f }; // of the stretch
+  float Sum[3] = { 0.0f, 0.0f, 0.0f };   // of the stretch up to Last, times length
 };
 
 void vtkGodRaysShadowPyramid::Walker::WalkPart(const Map& map, const double a[3],
@@ -145,12 +164,7 @@ void vtkGodRaysShadowPyramid::Walker::WalkPart(const Map& map, const double a[3]
   };
   const auto darken = [&](float s, const float dark[3])
   {
-    // What is about as dark goes on, so that a stretch of haze is not one of each texel.
-    const bool alike = this->Dark[0] + this->Dark[1] + this->Dark[2] > 0.0f &&
-      std::abs(dark[0] - this->Dark[0]) + std::abs(dark[1] - this->Dark[1]) +
-          std::abs(dark[2] - this->Dark[2]) <
-        Alike / 255.0f;
-    if (!alike)
+    if (dark[0] != this->Dark[0] || dark[1] != this->Dark[1] || dark[2] != this->Dark[2])
     {
       this->Set(getDistance(s), dark[0], dark[1], dark[2]);
     }
@@ -199,19 +213,17 @@ void vtkGodRaysShadowPyramid::Walker::WalkPart(const Map& map, const double a[3]
       else
       {
         const Dimming& dims = map.Darker[at];
-        float dark[3];
         int range = 0;
         for (int c = 0; c < 3; ++c)
         {
           range = std::max(range, dims.Most[c] - dims.Least[c]);
-          dark[c] = (dims.Most[c] + dims.Least[c]) / 510.0f;
         }
         if (range > Alike)
         {
           --level;
           continue;
         }
-        darken(s, dark);
+        darken(s, dims.Mean);
       }
     }
     else
@@ -410,7 +422,7 @@ void vtkGodRaysShadowPyramid::Reduce(Map& map) const
           {
             std::uint32_t least = 65535;
             std::uint32_t most = 0;
-            Dimming dims = { { 255, 255, 255 }, { 0, 0, 0 } };
+            Dimming dims = { { 255, 255, 255 }, { 0, 0, 0 }, { 0.0f, 0.0f, 0.0f } };
             for (int k = 0; k < 4; ++k)
             {
               const int i = std::min(2 * x + (k & 1), width - 1);
@@ -432,12 +444,14 @@ void vtkGodRaysShadowPyramid::Reduce(Map& map) const
               for (int c = 0; !this->Opaque && c < 3; ++c)
               {
                 const bool isTexel = level == 0;
+                const float dark = isTexel ? map.Darks[3 * at + c] : map.Darker[below + at].Mean[c];
                 const int low =
-                  isTexel ? static_cast<int>(std::lround(255.0f * map.Darks[3 * at + c]))
-                          : map.Darker[below + at].Least[c];
-                const int high = isTexel ? low : map.Darker[below + at].Most[c];
+                  isTexel ? static_cast<int>(255.0f * dark) : map.Darker[below + at].Least[c];
+                const int high = isTexel ? static_cast<int>(std::ceil(255.0f * dark))
+                                         : map.Darker[below + at].Most[c];
                 dims.Least[c] = static_cast<std::uint8_t>(std::min<int>(dims.Least[c], low));
                 dims.Most[c] = static_cast<std::uint8_t>(std::max<int>(dims.Most[c], high));
+                dims.Mean[c] += 0.25f * dark;
               }
             }
             const std::size_t at = to.First + static_cast<std::size_t>(y) * to.Size[0] + x;

@@ -32,7 +32,7 @@ public:
   {
     float Begin; ///< distance from the ray's start [scene units]
     float End;
-    float Dark[3]; ///< part of the light that is lost, of each colour [0, 1]
+    float Dark[3]; ///< part of the light that is lost, of each colour, on average [0, 1]
   };
 
   /// Takes the maps of a light: its position, or the direction to it, of length 1. Pyramids are made anew unless
@@ -64,8 +64,9 @@ private:
   };
   struct Dimming
   {
-    std::uint8_t Least[3];
-    std::uint8_t Most[3];
+    std::uint8_t Least[3]; // rounded down
+    std::uint8_t Most[3];  // rounded up
+    float Mean[3];
   };
   struct Patch // a texel's plane: planes of the scene are planes in a map
   {
