@@ -17,12 +17,15 @@ namespace
 using namespace vtkGodRays;
 using Component = vtkGodRaysMedium::Component;
 
-// Of the spline along a ray. With 48, interpolation is within 1e-4 of a ray's light in the tests' scenes.
-constexpr int NumberOfParts = 48;
+// Of the spline along a ray. With 64, interpolation is within 1e-4 of a ray's light in the tests' scenes.
+constexpr int NumberOfParts = 64;
 constexpr int NumberOfNodes = NumberOfParts + 1;
 
-// Of the table's rays, in the picture's height.
-constexpr float NumberOfRows = 64.0f;
+// Of the table's coarsest rays, in the picture's height, about.
+constexpr double NumberOfRows = 64.0;
+
+// What a ray may be off the mean of those beside it [fraction].
+constexpr float RayTolerance = 1e-3f;
 
 // A point light is no nearer to a view ray than that: 1/distance is then the mean over its pixel [pixels].
 constexpr double NearestPass = 0.28;
@@ -30,8 +33,10 @@ constexpr double NearestPass = 0.28;
 // What is left of a spotlight's light where it ends, at the least.
 constexpr double LeastFade = 1e-5;
 
-// Steps over which a spotlight's fade is a constant, before and behind a place.
-constexpr int FadeSteps = 8;
+// Steps over which a spotlight's fade is a constant: for one that is even, and what is added for one that fades to
+// nothing.
+constexpr double LeastSteps = 3.0;
+constexpr double MoreSteps = 6.0;
 constexpr int FadeEntries = 2048;
 
 // Places that are evaluated together.
@@ -441,25 +446,266 @@ void vtkGodRaysAirlight::MakeKey(std::vector<double>& key) const
 
 void vtkGodRaysAirlight::MakeTable()
 {
-  this->Spacing = std::max(static_cast<float>(this->Setup.Size[1]) / NumberOfRows, 1.0f);
-  const auto count = [this](int pixels)
-  { return static_cast<int>(static_cast<float>(pixels + 8) / this->Spacing) + 2; };
+  this->Spacing = 1;
+  while (this->Spacing * NumberOfRows * 1.5 < this->Setup.Size[1])
+  {
+    this->Spacing *= 2;
+  }
+  const auto count = [this](int pixels) { return (pixels + 7) / this->Spacing + 2; };
   this->Columns = count(this->Setup.Size[0]);
   this->Rows = count(this->Setup.Size[1]);
-  const std::size_t rays = static_cast<std::size_t>(this->Columns) * this->Rows;
+  this->Pixels.clear();
+  this->Finer.clear();
+  for (int j = 0; j < this->Rows; ++j)
+  {
+    for (int i = 0; i < this->Columns; ++i)
+    {
+      this->Pixels.insert(this->Pixels.end(), { i * this->Spacing, j * this->Spacing });
+    }
+  }
+  this->Ladders.clear();
+  this->MakeRays();
+  this->Cells.clear();
+  for (int j = 0; j + 1 < this->Rows; ++j)
+  {
+    for (int i = 0; i + 1 < this->Columns; ++i)
+    {
+      const int at = j * this->Columns + i;
+      this->Cells.push_back({ { at, at + 1, at + this->Columns, at + this->Columns + 1 }, -1 });
+    }
+  }
+  if (this->Spacing > 1)
+  {
+    this->Refine();
+  }
+}
+
+// Those that there are pixels of, but no ladders.
+void vtkGodRaysAirlight::MakeRays()
+{
+  const std::size_t first = this->Ladders.size();
+  const std::size_t rays = this->Pixels.size() / 2;
   this->Ladders.resize(rays);
+  this->Units.resize(rays);
   this->Totals.resize(rays * this->GetNumberOfPlanes());
   this->Nodes.resize(rays * NumberOfNodes * 2 * this->GetNumberOfPlanes());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(rays), 16,
+  vtkSMPTools::For(static_cast<vtkIdType>(first), static_cast<vtkIdType>(rays), 16,
     [this](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType ray = begin; ray < end; ++ray)
       {
-        this->MakeLadder(static_cast<int>(ray),
-          static_cast<double>(this->Spacing) * static_cast<double>(ray % this->Columns),
-          static_cast<double>(this->Spacing) * static_cast<double>(ray / this->Columns));
+        this->MakeLadder(static_cast<int>(ray), this->Pixels[2 * ray], this->Pixels[2 * ray + 1]);
       }
     });
+}
+
+// Splits cells in four where a ray is not about the mean of those beside it: of the coarsest grid by the rays that
+// are there, at half the size by those that splitting adds.
+void vtkGodRaysAirlight::Refine()
+{
+  const int planes = this->GetNumberOfPlanes();
+  const auto getBrightness = [&](int ray)
+  {
+    const float* totals = this->Totals.data() + static_cast<std::ptrdiff_t>(ray) * planes;
+    return this->Units[ray] * *std::max_element(totals, totals + planes);
+  };
+  std::vector<float> bright(this->Ladders.size());
+  for (std::size_t i = 0; i < bright.size(); ++i)
+  {
+    bright[i] = getBrightness(static_cast<int>(i));
+  }
+  const auto rank = bright.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(bright.size()));
+  std::nth_element(bright.begin(), rank, bright.end());
+  const float floor = 0.1f * *rank;
+  const auto getLimit = [&](int ray) { return RayTolerance * std::max(getBrightness(ray), floor); };
+
+  struct Part
+  {
+    int Cell;
+    int X;
+    int Y;
+  };
+  std::vector<unsigned char> uneven(this->Cells.size());
+  const int columns = this->Columns - 1;
+  for (int j = 0; j < this->Rows; ++j)
+  {
+    for (int i = 0; i < this->Columns; ++i)
+    {
+      const int ray = j * this->Columns + i;
+      float difference = 0.0f;
+      for (const int step : { 1, this->Columns })
+      {
+        const bool isInside = step == 1 ? i > 0 && i + 1 < this->Columns : j > 0 && j + 1 < this->Rows;
+        const int others[2] = { ray - step, ray + step };
+        difference += isInside ? this->GetDifference(ray, others, 2) : 0.0f;
+      }
+      // At half the distance a fourth is left of what is smooth, half of an edge.
+      for (int k = 0; k < 4 && difference > 3.0f * getLimit(ray); ++k)
+      {
+        const int x = i - k % 2;
+        const int y = j - k / 2;
+        if (x >= 0 && y >= 0 && x < columns && y + 1 < this->Rows)
+        {
+          uneven[static_cast<std::size_t>(y) * columns + x] = 1;
+        }
+      }
+    }
+  }
+  std::vector<Part> parts;
+  for (std::size_t i = 0; i < uneven.size(); ++i)
+  {
+    if (uneven[i])
+    {
+      const int at = static_cast<int>(i);
+      parts.push_back({ at, at % columns * this->Spacing, at / columns * this->Spacing });
+    }
+  }
+  std::vector<Part> next;
+  for (int side = this->Spacing; side > 1 && !parts.empty(); side /= 2, parts.swap(next))
+  {
+    for (const Part& part : parts)
+    {
+      this->Split(part.Cell, part.X, part.Y, side / 2);
+    }
+    this->MakeRays();
+    next.clear();
+    for (const Part& part : parts)
+    {
+      const Cell& cell = this->Cells[part.Cell];
+      const int center = this->Cells[cell.Child].Corners[3];
+      if (this->GetDifference(center, cell.Corners, 4) > 2.0f * getLimit(center))
+      {
+        for (int k = 0; k < 4; ++k)
+        {
+          next.push_back(
+            { cell.Child + k, part.X + k % 2 * (side / 2), part.Y + k / 2 * (side / 2) });
+        }
+      }
+    }
+  }
+}
+
+// Into four of half the side.
+void vtkGodRaysAirlight::Split(int index, int x, int y, int side)
+{
+  int rays[9];
+  for (int k = 0; k < 9; ++k)
+  {
+    const int i = k % 3;
+    const int j = k / 3;
+    rays[k] = i != 1 && j != 1 ? this->Cells[index].Corners[j + i / 2]
+                               : this->FindRay(x + i * side, y + j * side);
+  }
+  this->Cells[index].Child = static_cast<int>(this->Cells.size());
+  for (const int k : { 0, 1, 3, 4 })
+  {
+    this->Cells.push_back({ { rays[k], rays[k + 1], rays[k + 3], rays[k + 4] }, -1 });
+  }
+}
+
+int vtkGodRaysAirlight::FindRay(int x, int y)
+{
+  const auto [found, isNew] = this->Finer.try_emplace(
+    static_cast<std::int64_t>(y) * (1 << 24) + x, static_cast<int>(this->Pixels.size() / 2));
+  if (isNew)
+  {
+    this->Pixels.insert(this->Pixels.end(), { x, y });
+  }
+  return found->second;
+}
+
+// How much a ray's airlight is off the mean of others, anywhere along it.
+float vtkGodRaysAirlight::GetDifference(int ray, const int* others, int count) const
+{
+  const int planes = this->GetNumberOfPlanes();
+  const Ladder& ladder = this->Ladders[ray];
+  const auto getNodes = [&](int index)
+  { return this->Nodes.data() + static_cast<std::size_t>(index) * NumberOfNodes * 2 * planes; };
+  float most = 0.0f;
+  for (int k = 4; k <= NumberOfParts; k += 4)
+  {
+    const float u = static_cast<float>(k) / NumberOfParts;
+    Place place = {};
+    if (this->Setup.Point)
+    {
+      place.First = ladder.Begin;
+      place.Last = ladder.Bend;
+      place.Coordinate = ladder.Begin + u / ladder.Inverse;
+      place.FindWeight();
+    }
+    else
+    {
+      place.Distance =
+        ladder.Begin + ladder.Bend * u / ((1.0f - u + ladder.Bend * u) * ladder.Inverse);
+    }
+    for (int p = 0; p < planes; ++p)
+    {
+      float mean = 0.0f;
+      for (int i = 0; i < count; ++i)
+      {
+        const float node = this->GetNode(others[i], place);
+        const int low = std::min(static_cast<int>(node), NumberOfParts - 1);
+        const float* const values = getNodes(others[i]) + 2 * planes * low + 2 * p;
+        const float value = values[0] + (node - static_cast<float>(low)) * (values[2 * planes] - values[0]);
+        mean += value * this->Totals[static_cast<std::size_t>(others[i]) * planes + p];
+      }
+      const float own = getNodes(ray)[2 * planes * k + 2 * p] *
+        this->Totals[static_cast<std::size_t>(ray) * planes + p];
+      most = std::max(most, std::abs(own - mean / static_cast<float>(count)));
+    }
+  }
+  return this->Units[ray] * most;
+}
+
+// The cell of a pixel, and the place in it.
+inline const vtkGodRaysAirlight::Cell& vtkGodRaysAirlight::FindCell(
+  float x, float y, float& u, float& v) const
+{
+  float side = static_cast<float>(this->Spacing);
+  const int i = std::min(static_cast<int>(x / side), this->Columns - 2);
+  const int j = std::min(static_cast<int>(y / side), this->Rows - 2);
+  const Cell* cell = this->Cells.data() + static_cast<std::ptrdiff_t>(j) * (this->Columns - 1) + i;
+  u = x - side * static_cast<float>(i);
+  v = y - side * static_cast<float>(j);
+  while (cell->Child >= 0)
+  {
+    side *= 0.5f;
+    const bool right = u >= side;
+    const bool upper = v >= side;
+    u -= right ? side : 0.0f;
+    v -= upper ? side : 0.0f;
+    cell = this->Cells.data() + cell->Child + (upper ? 2 : 0) + (right ? 1 : 0);
+  }
+  u /= side;
+  v /= side;
+  return *cell;
+}
+
+// Near their ends rays correspond by these, else by angles at the light, wherever their ends are.
+inline void vtkGodRaysAirlight::Place::FindWeight()
+{
+  const float x = 1.0f - 2.0f * (this->Coordinate - this->First) / (this->Last - this->First);
+  this->Early = 0.5f + 0.5f * x * x * x * x * x;
+}
+
+// Where between a ray's nodes the place is that corresponds to one on a ray beside it.
+inline float vtkGodRaysAirlight::GetNode(int ray, const Place& place) const
+{
+  const Ladder& ladder = this->Ladders[ray];
+  float u;
+  if (this->Setup.Point)
+  {
+    const float shift = place.Early * (ladder.Begin - place.First) +
+      (1.0f - place.Early) * (ladder.Bend - place.Last);
+    u = (place.Coordinate + shift - ladder.Begin) * ladder.Inverse;
+  }
+  else
+  {
+    const float part =
+      std::min(std::max((place.Distance - ladder.Begin) * ladder.Inverse, 0.0f), 1.0f);
+    u = part / (part + ladder.Bend * (1.0f - part));
+  }
+  return std::min(std::max(0.0f, u), 1.0f) * NumberOfParts; // in this order 0 for NaN
 }
 
 void vtkGodRaysAirlight::MakeLadder(int index, double x, double y)
@@ -481,6 +727,7 @@ void vtkGodRaysAirlight::MakeLadder(int index, double x, double y)
   this->Ladders[index] = { static_cast<float>(first),
     static_cast<float>(1.0 / std::max(range, 1e-30)),
     static_cast<float>(this->Setup.Point ? first + range : sampler.Bend) };
+  this->Units[index] = static_cast<float>(sampler.GetUnit());
   const int planes = this->GetNumberOfPlanes();
   float* node = this->Nodes.data() + static_cast<std::size_t>(index) * NumberOfNodes * 2 * planes;
   const double step = 1.0 / NumberOfParts;
@@ -533,7 +780,7 @@ void vtkGodRaysAirlight::Evaluate(int count, const float* x, const float* y,
     }
     return;
   }
-  const int samples = this->MaximumNumberOfParts * (2 * (this->Fade.empty() ? 1 : FadeSteps) + 1);
+  const int samples = this->MaximumNumberOfParts * (2 * this->Steps + 1);
   const int step = std::max(Batch / samples, 1);
   for (int first = 0; first < count; first += step)
   {
@@ -556,16 +803,17 @@ void vtkGodRaysAirlight::EvaluateParts(int count, const float* x, const float* y
   for (int i = 0; i < count; ++i)
   {
     double parts[MaximumParts][2];
-    const int number = this->GetParts(x[i], y[i], parts);
+    const LitRay ray = this->MakeRay(x[i], y[i]);
+    const int number = this->GetParts(ray, x[i], y[i], parts);
     const int begin = samples;
     for (int k = 0; k < number; ++k)
     {
       const double middle = std::min(std::max<double>(distances[i], parts[k][0]), parts[k][1]);
       const int first = samples;
-      samples += this->AddSteps(x[i], y[i], parts[k][0], middle, places + samples, fades + samples);
+      samples += this->AddSteps(ray, parts[k][0], middle, places + samples, fades + samples);
       std::fill(before + first, before + samples, true);
       const int beyond = samples;
-      samples += this->AddSteps(x[i], y[i], middle, parts[k][1], places + samples, fades + samples);
+      samples += this->AddSteps(ray, middle, parts[k][1], places + samples, fades + samples);
       places[samples] = static_cast<float>(parts[k][1]);
       fades[samples++] = 0.0f;
       std::fill(before + beyond, before + samples, false);
@@ -601,7 +849,7 @@ void vtkGodRaysAirlight::EvaluateParts(int count, const float* x, const float* y
 
 // The begins of steps over a part of a ray, and the light's fade over them. Returns their number.
 int vtkGodRaysAirlight::AddSteps(
-  double x, double y, double begin, double end, float* places, float* fades) const
+  const LitRay& ray, double begin, double end, float* places, float* fades) const
 {
   if (this->Fade.empty())
   {
@@ -609,16 +857,16 @@ int vtkGodRaysAirlight::AddSteps(
     fades[0] = 1.0f;
     return 1;
   }
-  const LitRay ray = this->MakeRay(x, y);
   PointRay<double> coordinates;
   coordinates.Foot = ray.Foot;
   coordinates.Height = std::max(ray.Distance, this->Nearest);
   const double first = coordinates.GetCoordinate(begin);
-  const double step = (coordinates.GetCoordinate(end) - first) / FadeSteps;
+  const double step = (coordinates.GetCoordinate(end) - first) / this->Steps;
   const float scale = static_cast<float>(this->Fade.size() - 2) / static_cast<float>(1.0 - this->CosLit);
   const auto getFade = [&](double distance)
   {
-    const double r = std::max(std::hypot(ray.Distance, distance - ray.Foot), 1e-30);
+    const double beyond = distance - ray.Foot;
+    const double r = std::max(std::sqrt(ray.Distance * ray.Distance + beyond * beyond), 1e-30);
     const double cosine = (ray.AxisStart + ray.AxisSlope * distance) / r;
     const float entry =
       scale * static_cast<float>(std::min(std::max(cosine, this->CosLit), 1.0) - this->CosLit);
@@ -626,15 +874,15 @@ int vtkGodRaysAirlight::AddSteps(
     return this->Fade[i] + (entry - static_cast<float>(i)) * (this->Fade[i + 1] - this->Fade[i]);
   };
   float last = getFade(begin);
-  for (int i = 0; i < FadeSteps; ++i)
+  for (int i = 0; i < this->Steps; ++i)
   {
     places[i] = static_cast<float>(i == 0 ? begin : coordinates.GetDistance(first + i * step));
     const float middle = getFade(coordinates.GetDistance(first + (i + 0.5) * step));
-    const float next = getFade(i + 1 < FadeSteps ? coordinates.GetDistance(first + (i + 1) * step) : end);
+    const float next = getFade(i + 1 < this->Steps ? coordinates.GetDistance(first + (i + 1) * step) : end);
     fades[i] = (last + 4.0f * middle + next) / 6.0f; // Simpson's rule
     last = next;
   }
-  return FadeSteps;
+  return this->Steps;
 }
 
 // Airlight of a closed form or the table, as if no part of a ray were dark.
@@ -666,39 +914,27 @@ void vtkGodRaysAirlight::EvaluateTable(int count, const float* xs, const float* 
   const float* distances, float* values, int stride) const
 {
   const int planes = this->GetNumberOfPlanes();
-  const float inverse = 1.0f / this->Spacing;
-  int corners[Batch];
+  const Cell* cells[Batch];
   float across[Batch];
   float along[Batch];
-  float own[Batch]; // of a point light: the coordinate, the ray's first and last one, and the weight of the first
-  float first[Batch];
-  float last[Batch];
-  float early[Batch];
+  Place places[Batch];
   for (int i = 0; i < count; ++i)
   {
-    const int left = std::min(static_cast<int>(xs[i] * inverse), this->Columns - 2);
-    const int bottom = std::min(static_cast<int>(ys[i] * inverse), this->Rows - 2);
-    corners[i] = bottom * this->Columns + left;
-    across[i] = xs[i] * inverse - static_cast<float>(left);
-    along[i] = ys[i] * inverse - static_cast<float>(bottom);
+    cells[i] = &this->FindCell(xs[i], ys[i], across[i], along[i]);
+    places[i].Distance = distances[i];
   }
-  if (this->Setup.Point)
+  for (int i = 0; this->Setup.Point && i < count; ++i)
   {
-    for (int i = 0; i < count; ++i)
-    {
-      float foot;
-      float height;
-      float end;
-      this->GetPass(xs[i], ys[i], foot, height, end);
-      PointRay<float> ray;
-      ray.Set(foot, height, end);
-      own[i] = ray.GetCoordinate(std::min(distances[i], end));
-      first[i] = ray.Start;
-      last[i] = ray.Start + ray.Length;
-      // Near their ends rays correspond by these, else by angles at the light, wherever their ends are.
-      const float x = 1.0f - 2.0f * (own[i] - ray.Start) / ray.Length;
-      early[i] = 0.5f + 0.5f * x * x * x * x * x;
-    }
+    float foot;
+    float height;
+    float end;
+    this->GetPass(xs[i], ys[i], foot, height, end);
+    PointRay<float> ray;
+    ray.Set(foot, height, end);
+    places[i].Coordinate = ray.GetCoordinate(std::min(distances[i], end));
+    places[i].First = ray.Start;
+    places[i].Last = ray.Start + ray.Length;
+    places[i].FindWeight();
   }
   for (int p = 0; p < planes; ++p)
   {
@@ -706,27 +942,12 @@ void vtkGodRaysAirlight::EvaluateTable(int count, const float* xs, const float* 
   }
   for (int corner = 0; corner < 4; ++corner)
   {
-    const int offset = corner / 2 * this->Columns + corner % 2;
     for (int i = 0; i < count; ++i)
     {
-      const int index = corners[i] + offset;
+      const int ray = cells[i]->Corners[corner];
       const float weight = (corner % 2 == 1 ? across[i] : 1.0f - across[i]) *
         (corner / 2 == 1 ? along[i] : 1.0f - along[i]);
-      const Ladder& ladder = this->Ladders[index];
-      float u;
-      if (this->Setup.Point)
-      {
-        const float shift =
-          early[i] * (ladder.Begin - first[i]) + (1.0f - early[i]) * (ladder.Bend - last[i]);
-        u = (own[i] + shift - ladder.Begin) * ladder.Inverse;
-      }
-      else
-      {
-        const float part =
-          std::min(std::max((distances[i] - ladder.Begin) * ladder.Inverse, 0.0f), 1.0f);
-        u = part / (part + ladder.Bend * (1.0f - part));
-      }
-      u = std::min(std::max(0.0f, u), 1.0f) * NumberOfParts; // in this order 0 for NaN
+      const float u = this->GetNode(ray, places[i]);
       const int k = std::min(static_cast<int>(u), NumberOfParts - 1);
       const float f = u - static_cast<float>(k);
       const float square = f * f;
@@ -736,7 +957,7 @@ void vtkGodRaysAirlight::EvaluateTable(int count, const float* xs, const float* 
       const float firstSlope = weight * (cube - 2.0f * square + f);
       const float lastSlope = weight * (cube - square);
       const float* node =
-        this->Nodes.data() + (static_cast<std::size_t>(index) * NumberOfNodes + k) * 2 * planes;
+        this->Nodes.data() + (static_cast<std::size_t>(ray) * NumberOfNodes + k) * 2 * planes;
       for (int p = 0; p < planes; ++p)
       {
         values[static_cast<std::ptrdiff_t>(p) * stride + i] += lower * node[2 * p] +
@@ -819,7 +1040,12 @@ double vtkGodRaysAirlight::GetEnd(double x, double y, double distance) const
 
 int vtkGodRaysAirlight::GetParts(double x, double y, double parts[MaximumParts][2]) const
 {
-  const LitRay ray = this->MakeRay(x, y);
+  return this->GetParts(this->MakeRay(x, y), x, y, parts);
+}
+
+int vtkGodRaysAirlight::GetParts(
+  const LitRay& ray, double x, double y, double parts[MaximumParts][2]) const
+{
   const Vec2 part =
     SpotPart(ray, this->Setup.Medium.FarLimit * this->GetLengthPerDepth(x, y));
   parts[0][0] = part.x;
@@ -921,12 +1147,15 @@ void vtkGodRaysAirlight::MakeFade()
 {
   const vtkGodRaysSpot& spot = this->Setup.Spot;
   this->Fade.clear();
+  this->Steps = 1;
   this->CosLit = spot.CosCone;
   if (!spot.Fades())
   {
     return;
   }
   this->CosLit = std::max(this->CosLit, std::pow(LeastFade, 1.0 / spot.Exponent));
+  const double least = std::pow(this->CosLit, spot.Exponent);
+  this->Steps = static_cast<int>(std::ceil(LeastSteps + MoreSteps * (1.0 - least)));
   this->Fade.resize(FadeEntries);
   for (int i = 0; i < FadeEntries; ++i)
   {
@@ -955,27 +1184,25 @@ void vtkGodRaysAirlight::GetFactors(
     return;
   }
   // The totals, bilinear as the shapes are.
-  const float inverse = 1.0f / this->Spacing;
   const int planes = this->GetNumberOfPlanes();
-  const float row = static_cast<float>(y) * inverse;
-  const int bottom = std::min(static_cast<int>(row), this->Rows - 2);
-  const float v = row - static_cast<float>(bottom);
   for (int i = 0; i < count; ++i)
   {
-    const float across = static_cast<float>(first + i) * inverse;
-    const int left = std::min(static_cast<int>(across), this->Columns - 2);
-    const float u = across - static_cast<float>(left);
-    const float* low =
-      this->Totals.data() + (static_cast<std::size_t>(bottom) * this->Columns + left) * planes;
-    const float* high = low + static_cast<std::ptrdiff_t>(this->Columns) * planes;
+    float u;
+    float v;
+    const Cell& cell = this->FindCell(static_cast<float>(first + i), static_cast<float>(y), u, v);
+    const float* totals[4];
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      totals[corner] = this->Totals.data() + static_cast<std::ptrdiff_t>(cell.Corners[corner]) * planes;
+    }
     for (int k = 0; k < this->Components; ++k)
     {
       for (int c = 0; c < 3; ++c)
       {
         const int p = k * this->Channels + (this->Channels == 3 ? c : 0);
         factors[static_cast<std::ptrdiff_t>(3 * k + c) * count + i] *=
-          (1.0f - v) * ((1.0f - u) * low[p] + u * low[planes + p]) +
-          v * ((1.0f - u) * high[p] + u * high[planes + p]);
+          (1.0f - v) * ((1.0f - u) * totals[0][p] + u * totals[1][p]) +
+          v * ((1.0f - u) * totals[2][p] + u * totals[3][p]);
       }
     }
   }
@@ -1057,7 +1284,13 @@ void vtkGodRaysAirlight::GetPhaseFactors(
 
 std::string vtkGodRaysAirlight::Describe() const
 {
-  return this->Closed ? std::string("closed form")
-                      : "table of " + std::to_string(this->Columns) + " x " +
-      std::to_string(this->Rows) + " x " + std::to_string(NumberOfNodes) + " nodes";
+  const int planes = this->GetNumberOfPlanes();
+  return std::to_string(planes) + (planes > 1 ? " airlights of a " : " airlight of a ") +
+    (this->Setup.Point ? "point light, " : "directional light, ") +
+    (this->Setup.Medium.HasExponentialDensity() ? "layered" : "homogeneous") + " medium" +
+    (this->IsPlanet ? " over a planet, " : ", ") +
+    (this->Setup.Parallel ? "parallel projection, " : "perspective, ") +
+    (this->Closed ? std::string("closed form")
+                  : "table of " + std::to_string(this->Ladders.size()) + " rays x " +
+      std::to_string(NumberOfNodes) + " nodes");
 }

@@ -6,8 +6,9 @@
  *
  * Private. In closed form for a directional light in a homogeneous medium; otherwise one table serves all media,
  * lights and projections: rays through a grid of the picture, and along each of them nodes of a cubic Hermite
- * spline, placed so that light comes about evenly from between them; bilinear between the rays. The integrand is that
- * of the shared formulas. The table is kept while view, light and medium stay.
+ * spline, placed so that light comes about evenly from between them; bilinear between the rays. Where that would be off,
+ * e.g. next to a lamp or at a planet's limb, there are more rays, up to those of all pixels. The integrand is that of
+ * the shared formulas. The table is kept while view, light and medium stay.
  *
  * Values are split into planes, one for each channel and, for a directional light in layered air, each component, as
  * the phase function is no part of them there. A spotlight's cone and fade, and a planet's shadow, are no part of the
@@ -21,8 +22,10 @@
 #include "vtkGodRaysMath.h"          // For vtkGodRays::LitRay
 #include "vtkGodRaysMedium.h"        // For vtkGodRaysMedium
 
-#include <string> // For std::string
-#include <vector> // For std::vector
+#include <cstdint>       // For std::int64_t
+#include <string>        // For std::string
+#include <unordered_map> // For std::unordered_map
+#include <vector>        // For std::vector
 
 class VTKGODRAYSFILTERS_EXPORT vtkGodRaysAirlight
 {
@@ -96,18 +99,41 @@ private:
     float Inverse; // of its length
     float Bend;    // the end of a point light's; else c of u = x/(x + c (1 - x)): where half of the light comes from is u = 1/2
   };
+  struct Cell // of the picture, between four rays
+  {
+    int Corners[4]; // rays
+    int Child;      // the first of four cells within it, or -1
+  };
+  struct Place // on a view ray
+  {
+    float Distance;
+    float Coordinate; // of a point light; First to Last is the whole ray, Early the weight of First
+    float First;
+    float Last;
+    float Early;
+
+    void FindWeight();
+  };
   struct Sampler;
 
   void MakeTable();
+  void MakeRays();
   void MakeLadder(int ray, double x, double y);
+  void Refine();
+  void Split(int cell, int x, int y, int side);
+  int FindRay(int x, int y);
+  float GetDifference(int ray, const int* others, int count) const;
+  const Cell& FindCell(float x, float y, float& u, float& v) const;
+  float GetNode(int ray, const Place& place) const;
   void MakeKey(std::vector<double>& key) const;
   void EvaluateParts(int count, const float* x, const float* y, const float* distances,
     float* values, float* lights, int stride) const;
-  int AddSteps(
-    double x, double y, double begin, double end, float* places, float* fades) const;
+  int AddSteps(const vtkGodRays::LitRay& ray, double begin, double end, float* places,
+    float* fades) const;
   void EvaluateWhole(int count, const float* x, const float* y, const float* distances,
     float* values, int stride) const;
   vtkGodRays::LitRay MakeRay(double x, double y) const;
+  int GetParts(const vtkGodRays::LitRay& ray, double x, double y, double parts[MaximumParts][2]) const;
   vtkGodRays::Vec2 GetPlanetShadow(double x, double y, double end) const;
   void FindPlanetShadow();
   void MakeFade();
@@ -126,15 +152,20 @@ private:
   int MaximumNumberOfParts = 1;
   double CosLit = 0.0;       // of the cone within which a spotlight's light is not negligible
   std::vector<float> Fade;   // of a spotlight, over the cosine from CosLit to 1
+  int Steps = 1;             // over which it is a constant, before and behind a place
   float Extinction[3] = { 0.0f, 0.0f, 0.0f };
   double LightHeight = 0.0; // of a point light
   double Nearest = 0.0;     // that it is to a view ray
-  float Spacing = 16.0f; // of the table's rays [pixels]
+  int Spacing = 16; // of the table's rays [pixels]
   int Columns = 0;
   int Rows = 0;
   std::vector<Ladder> Ladders;
   std::vector<float> Nodes;  // of rays, of nodes, of planes: value and slope, of the whole ray's
   std::vector<float> Totals; // of rays, of planes
+  std::vector<float> Units;  // of rays: what totals are fractions of
+  std::vector<int> Pixels;   // of rays, two each
+  std::vector<Cell> Cells;   // those of the coarsest grid first
+  std::unordered_map<std::int64_t, int> Finer; // rays by pixels
   std::vector<double> Key;
   std::vector<double> NewKey;
   std::vector<float> Phases[vtkGodRaysMedium::MaximumComponents];

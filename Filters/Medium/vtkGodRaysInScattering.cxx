@@ -859,6 +859,6 @@ std::string vtkGodRaysInScattering::Describe() const
     return "nothing yet";
   }
   const int part = static_cast<int>(std::lround(100.0 * this->GetWalkedPart()));
-  return std::to_string(part) + " % of the view rays walked, airlight by " +
+  return std::to_string(part) + " % of the view rays walked, " +
     this->Internals->Airlight.Describe();
 }

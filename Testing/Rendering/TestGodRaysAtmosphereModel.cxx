@@ -169,7 +169,7 @@ TEST_F(GodRaysAtmosphereModel, IsTheGroundTruthOfSlantedSpotlights)
     EXPECT_LT(error, 0.0007) << this->Rays->GetPlan();
     EXPECT_GT(even, 0.005);
     this->Scene.Window->Render();
-    EXPECT_TRUE(Says(this->Rays->GetPlan(), "swept on the processor")) << this->Rays->GetPlan();
+    EXPECT_TRUE(Says(this->Rays->GetPlan(), "walked on the processor")) << this->Rays->GetPlan();
   }
 }
 

@@ -424,12 +424,12 @@ TEST_F(GodRaysMedium, ComputesWhatTheSceneNeeds)
   this->AddPillars();
   this->AddSun({ 0.2, 0.2, -1.0 }, { 1.0, 0.5, 0.1 });
   this->Scene.Window->Render();
-  EXPECT_TRUE(Says(this->Rays->GetPlan(), "1 extinction(s), 1 component(s)"))
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "1 airlight of a directional light"))
     << this->Rays->GetPlan();
   EXPECT_EQ(this->Rays->GetNumberOfGeometryPasses(), 1);
   this->Model->SetScatteringCoefficient(0.05, 0.06, 0.07);
   this->Scene.Window->Render();
-  EXPECT_TRUE(Says(this->Rays->GetPlan(), "3 extinction(s), 3 component(s)"))
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "3 airlights of a directional light"))
     << this->Rays->GetPlan();
 }
 
