@@ -49,7 +49,9 @@ inline float ExpMinus(float x)
   const int whole = static_cast<int>(turns + 0.5f);
   const float f = (static_cast<float>(whole) - turns) * 0.69314718f;
   const float fraction = 1.0f +
-    f * (1.0f + f * (0.5f + f * (1.0f / 6.0f + f * (1.0f / 24.0f + f * (1.0f / 120.0f + f / 720.0f)))));
+    f *
+      (1.0f +
+        f * (0.5f + f * (1.0f / 6.0f + f * (1.0f / 24.0f + f * (1.0f / 120.0f + f / 720.0f)))));
   const std::int32_t bits = (127 - whole) << 23;
   float scale;
   std::memcpy(&scale, &bits, sizeof(scale));
@@ -208,10 +210,9 @@ void vtkGodRaysAirlight::Sampler::Sample(double distance, double* values) const
       component.ScaleHeight > 0.0 ? ExponentialDensity(height, component.ScaleHeight) : 1.0;
     if (setup.Point)
     {
-      parts[k] *=
-        PhaseMix({ component.PhaseFunction, component.Asymmetry },
-          { component.SecondPhaseFunction, component.SecondAsymmetry }, component.SecondWeight,
-          -beyond / r);
+      parts[k] *= PhaseMix({ component.PhaseFunction, component.Asymmetry },
+        { component.SecondPhaseFunction, component.SecondAsymmetry }, component.SecondWeight,
+        -beyond / r);
     }
   }
   for (int c = 0; c < this->Airlight.Channels; ++c)
@@ -219,8 +220,7 @@ void vtkGodRaysAirlight::Sampler::Sample(double distance, double* values) const
     double tau = 0.0;
     for (int k = 0; k < medium.NumberOfComponents; ++k)
     {
-      tau +=
-        (medium.Components[k].Scattering[c] + medium.Components[k].Absorption[c]) * columns[k];
+      tau += (medium.Components[k].Scattering[c] + medium.Components[k].Absorption[c]) * columns[k];
     }
     const double left = std::exp(-tau);
     if (setup.Point)
@@ -253,8 +253,8 @@ double vtkGodRaysAirlight::Sampler::GetEyeDepth(double distance) const
     {
       const Component& component = medium.Components[k];
       tau += (component.Scattering[c] + component.Absorption[c]) *
-        MediumDepth(
-          this->Ray.PlanetRadius, this->Ray.Height, this->Ray.Slope, component.ScaleHeight, distance);
+        MediumDepth(this->Ray.PlanetRadius, this->Ray.Height, this->Ray.Slope,
+          component.ScaleHeight, distance);
     }
     least = std::min(least, tau);
   }
@@ -374,8 +374,8 @@ void vtkGodRaysAirlight::Prepare(const Scene& scene)
     this->Setup.Spot = vtkGodRaysSpot();
   }
   const double away = std::max(length(ToVector(scene.Light)), 1e-30);
-  this->Nearest = std::max(NearestPass * scene.PixelSize *
-      (scene.Parallel ? 1.0 : scene.Light[2] * scene.Light[2] / away),
+  this->Nearest = std::max(
+    NearestPass * scene.PixelSize * (scene.Parallel ? 1.0 : scene.Light[2] * scene.Light[2] / away),
     1e-9 * medium.FarLimit);
   const Vec3 up = ToVector(medium.Up);
   this->LightHeight =
@@ -431,8 +431,8 @@ void vtkGodRaysAirlight::MakeKey(std::vector<double>& key) const
   const vtkGodRaysMedium& medium = setup.Medium;
   key.assign({ setup.Size[0] + 0.0, setup.Size[1] + 0.0, setup.PixelSize, setup.Center[0],
     setup.Center[1], setup.Parallel + 0.0, setup.Point + 0.0, setup.Light[0], setup.Light[1],
-    setup.Light[2], medium.Up[0], medium.Up[1], medium.Up[2], medium.EyeHeight,
-    medium.PlanetRadius, medium.FarLimit, this->Channels + 0.0 });
+    setup.Light[2], medium.Up[0], medium.Up[1], medium.Up[2], medium.EyeHeight, medium.PlanetRadius,
+    medium.FarLimit, this->Channels + 0.0 });
   for (int k = 0; k < medium.NumberOfComponents; ++k)
   {
     const Component& component = medium.Components[k];
@@ -514,7 +514,8 @@ void vtkGodRaysAirlight::Refine()
   {
     bright[i] = getBrightness(static_cast<int>(i));
   }
-  const auto rank = bright.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(bright.size()));
+  const auto rank =
+    bright.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(bright.size()));
   std::nth_element(bright.begin(), rank, bright.end());
   const float floor = 0.1f * *rank;
   const auto getLimit = [&](int ray) { return RayTolerance * std::max(getBrightness(ray), floor); };
@@ -535,7 +536,8 @@ void vtkGodRaysAirlight::Refine()
       float difference = 0.0f;
       for (const int step : { 1, this->Columns })
       {
-        const bool isInside = step == 1 ? i > 0 && i + 1 < this->Columns : j > 0 && j + 1 < this->Rows;
+        const bool isInside =
+          step == 1 ? i > 0 && i + 1 < this->Columns : j > 0 && j + 1 < this->Rows;
         const int others[2] = { ray - step, ray + step };
         difference += isInside ? this->GetDifference(ray, others, 2) : 0.0f;
       }
@@ -646,7 +648,8 @@ float vtkGodRaysAirlight::GetDifference(int ray, const int* others, int count) c
         const float node = this->GetNode(others[i], place);
         const int low = std::min(static_cast<int>(node), NumberOfParts - 1);
         const float* const values = getNodes(others[i]) + 2 * planes * low + 2 * p;
-        const float value = values[0] + (node - static_cast<float>(low)) * (values[2 * planes] - values[0]);
+        const float value =
+          values[0] + (node - static_cast<float>(low)) * (values[2 * planes] - values[0]);
         mean += value * this->Totals[static_cast<std::size_t>(others[i]) * planes + p];
       }
       const float own = getNodes(ray)[2 * planes * k + 2 * p] *
@@ -745,7 +748,8 @@ void vtkGodRaysAirlight::MakeLadder(int index, double x, double y)
     }
     for (int p = 0; p < planes; ++p)
     {
-      sums[p] += i > 0 ? step / 6.0 * (last[p] + 4.0 * between[p] + here[p]) : 0.0; // Simpson's rule
+      sums[p] +=
+        i > 0 ? step / 6.0 * (last[p] + 4.0 * between[p] + here[p]) : 0.0; // Simpson's rule
       *node++ = static_cast<float>(sums[p]);
       *node++ = static_cast<float>(step * here[p]);
       last[p] = here[p];
@@ -768,8 +772,8 @@ void vtkGodRaysAirlight::MakeLadder(int index, double x, double y)
   }
 }
 
-void vtkGodRaysAirlight::Evaluate(int count, const float* x, const float* y,
-  const float* distances, float* values, float* lights) const
+void vtkGodRaysAirlight::Evaluate(int count, const float* x, const float* y, const float* distances,
+  float* values, float* lights) const
 {
   if (!this->HasParts())
   {
@@ -862,7 +866,8 @@ int vtkGodRaysAirlight::AddSteps(
   coordinates.Height = std::max(ray.Distance, this->Nearest);
   const double first = coordinates.GetCoordinate(begin);
   const double step = (coordinates.GetCoordinate(end) - first) / this->Steps;
-  const float scale = static_cast<float>(this->Fade.size() - 2) / static_cast<float>(1.0 - this->CosLit);
+  const float scale =
+    static_cast<float>(this->Fade.size() - 2) / static_cast<float>(1.0 - this->CosLit);
   const auto getFade = [&](double distance)
   {
     const double beyond = distance - ray.Foot;
@@ -878,7 +883,8 @@ int vtkGodRaysAirlight::AddSteps(
   {
     places[i] = static_cast<float>(i == 0 ? begin : coordinates.GetDistance(first + i * step));
     const float middle = getFade(coordinates.GetDistance(first + (i + 0.5) * step));
-    const float next = getFade(i + 1 < this->Steps ? coordinates.GetDistance(first + (i + 1) * step) : end);
+    const float next =
+      getFade(i + 1 < this->Steps ? coordinates.GetDistance(first + (i + 1) * step) : end);
     fades[i] = (last + 4.0f * middle + next) / 6.0f; // Simpson's rule
     last = next;
   }
@@ -1046,8 +1052,7 @@ int vtkGodRaysAirlight::GetParts(double x, double y, double parts[MaximumParts][
 int vtkGodRaysAirlight::GetParts(
   const LitRay& ray, double x, double y, double parts[MaximumParts][2]) const
 {
-  const Vec2 part =
-    SpotPart(ray, this->Setup.Medium.FarLimit * this->GetLengthPerDepth(x, y));
+  const Vec2 part = SpotPart(ray, this->Setup.Medium.FarLimit * this->GetLengthPerDepth(x, y));
   parts[0][0] = part.x;
   parts[0][1] = part.y;
   if (!(part.y > part.x) || (this->IsPlanet && this->Setup.Point && this->LightHeight < 0.0))
@@ -1133,12 +1138,12 @@ void vtkGodRaysAirlight::FindPlanetShadow()
     const double x = corner % 2 == 0 ? 0.0 : setup.Size[0] + 8.0;
     const double y = corner / 2 == 0 ? 0.0 : setup.Size[1] + 8.0;
     this->GetRay(x, y, start, way);
-    reach = std::max(
-      reach, length(ToVector(start)) + medium.FarLimit * this->GetLengthPerDepth(x, y));
+    reach =
+      std::max(reach, length(ToVector(start)) + medium.FarLimit * this->GetLengthPerDepth(x, y));
   }
   const double rise = dot(ToVector(medium.Up), ToVector(setup.Light));
-  this->HasPlanetShadow = this->IsPlanet &&
-    (setup.Point || (medium.PlanetRadius + medium.EyeHeight) * rise < reach);
+  this->HasPlanetShadow =
+    this->IsPlanet && (setup.Point || (medium.PlanetRadius + medium.EyeHeight) * rise < reach);
   this->MaximumNumberOfParts = this->HasPlanetShadow ? MaximumParts : 1;
 }
 
@@ -1164,8 +1169,7 @@ void vtkGodRaysAirlight::MakeFade()
   }
 }
 
-void vtkGodRaysAirlight::GetFactors(
-  double y, int first, int count, float* factors) const
+void vtkGodRaysAirlight::GetFactors(double y, int first, int count, float* factors) const
 {
   for (int begin = 0; begin < count; begin += Batch)
   {
@@ -1193,7 +1197,8 @@ void vtkGodRaysAirlight::GetFactors(
     const float* totals[4];
     for (int corner = 0; corner < 4; ++corner)
     {
-      totals[corner] = this->Totals.data() + static_cast<std::ptrdiff_t>(cell.Corners[corner]) * planes;
+      totals[corner] =
+        this->Totals.data() + static_cast<std::ptrdiff_t>(cell.Corners[corner]) * planes;
     }
     for (int k = 0; k < this->Components; ++k)
     {
@@ -1224,9 +1229,8 @@ void vtkGodRaysAirlight::GetPointFactors(
     const float unit = std::atan2(height * end, adjacent) / height;
     for (int c = 0; c < 3; ++c)
     {
-      factors[static_cast<std::ptrdiff_t>(c) * stride + i] = this->Channels == 1
-        ? unit * static_cast<float>(scattering[c] / scattering[0])
-        : unit;
+      factors[static_cast<std::ptrdiff_t>(c) * stride + i] =
+        this->Channels == 1 ? unit * static_cast<float>(scattering[c] / scattering[0]) : unit;
     }
   }
 }
@@ -1292,5 +1296,5 @@ std::string vtkGodRaysAirlight::Describe() const
     (this->Setup.Parallel ? "parallel projection, " : "perspective, ") +
     (this->Closed ? std::string("closed form")
                   : "table of " + std::to_string(this->Ladders.size()) + " rays x " +
-      std::to_string(NumberOfNodes) + " nodes");
+          std::to_string(NumberOfNodes) + " nodes");
 }

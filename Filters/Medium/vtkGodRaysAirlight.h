@@ -36,11 +36,11 @@ public:
   /// View coordinates are x to the right, y up, z forwards, with the eye at the origin.
   struct Scene
   {
-    int Size[2] = { 0, 0 };          // of the picture [pixels]
-    double PixelSize = 0.0;          // at depth 1, or of a parallel projection [scene units]
-    double Center[2] = { 0.0, 0.0 }; // of the view axis; whole numbers are centres of pixels
-    bool Parallel = false;           // projection
-    bool Point = false;              // light
+    int Size[2] = { 0, 0 };              // of the picture [pixels]
+    double PixelSize = 0.0;              // at depth 1, or of a parallel projection [scene units]
+    double Center[2] = { 0.0, 0.0 };     // of the view axis; whole numbers are centres of pixels
+    bool Parallel = false;               // projection
+    bool Point = false;                  // light
     double Light[3] = { 0.0, 1.0, 0.0 }; // position, or direction to it, of length 1
     vtkGodRaysSpot Spot;
     vtkGodRaysMedium Medium;
@@ -51,7 +51,10 @@ public:
 
   int GetNumberOfPlanes() const { return this->Channels * this->Components; }
   int GetNumberOfChannels() const { return this->Channels; } ///< 1 or 3
-  int GetNumberOfComponents() const { return this->Components; } ///< planes of channel c are c + k channels
+  int GetNumberOfComponents() const
+  {
+    return this->Components;
+  } ///< planes of channel c are c + k channels
   bool IsClosedForm() const { return this->Closed; }
   std::string Describe() const;
 
@@ -97,7 +100,8 @@ private:
   {
     float Begin;   // [scene units], or of a point light's coordinate
     float Inverse; // of its length
-    float Bend;    // the end of a point light's; else c of u = x/(x + c (1 - x)): where half of the light comes from is u = 1/2
+    float
+      Bend; // the end of a point light's; else c of u = x/(x + c (1 - x)): where half of the light comes from is u = 1/2
   };
   struct Cell // of the picture, between four rays
   {
@@ -128,12 +132,13 @@ private:
   void MakeKey(std::vector<double>& key) const;
   void EvaluateParts(int count, const float* x, const float* y, const float* distances,
     float* values, float* lights, int stride) const;
-  int AddSteps(const vtkGodRays::LitRay& ray, double begin, double end, float* places,
-    float* fades) const;
+  int AddSteps(
+    const vtkGodRays::LitRay& ray, double begin, double end, float* places, float* fades) const;
   void EvaluateWhole(int count, const float* x, const float* y, const float* distances,
     float* values, int stride) const;
   vtkGodRays::LitRay MakeRay(double x, double y) const;
-  int GetParts(const vtkGodRays::LitRay& ray, double x, double y, double parts[MaximumParts][2]) const;
+  int GetParts(
+    const vtkGodRays::LitRay& ray, double x, double y, double parts[MaximumParts][2]) const;
   vtkGodRays::Vec2 GetPlanetShadow(double x, double y, double end) const;
   void FindPlanetShadow();
   void MakeFade();
@@ -150,13 +155,13 @@ private:
   bool IsPlanet = false;
   bool HasPlanetShadow = false;
   int MaximumNumberOfParts = 1;
-  double CosLit = 0.0;       // of the cone within which a spotlight's light is not negligible
-  std::vector<float> Fade;   // of a spotlight, over the cosine from CosLit to 1
-  int Steps = 1;             // over which it is a constant, before and behind a place
+  double CosLit = 0.0;     // of the cone within which a spotlight's light is not negligible
+  std::vector<float> Fade; // of a spotlight, over the cosine from CosLit to 1
+  int Steps = 1;           // over which it is a constant, before and behind a place
   float Extinction[3] = { 0.0f, 0.0f, 0.0f };
   double LightHeight = 0.0; // of a point light
   double Nearest = 0.0;     // that it is to a view ray
-  int Spacing = 16; // of the table's rays [pixels]
+  int Spacing = 16;         // of the table's rays [pixels]
   int Columns = 0;
   int Rows = 0;
   std::vector<Ladder> Ladders;

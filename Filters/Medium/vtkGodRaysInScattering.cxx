@@ -111,9 +111,9 @@ private:
   double Light[3] = { 0.0, 0.0, 0.0 };
   vtkGodRaysShadowPyramid Pyramid;
   std::vector<float> Greatest[Levels]; // depths of cells
-  std::vector<float> Own;    // airlight of the pixels' rays: [plane][pixel]
-  std::vector<float> Hidden; // of it
-  std::vector<float> Lights; // see vtkGodRaysAirlight::Evaluate(); empty if they are 1
+  std::vector<float> Own;              // airlight of the pixels' rays: [plane][pixel]
+  std::vector<float> Hidden;           // of it
+  std::vector<float> Lights;           // see vtkGodRaysAirlight::Evaluate(); empty if they are 1
   Grid Grids[Levels + 1];
   std::vector<std::vector<float>> Values; // of the lists of each task; they only grow
   std::size_t NumberOfTasks = 0;
@@ -220,8 +220,8 @@ void vtkGodRaysInScattering::vtkInternals::FindOwn(int first, int row, int count
     x[i] = static_cast<float>(first + i);
     y[i] = static_cast<float>(row);
     const float across = (x[i] - static_cast<float>(this->Center[0])) * size;
-    distances[i] = std::min(this->Depths[pixel + i], far) *
-      std::sqrt(1.0f + across * across + along * along);
+    distances[i] =
+      std::min(this->Depths[pixel + i], far) * std::sqrt(1.0f + across * across + along * along);
   }
   for (int i = 0; this->Airlight.IsOverPlanet() && i < count; ++i)
   {
@@ -264,9 +264,8 @@ void vtkGodRaysInScattering::vtkInternals::FindDepths()
           for (int x = 0; x < width; ++x)
           {
             const int next = std::min(2 * x + 1, fromWidth - 1);
-            to[static_cast<std::size_t>(y) * width + x] =
-              std::max(std::max(rows[0][2 * x], rows[0][next]),
-                std::max(rows[1][2 * x], rows[1][next]));
+            to[static_cast<std::size_t>(y) * width + x] = std::max(
+              std::max(rows[0][2 * x], rows[0][next]), std::max(rows[1][2 * x], rows[1][next]));
           }
         }
       });
@@ -287,7 +286,8 @@ double vtkGodRaysInScattering::vtkInternals::FindReach(int level, int i, int j) 
   {
     for (int x = std::max(i - 1, 0); x <= std::min(i, width - 1); ++x)
     {
-      greatest = std::max(greatest, this->Greatest[level - 1][static_cast<std::size_t>(y) * width + x]);
+      greatest =
+        std::max(greatest, this->Greatest[level - 1][static_cast<std::size_t>(y) * width + x]);
     }
   }
   return greatest;
@@ -373,8 +373,8 @@ void vtkGodRaysInScattering::vtkInternals::Walk(
   vtkSMPTools::For(0, static_cast<vtkIdType>(tasks), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (std::size_t task = static_cast<std::size_t>(begin);
-           task < static_cast<std::size_t>(end); ++task)
+      for (std::size_t task = static_cast<std::size_t>(begin); task < static_cast<std::size_t>(end);
+           ++task)
       {
         int counts[Rays];
         const std::size_t from = task * Rays;
@@ -428,10 +428,9 @@ void vtkGodRaysInScattering::vtkInternals::GetWeights(int x, int y, double* weig
   for (int p = 0; p < this->Planes; ++p)
   {
     const float* factor = factors + 3 * (p / channels);
-    weights[p] = channels == 3
-      ? this->Color[p % 3] * factor[p % 3]
-      : std::max({ this->Color[0] * factor[0], this->Color[1] * factor[1],
-          this->Color[2] * factor[2] });
+    weights[p] = channels == 3 ? this->Color[p % 3] * factor[p % 3]
+                               : std::max({ this->Color[0] * factor[0], this->Color[1] * factor[1],
+                                   this->Color[2] * factor[2] });
   }
 }
 
@@ -515,9 +514,9 @@ void vtkGodRaysInScattering::vtkInternals::FindLimit()
       bright.push_back(static_cast<float>(sum));
     }
   }
-  const std::size_t rank =
-    static_cast<std::size_t>(0.999 * static_cast<double>(bright.size() - 1));
-  std::nth_element(bright.begin(), bright.begin() + static_cast<std::ptrdiff_t>(rank), bright.end());
+  const std::size_t rank = static_cast<std::size_t>(0.999 * static_cast<double>(bright.size() - 1));
+  std::nth_element(
+    bright.begin(), bright.begin() + static_cast<std::ptrdiff_t>(rank), bright.end());
   this->Limit = CoarsestTolerance * this->Tolerance * bright[rank];
 }
 
@@ -536,8 +535,8 @@ bool vtkGodRaysInScattering::vtkInternals::FillCell(int level, const Place& cell
   int stretches = 0;
   for (int corner = 0; corner < 4; ++corner)
   {
-    const std::size_t at = static_cast<std::size_t>(cell.Y + corner / 2) * grid.Size[0] + cell.X +
-      corner % 2;
+    const std::size_t at =
+      static_cast<std::size_t>(cell.Y + corner / 2) * grid.Size[0] + cell.X + corner % 2;
     lists[corner] = &this->Lists[grid.Index[at]];
     unlit = unlit || lists[corner]->Count < 0;
     lit = lists[corner]->Count < 0 ? lit : lists[corner];
@@ -794,7 +793,8 @@ void vtkGodRaysInScattering::vtkInternals::Write(int first, int row, int count)
       const float* factor = factors + static_cast<std::ptrdiff_t>(3 * k + c) * count;
       const float* hidden = this->Hidden.data() + p * this->Pixels + pixel;
       const float* own = this->GetOwn(p) + pixel;
-      const float* lights = this->Lights.empty() ? nullptr : this->Lights.data() + p * this->Pixels + pixel;
+      const float* lights =
+        this->Lights.empty() ? nullptr : this->Lights.data() + p * this->Pixels + pixel;
       for (int i = 0; i < count; ++i)
       {
         sums[i] += factor[i] * (lights ? lights[i] : 1.0f) * std::max(own[i] - hidden[i], 0.0f);

@@ -41,14 +41,14 @@ public:
   struct Parameters
   {
     double PixelSize = 0.0; // at depth 1, or of a parallel projection [scene units], above 0
-    double Center[2] = { 0.0, 0.0 };             // of the view axis [pixels from the lower left corner]
-    bool Parallel = false;                       // projection
-    double Light[4] = { 0.0, 1.0, 0.0, 0.0 };    // (x, y, z)/w, or with w = 0 the direction to it
-    double LightColor[3] = { 1.0, 1.0, 1.0 };    // irradiance, or intensity of a point light
-    vtkGodRaysSpot Spot;                         // of a point light
+    double Center[2] = { 0.0, 0.0 }; // of the view axis [pixels from the lower left corner]
+    bool Parallel = false;           // projection
+    double Light[4] = { 0.0, 1.0, 0.0, 0.0 }; // (x, y, z)/w, or with w = 0 the direction to it
+    double LightColor[3] = { 1.0, 1.0, 1.0 }; // irradiance, or intensity of a point light
+    vtkGodRaysSpot Spot;                      // of a point light
     vtkGodRaysMedium Medium;
     const vtkGodRaysShadowGrids* Shadows = nullptr; // null: nothing blocks the light
-    double Tolerance = 1.0 / 255.0;              // of the brightest pixel [fraction]
+    double Tolerance = 1.0 / 255.0;                 // of the brightest pixel [fraction]
   };
 
   vtkGodRaysInScattering();

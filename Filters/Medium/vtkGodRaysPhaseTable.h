@@ -22,8 +22,7 @@
 namespace vtkGodRays
 {
 /// Makes the table of a component, as fine as its peak needs.
-inline void MakePhaseTable(
-  const vtkGodRaysMedium::Component& component, std::vector<float>& table)
+inline void MakePhaseTable(const vtkGodRaysMedium::Component& component, std::vector<float>& table)
 {
   const auto sharpness = [](int kind, double asymmetry)
   { return PhaseHasAsymmetry(kind) ? 1.0 - std::abs(asymmetry) : 1.0; };
@@ -55,7 +54,8 @@ inline void MakePhaseTable(
 /// The phase function of an angle, of which half the sine and cosine are given.
 inline float LookUpPhase(const std::vector<float>& table, float sine, float cosine)
 {
-  const float scale = 0.70710678f * static_cast<float>(table.size() - 1); // half the entries for each half
+  const float scale =
+    0.70710678f * static_cast<float>(table.size() - 1); // half the entries for each half
   const float at =
     sine < cosine ? sine * scale : static_cast<float>(table.size() - 1) - cosine * scale;
   const std::size_t i = std::min(static_cast<std::size_t>(at), table.size() - 2);

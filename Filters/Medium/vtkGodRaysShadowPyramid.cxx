@@ -14,6 +14,9 @@ namespace
 // 1/distance is above 0.
 constexpr float None = -1e30f;
 
+// By how much a shadowed stretch is longer than the map says, of the distance from the eye.
+constexpr float Margin = 1e-5f;
+
 // Texels of a layer whose parts of the light differ by no more count as alike, and have their mean [1/255].
 constexpr int Alike = 2;
 
@@ -124,14 +127,14 @@ private:
   const vtkGodRaysShadowPyramid& Pyramid;
   std::vector<Stretch>& Stretches;
   float Begin = 0.0f;
-  float Last = 0.0f;                     // from where on Dark is
+  float Last = 0.0f; // from where on Dark is
   float Dark[3] = { 0.0f, 0.0f, 0.0f };
   float First[3] = { 0.0f, 0.0f, 0.0f }; // of the stretch
   float Sum[3] = { 0.0f, 0.0f, 0.0f };   // of the stretch up to Last, times length
 };
 
-void vtkGodRaysShadowPyramid::Walker::WalkPart(const Map& map, const double a[3],
-  const double b[3], double begin, double end, double wa, double wb)
+void vtkGodRaysShadowPyramid::Walker::WalkPart(const Map& map, const double a[3], const double b[3],
+  double begin, double end, double wa, double wb)
 {
   const int width = map.Size[0];
   const int height = map.Size[1];
@@ -270,7 +273,8 @@ void vtkGodRaysShadowPyramid::Walker::WalkPart(const Map& map, const double a[3]
     {
       edge = lowX + (rightwards << level);
       cx = edge - 1 + rightwards;
-      cy = std::min(std::max(static_cast<int>(ay + e * wy), lowY), std::min(lowY + last, height - 1));
+      cy =
+        std::min(std::max(static_cast<int>(ay + e * wy), lowY), std::min(lowY + last, height - 1));
       if (cx < 0 || cx >= width)
       {
         return;
@@ -280,7 +284,8 @@ void vtkGodRaysShadowPyramid::Walker::WalkPart(const Map& map, const double a[3]
     {
       edge = lowY + (upwards << level);
       cy = edge - 1 + upwards;
-      cx = std::min(std::max(static_cast<int>(ax + e * wx), lowX), std::min(lowX + last, width - 1));
+      cx =
+        std::min(std::max(static_cast<int>(ax + e * wx), lowX), std::min(lowX + last, width - 1));
       if (cy < 0 || cy >= height)
       {
         return;
@@ -492,8 +497,7 @@ void vtkGodRaysShadowPyramid::Walk(const double origin[3], const double directio
     const double away[3] = { -this->Light[0], -this->Light[1], -this->Light[2] };
     for (int k = 0; k < 3; ++k)
     {
-      const double* axis =
-        grids.Point ? grid.Axes[k] : k < 2 ? grids.Grids[0].Axes[k] : away;
+      const double* axis = grids.Point ? grid.Axes[k] : k < 2 ? grids.Grids[0].Axes[k] : away;
       starts[g][k] = Along(axis, origin) - (grids.Point ? Along(axis, this->Light) : 0.0);
       changes[g][k] = Along(axis, direction);
     }
@@ -550,6 +554,7 @@ void vtkGodRaysShadowPyramid::Walk(const double origin[3], const double directio
   for (int layer = 0; layer < layers; ++layer)
   {
     Walker walker(*this, stretches);
+    const std::size_t first = stretches.size();
     double last = 0.0;
     for (const Part& part : parts)
     {
@@ -580,5 +585,10 @@ void vtkGodRaysShadowPyramid::Walk(const double origin[3], const double directio
     }
     // What ends in the dark goes on: rays that end farther away take this list, too.
     walker.Close(last < end - 1e-6 * end ? last : 1e30);
+    // Depths of single precision may end a pixel's ray shortly behind a surface that the map has, too.
+    for (std::size_t i = first; i < stretches.size(); ++i)
+    {
+      stretches[i].End *= 1.0f + Margin;
+    }
   }
 }

@@ -11,9 +11,9 @@
 #include "vtkGodRaysShadowMapFS.h"
 #include "vtkGodRaysShadowMapFilterFS.h"
 #include "vtkGodRaysSum.h"
-#include "vtkGodRaysWalkedLight.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysViewDepths.h"
+#include "vtkGodRaysWalkedLight.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -49,7 +49,7 @@ struct vtkGodRaysShadowMapIntegrator::Internals
   unsigned int LightsFrame = 0;
   vtkGodRaysTarget Lit[2];      // the part that is lit, of one channel, and of three, and the depth
   vtkGodRaysTarget RowMeans[2]; // its means of rows, alike
-  bool IsWalked = false;         // the last light
+  bool IsWalked = false;        // the last light
   bool ShadowsAlone = false;
   unsigned int EndsFrame = 0; // whose ends of view rays the walk of its first light has
   const float* Ends = nullptr;

@@ -6,8 +6,8 @@
 #ifndef DataScene_h
 #define DataScene_h
 
-#include "vtkGodRaysInScattering.h"
 #include "vtkGodRaysGridPicture.h"
+#include "vtkGodRaysInScattering.h"
 #include "vtkGodRaysMath.h"
 
 #include "vtkImageData.h"

@@ -236,8 +236,7 @@ Picture MakeEnds(int width, int height)
 
 Picture Execute(Walk& walk, const Walk::Parameters& parameters, const Picture& ends)
 {
-  std::transform(ends.Values.begin(), ends.Values.end(),
-    walk.PrepareInput(ends.Width, ends.Height),
+  std::transform(ends.Values.begin(), ends.Values.end(), walk.PrepareInput(ends.Width, ends.Height),
     [](double end) { return static_cast<float>(end); });
   EXPECT_TRUE(walk.Execute(parameters));
   Picture picture(ends.Width, ends.Height, walk.GetNumberOfComponents());
@@ -650,7 +649,8 @@ TEST(InScattering, ToleranceSpends)
     for (const double tolerance : { 1.0 / 1024.0, 1.0 / 255.0, 1.0 / 64.0, 1.0 / 16.0 })
     {
       parameters.Tolerance = tolerance;
-      const double rms = GetRms(Execute(walk, parameters, ends), exact) * exact.GetMaximum() / *bright;
+      const double rms =
+        GetRms(Execute(walk, parameters, ends), exact) * exact.GetMaximum() / *bright;
       std::cout << (point ? "lamp" : "sun") << ", tolerance 1/" << 1.0 / tolerance << ": " << rms
                 << ", walked " << walk.GetWalkedPart() << " of " << last << "\n";
       EXPECT_LE(rms, tolerance);

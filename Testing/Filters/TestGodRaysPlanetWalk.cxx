@@ -464,7 +464,8 @@ TEST(PlanetWalk, TranslucentThingsCastTheirPart)
     Scene scene = Scenes[index];
     scene.Occluders = 1;
     Walk::Parameters parameters = MakeParameters(scene);
-    parameters.Tolerance = 1e-7; // else half a shadow's edges are half as uneven, and walked less finely
+    parameters.Tolerance =
+      1e-7; // else half a shadow's edges are half as uneven, and walked less finely
     const auto occluders = MakeOccluders(scene);
     const int levels = scene.Parallel ? 1 : 2;
     Maps maps(occluders, parameters.Light, 1.5 * scene.FarLimit, 256, levels);

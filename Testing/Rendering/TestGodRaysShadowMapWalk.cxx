@@ -26,7 +26,7 @@ protected:
   {
     this->Integrator->WalkMapOn();
     this->Rays->SetIntegrator(this->Integrator);
-    this->Rays->SetErrorTolerance(1e-3);
+    this->Rays->SetErrorTolerance(1e-4);
   }
 
   bool IsWalked() { return Says(this->Rays->GetPlan(), "walked on the processor"); }
@@ -111,6 +111,7 @@ TEST_F(GodRaysShadowMapWalk, ASpotlightInAClosedThingIsDarkOutside)
   spot->SetFocalPoint(1.1, -1.13, 0.84);
   spot->SetConeAngle(22.6);
   this->Rays->AddLight(spot);
+  this->Rays->SetErrorTolerance(1e-6);
   auto slab = MakeBox({ 0.0, -1.7, 0.0 }, { 60.0, 0.2, 60.0 });
   this->Renderer->AddActor(slab);
   const auto getLargest = [this]()
