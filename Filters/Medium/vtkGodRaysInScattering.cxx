@@ -4,6 +4,7 @@
 
 #include "vtkGodRaysAirlight.h"
 #include "vtkGodRaysShadowGrids.h"
+#include "vtkGodRaysShadowLists.h"
 #include "vtkGodRaysShadowPyramid.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
@@ -15,6 +16,9 @@
 
 namespace
 {
+using Place = vtkGodRaysShadowLists::Place;
+using List = vtkGodRaysShadowLists::List;
+
 constexpr int Levels = 3; // of grids above that of pixels
 constexpr int Coarsest = 1 << Levels;
 constexpr int MostPixels = Coarsest * Coarsest;
@@ -23,23 +27,8 @@ constexpr int MaximumPlanes = vtkGodRaysAirlight::MaximumPlanes;
 // On the coarsest grid, of the tolerance of a pixel. Measured on the scenes of ModelError.
 constexpr double CoarsestTolerance = 3.0;
 
-// Rays that one task walks, and cells.
-constexpr int Rays = 64;
+// Cells of one task.
 constexpr int Cells = 32;
-
-struct Place
-{
-  int X;
-  int Y;
-};
-
-// The stretches of one ray: of each, the airlight of planes at its begin and end, then its darkness, unless that is 1.
-// Their number is -1 where no light comes from the ray at all.
-struct List
-{
-  const float* Values;
-  int Count;
-};
 
 struct Grid
 {
@@ -61,19 +50,16 @@ public:
   std::vector<float> Depths;
   std::vector<float> Result;
   int NumberOfComponents = 0;
-  std::size_t NumberOfRays = 0;
   vtkGodRaysAirlight Airlight;
 
   void Execute(const Parameters& parameters);
+  int CountRays() const { return this->Lists.GetNumberOfLists(); }
 
 private:
   void FindDepths();
   double FindReach(int level, int i, int j) const;
   void FindOwn();
   void FindOwn(int first, int row, int count);
-  void Walk(const std::vector<Place>& places, const std::vector<float>& depths);
-  void WalkSome(const std::vector<Place>& places, const std::vector<float>& depths,
-    std::size_t begin, std::size_t end, std::vector<float>& values, int* counts) const;
   void WalkCoarsest();
   void FindLimit();
   void Refine();
@@ -82,8 +68,6 @@ private:
   template <int Side>
   bool FillCell(int level, const Place& cell, double limit);
   void PlaceRays(int level);
-  template <int Count>
-  void GetHidden(const List& list, const float* edges, float* hidden) const;
   void GetWeights(int x, int y, double* weights) const;
   bool IsAlongLight(double x, double y, double side) const;
   void Write();
@@ -115,9 +99,7 @@ private:
   std::vector<float> Hidden;           // of it
   std::vector<float> Lights;           // see vtkGodRaysAirlight::Evaluate(); empty if they are 1
   Grid Grids[Levels + 1];
-  std::vector<std::vector<float>> Values; // of the lists of each task; they only grow
-  std::size_t NumberOfTasks = 0;
-  std::vector<List> Lists;
+  vtkGodRaysShadowLists Lists{ this->Airlight, this->Pyramid };
   std::vector<Place> CellsLeft;
   std::vector<Place> NextCells;
   std::vector<unsigned char> Flags;
@@ -162,7 +144,7 @@ void vtkGodRaysInScattering::vtkInternals::Execute(const Parameters& parameters)
   this->Planes = this->Airlight.GetNumberOfPlanes();
   this->Pixels = static_cast<std::size_t>(this->Size[0]) * this->Size[1];
   this->NumberOfComponents = scene.Colored ? 3 : this->GetComponents(parameters);
-  this->NumberOfRays = 0;
+  this->Lists.Clear();
   this->FindOwn();
   this->Hidden.assign(this->Planes * this->Pixels, 0.0f);
   if (this->HasShadows)
@@ -293,132 +275,6 @@ double vtkGodRaysInScattering::vtkInternals::FindReach(int level, int i, int j) 
   return greatest;
 }
 
-void vtkGodRaysInScattering::vtkInternals::WalkSome(const std::vector<Place>& places,
-  const std::vector<float>& depths, std::size_t begin, std::size_t end, std::vector<float>& values,
-  int* counts) const
-{
-  thread_local std::vector<vtkGodRaysShadowPyramid::Stretch> stretches;
-  thread_local std::vector<float> numbers;
-  values.clear();
-  const bool opaque = this->Pyramid.IsOpaque();
-  for (std::size_t ray = begin; ray < end; ++ray)
-  {
-    const int x = places[ray].X;
-    const int y = places[ray].Y;
-    double origin[3];
-    double direction[3];
-    this->Airlight.GetRay(x, y, origin, direction);
-    stretches.clear();
-    double end = std::min<double>(depths[ray], this->FarLimit) / direction[2];
-    if (this->Airlight.HasParts())
-    {
-      double parts[vtkGodRaysAirlight::MaximumParts][2];
-      const int number = this->Airlight.GetParts(x, y, parts);
-      if (number == 0)
-      {
-        counts[ray - begin] = -1;
-        continue;
-      }
-      end = std::min(end, parts[number - 1][1]);
-    }
-    this->Pyramid.Walk(origin, direction, end, stretches);
-    const int count = static_cast<int>(stretches.size());
-    counts[ray - begin] = count;
-    numbers.resize(static_cast<std::size_t>(count) * 2 * (3 + this->Planes));
-    float* xs = numbers.data();
-    float* ys = xs + 2 * count;
-    float* distances = ys + 2 * count;
-    float* airlight = distances + 2 * count;
-    for (int i = 0; i < count; ++i)
-    {
-      xs[2 * i] = xs[2 * i + 1] = static_cast<float>(x);
-      ys[2 * i] = ys[2 * i + 1] = static_cast<float>(y);
-      distances[2 * i] = stretches[i].Begin;
-      distances[2 * i + 1] = stretches[i].End;
-    }
-    if (count > 0)
-    {
-      this->Airlight.Evaluate(2 * count, xs, ys, distances, airlight);
-    }
-    for (int i = 0; i < count; ++i)
-    {
-      for (int p = 0; p < this->Planes; ++p)
-      {
-        values.push_back(airlight[2 * p * count + 2 * i]);
-        values.push_back(airlight[2 * p * count + 2 * i + 1]);
-      }
-      if (!opaque)
-      {
-        values.insert(values.end(), stretches[i].Dark, stretches[i].Dark + 3);
-      }
-    }
-  }
-}
-
-// Appends a list for each place.
-void vtkGodRaysInScattering::vtkInternals::Walk(
-  const std::vector<Place>& places, const std::vector<float>& depths)
-{
-  const std::size_t first = this->Lists.size();
-  const std::size_t tasks = (places.size() + Rays - 1) / Rays;
-  const std::size_t firstTask = this->NumberOfTasks;
-  this->NumberOfTasks += tasks;
-  this->NumberOfRays += places.size();
-  if (this->Values.size() < this->NumberOfTasks)
-  {
-    this->Values.resize(this->NumberOfTasks);
-  }
-  this->Lists.resize(first + places.size());
-  const int stride = 2 * this->Planes + (this->Pyramid.IsOpaque() ? 0 : 3);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(tasks), 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (std::size_t task = static_cast<std::size_t>(begin); task < static_cast<std::size_t>(end);
-           ++task)
-      {
-        int counts[Rays];
-        const std::size_t from = task * Rays;
-        const std::size_t to = std::min(from + Rays, places.size());
-        std::vector<float>& values = this->Values[firstTask + task];
-        this->WalkSome(places, depths, from, to, values, counts);
-        const float* at = values.data();
-        for (std::size_t ray = from; ray < to; ++ray)
-        {
-          this->Lists[first + ray] = { at, counts[ray - from] };
-          at += static_cast<std::ptrdiff_t>(std::max(counts[ray - from], 0)) * stride;
-        }
-      }
-    });
-}
-
-// What is hidden of the airlight of some pixels, which is [plane][pixel].
-template <int Count>
-void vtkGodRaysInScattering::vtkInternals::GetHidden(
-  const List& list, const float* airlight, float* hidden) const
-{
-  const int planes = this->Planes;
-  const int channels = this->Airlight.GetNumberOfChannels();
-  const bool opaque = this->Pyramid.IsOpaque();
-  const int stride = 2 * planes + (opaque ? 0 : 3);
-  for (int p = 0; p < planes; ++p)
-  {
-    const float* own = airlight + p * Count;
-    float sums[Count] = {};
-    const float* values = list.Values;
-    for (int i = 0; i < list.Count; ++i, values += stride)
-    {
-      const float begin = values[2 * p];
-      const float end = values[2 * p + 1];
-      const float dark = opaque ? 1.0f : values[2 * planes + p % channels];
-      for (int k = 0; k < Count; ++k)
-      {
-        sums[k] += dark * (std::min(end, own[k]) - std::min(begin, own[k]));
-      }
-    }
-    std::copy_n(sums, Count, hidden + p * Count);
-  }
-}
-
 // Of the brightest colour that a plane adds to.
 void vtkGodRaysInScattering::vtkInternals::GetWeights(int x, int y, double* weights) const
 {
@@ -434,13 +290,14 @@ void vtkGodRaysInScattering::vtkInternals::GetWeights(int x, int y, double* weig
   }
 }
 
-// Whether a ray hardly crosses the light's rays, so that it tells little of those beside it: where the light, or its
-// opposite, is seen within two cells; of parallel rays, where they end within two cells of where they begin.
+// Whether a ray hardly crosses the light's rays, so that it tells little of those beside it: where the light,
+// or its opposite, is seen within two cells; of parallel rays, where they end within two cells of where they
+// begin.
 bool vtkGodRaysInScattering::vtkInternals::IsAlongLight(double x, double y, double side) const
 {
   double origin[3];
   double direction[3];
-  this->Airlight.GetRay(x, y, origin, direction);
+  this->Airlight.GetScene().GetRay(x, y, origin, direction);
   double to[3];
   double square = 0.0;
   double along = 0.0;
@@ -480,10 +337,11 @@ void vtkGodRaysInScattering::vtkInternals::WalkCoarsest()
       }
     }
   }
-  this->Walk(this->Places, this->Ends);
+  this->Lists.Walk(this->Places, this->Ends);
 }
 
-// The tolerance is a fraction of the brightest ray of the coarsest grid, but of 1 in 1000 about a point light.
+// The tolerance is a fraction of the brightest ray of the coarsest grid, but of 1 in 1000 about a point
+// light.
 void vtkGodRaysInScattering::vtkInternals::FindLimit()
 {
   const Grid& grid = this->Grids[Levels];
@@ -503,7 +361,7 @@ void vtkGodRaysInScattering::vtkInternals::FindLimit()
         own[p] = this->GetOwn(p)[pixel];
       }
       const int index = grid.Index[static_cast<std::size_t>(j) * grid.Size[0] + i];
-      this->GetHidden<1>(this->Lists[index], own, hidden);
+      this->Lists.GetHidden<1>(this->Lists.Get(index), own, hidden);
       double weights[MaximumPlanes];
       this->GetWeights(x, y, weights);
       double sum = 0.0;
@@ -537,7 +395,7 @@ bool vtkGodRaysInScattering::vtkInternals::FillCell(int level, const Place& cell
   {
     const std::size_t at =
       static_cast<std::size_t>(cell.Y + corner / 2) * grid.Size[0] + cell.X + corner % 2;
-    lists[corner] = &this->Lists[grid.Index[at]];
+    lists[corner] = &this->Lists.Get(grid.Index[at]);
     unlit = unlit || lists[corner]->Count < 0;
     lit = lists[corner]->Count < 0 ? lit : lists[corner];
     stretches += std::max(lists[corner]->Count, 0);
@@ -591,7 +449,7 @@ bool vtkGodRaysInScattering::vtkInternals::FillCell(int level, const Place& cell
   float hidden[4][MaximumPlanes * count];
   for (int corner = 0; corner < 4; ++corner)
   {
-    this->GetHidden<count>(*lists[corner], own, hidden[corner]);
+    this->Lists.GetHidden<count>(*lists[corner], own, hidden[corner]);
   }
   for (int p = 0; p < planes; ++p)
   {
@@ -663,7 +521,7 @@ void vtkGodRaysInScattering::vtkInternals::PlaceRays(int level)
   this->Places.clear();
   this->Ends.clear();
   this->CellsLeft.clear();
-  int next = static_cast<int>(this->Lists.size());
+  int next = this->Lists.GetNumberOfLists();
   for (const Place& cell : this->NextCells)
   {
     const int side = level > 1 ? 3 : 2; // corners, or pixels
@@ -698,14 +556,13 @@ void vtkGodRaysInScattering::vtkInternals::PlaceRays(int level)
       }
     }
   }
-  this->Walk(this->Places, this->Ends);
+  this->Lists.Walk(this->Places, this->Ends);
 }
 
 void vtkGodRaysInScattering::vtkInternals::Refine()
 {
   this->FindDepths();
-  this->Lists.clear();
-  this->NumberOfTasks = 0;
+  this->Lists.Clear();
   for (int level = 0; level <= Levels; ++level)
   {
     Grid& grid = this->Grids[level];
@@ -751,7 +608,7 @@ void vtkGodRaysInScattering::vtkInternals::Refine()
         }
         const Grid& grid = this->Grids[0];
         const int index = grid.Index[static_cast<std::size_t>(pixel.Y) * grid.Size[0] + pixel.X];
-        this->GetHidden<1>(this->Lists[index], own, hidden);
+        this->Lists.GetHidden<1>(this->Lists.Get(index), own, hidden);
         for (int p = 0; p < this->Planes; ++p)
         {
           this->Hidden[p * this->Pixels + at] = hidden[p];
@@ -839,7 +696,7 @@ double vtkGodRaysInScattering::GetWalkedPart() const
 {
   const vtkInternals& self = *this->Internals;
   const double pixels = std::max(1.0, static_cast<double>(self.Size[0]) * self.Size[1]);
-  return static_cast<double>(self.NumberOfRays) / pixels;
+  return self.CountRays() / pixels;
 }
 
 int vtkGodRaysInScattering::GetNumberOfComponents() const

@@ -11,11 +11,11 @@
  *     scattering.Execute(parameters);
  *     // read scattering.GetResult()[(y * width + x) * scattering.GetNumberOfComponents() + c]
  *
- * View rays on a grid of 8 x 8 pixels are walked through the maps' pyramids, each to the greatest depth of the cells
- * about it, and leave a list of their shadowed stretches, measured in airlight. A pixel takes the four lists about it
- * at its own depth, so that edges of depth need nothing. Where the four differ by more than the tolerance, the grid is
- * halved there, down to single pixels; the tolerance doubles with each halving, as what a fine grid can miss is
- * small.
+ * View rays on a grid of 8 x 8 pixels are walked through the maps' pyramids, each to the greatest depth of
+ * the cells about it, and leave a list of their shadowed stretches, measured in airlight. A pixel takes the
+ * four lists about it at its own depth, so that edges of depth need nothing. Where the four differ by more
+ * than the tolerance, the grid is halved there, down to single pixels; the tolerance doubles with each
+ * halving, as what a fine grid can miss is small.
  *
  * An object keeps its memory, pyramids and tables. Not for two threads at a time.
  */
@@ -56,8 +56,8 @@ public:
   vtkGodRaysInScattering(const vtkGodRaysInScattering&) = delete;
   void operator=(const vtkGodRaysInScattering&) = delete;
 
-  /// Memory for the view depths at which view rays end: above 0 and at most Sky. It keeps its contents until the size
-  /// changes.
+  /// Memory for the view depths at which view rays end: above 0 and at most Sky. It keeps its contents until
+  /// the size changes.
   float* PrepareInput(int width, int height);
 
   /// Returns false if there is no input.
@@ -69,8 +69,8 @@ public:
   /// Of the last result: 1 if red, green and blue are the same, else 3.
   int GetNumberOfComponents() const;
 
-  /// Radiances, components interleaved, rows from the bottom up, finite and not negative; null before the first
-  /// execution.
+  /// Radiances, components interleaved, rows from the bottom up, finite and not negative; null before the
+  /// first execution.
   const float* GetResult() const;
 
   /// What the last execution did.

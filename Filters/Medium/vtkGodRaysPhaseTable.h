@@ -4,8 +4,8 @@
  * @file    vtkGodRaysPhaseTable.h
  * @brief   tables of phase functions
  *
- * Private. Linear between entries: the first half is over sin(a/2), a being the scattering angle, from 0 to sin(45
- * degrees), the second over cos(a/2) back to 0.
+ * Private. Linear between entries: the first half is over sin(a/2), a being the scattering angle, from 0 to
+ * sin(45 degrees), the second over cos(a/2) back to 0.
  */
 
 #ifndef vtkGodRaysPhaseTable_h

@@ -5,10 +5,10 @@
  * @brief   finds the shadowed stretches of a view ray by a min/max pyramid over a light's shadow maps
  *
  * Private. A ray is straight in the space of a map: texels across the light, and a height that is an affine
- * function of the window depth, towards the light (directional: height; point light: 1/distance). A place is in
- * shadow where its height is below the texel's, which is a plane through its neighbours. The pyramid has the least and the
- * greatest height of 2 x 2, 4 x 4 ... texels in 16 bits each, rounded outwards, so that the walk descends only
- * where shadow can begin or end, and its result is that of all texels along the ray.
+ * function of the window depth, towards the light (directional: height; point light: 1/distance). A place is
+ * in shadow where its height is below the texel's, which is a plane through its neighbours. The pyramid has
+ * the least and the greatest height of 2 x 2, 4 x 4 ... texels in 16 bits each, rounded outwards, so that the
+ * walk descends only where shadow can begin or end, and its result is that of all texels along the ray.
  *
  * Whatever the projections of camera and light are, there is no special case: not for a light in the picture,
  * behind the eye or along the view rays.
@@ -27,7 +27,8 @@
 class VTKGODRAYSFILTERS_EXPORT vtkGodRaysShadowPyramid
 {
 public:
-  /// Part of a ray to which an occluder lets less light through. Stretches of several layers overlap, and add up.
+  /// Part of a ray to which an occluder lets less light through. Stretches of several layers overlap, and add
+  /// up.
   struct Stretch
   {
     float Begin; ///< distance from the ray's start [scene units]
@@ -35,8 +36,8 @@ public:
     float Dark[3]; ///< part of the light that is lost, of each colour, on average [0, 1]
   };
 
-  /// Takes the maps of a light: its position, or the direction to it, of length 1. Pyramids are made anew unless
-  /// the grids' version is that of the last call.
+  /// Takes the maps of a light: its position, or the direction to it, of length 1. Pyramids are made anew
+  /// unless the grids' version is that of the last call.
   void Build(const vtkGodRaysShadowGrids& grids, const double light[3]);
 
   /// Whether Dark is 1 in all stretches.

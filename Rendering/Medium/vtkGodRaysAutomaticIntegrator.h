@@ -4,12 +4,12 @@
  * @class   vtkGodRaysAutomaticIntegrator
  * @brief   single scattering by the cheapest way that keeps the error asked for
  *
- * The default of vtkGodRaysMediumModel. For each light of a frame it walks view rays through a shadow map: it sees
- * the shadows of all props, whether the picture shows them or not, and is the closed form where no shadow can
- * be seen. Of a directional light, seen in perspective, there are four nested maps about the axis through the
- * eye; else one, or a cube of six about a lamp, which serves while the camera moves. The maps' size and the
- * number of rays follow from vtkGodRaysPass::SetErrorTolerance(). While a camera is dragged, to a tolerance
- * above 0.009, there is one map in the place of nested ones.
+ * The default of vtkGodRaysMediumModel. For each light of a frame it walks view rays through a shadow map: it
+ * sees the shadows of all props, whether the picture shows them or not, and is the closed form where no
+ * shadow can be seen. Of a directional light, seen in perspective, there are four nested maps about the axis
+ * through the eye; else one, or a cube of six about a lamp, which serves while the camera moves. The maps'
+ * size and the number of rays follow from vtkGodRaysPass::SetErrorTolerance(). While a camera is dragged, to
+ * a tolerance above 0.009, there is one map in the place of nested ones.
  *
  * Where VerifyPixels has found an error above the tolerance, the next frames take a map for a smaller one,
  * until the tolerance changes.

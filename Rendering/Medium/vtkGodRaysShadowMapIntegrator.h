@@ -62,10 +62,10 @@ public:
   ///@{
   /**
    * Set/Get whether light is summed on the processor in place of steps. View rays walk through the map by its
-   * least and greatest heights, at a cost that hardly depends on its size, one in 8 x 8 pixels at first and up to
-   * every one where the error would be above that which the pass asks for; there is no noise, and a shadow starts
-   * at what casts it. For a directional light, seen in perspective, the map is then NumberOfNestedMaps. Default is
-   * off.
+   * least and greatest heights, at a cost that hardly depends on its size, one in 8 x 8 pixels at first and
+   * up to every one where the error would be above that which the pass asks for; there is no noise, and a
+   * shadow starts at what casts it. For a directional light, seen in perspective, the map is then
+   * NumberOfNestedMaps. Default is off.
    */
   vtkSetMacro(WalkMap, bool);
   vtkGetMacro(WalkMap, bool);
