@@ -24,8 +24,8 @@ constexpr int Coarsest = 1 << Levels;
 constexpr int MostPixels = Coarsest * Coarsest;
 constexpr int MaximumPlanes = vtkGodRaysAirlight::MaximumPlanes;
 
-// On the coarsest grid, of the tolerance of a pixel. Measured on the scenes of ModelError.
-constexpr double CoarsestTolerance = 3.0;
+// What rays about a cell may differ by, of the tolerance of a pixel. Measured on the scenes of ModelError.
+constexpr double CellTolerance = 3.0;
 
 // Cells of one task.
 constexpr int Cells = 32;
@@ -375,7 +375,7 @@ void vtkGodRaysInScattering::vtkInternals::FindLimit()
   const std::size_t rank = static_cast<std::size_t>(0.999 * static_cast<double>(bright.size() - 1));
   std::nth_element(
     bright.begin(), bright.begin() + static_cast<std::ptrdiff_t>(rank), bright.end());
-  this->Limit = CoarsestTolerance * this->Tolerance * bright[rank];
+  this->Limit = CellTolerance * this->Tolerance * bright[rank];
 }
 
 template <int Side>
@@ -576,8 +576,8 @@ void vtkGodRaysInScattering::vtkInternals::Refine()
   }
   this->WalkCoarsest();
   this->FindLimit();
-  double limit = this->Limit;
-  for (int level = Levels; level > 0; --level, limit *= 2.0)
+  const double limit = this->Limit;
+  for (int level = Levels; level > 0; --level)
   {
     if (level == 3)
     {

@@ -14,8 +14,7 @@
  * View rays on a grid of 8 x 8 pixels are walked through the maps' pyramids, each to the greatest depth of
  * the cells about it, and leave a list of their shadowed stretches, measured in airlight. A pixel takes the
  * four lists about it at its own depth, so that edges of depth need nothing. Where the four differ by more
- * than the tolerance, the grid is halved there, down to single pixels; the tolerance doubles with each
- * halving, as what a fine grid can miss is small.
+ * than the tolerance, the grid is halved there, down to single pixels.
  *
  * An object keeps its memory, pyramids and tables. Not for two threads at a time.
  */
