@@ -17,8 +17,10 @@ constexpr float None = -1e30f;
 // By how much a shadowed stretch is longer than the map says, of the distance from the eye.
 constexpr float Margin = 1e-5f;
 
-// Texels of a layer whose parts of the light differ by no more count as alike, and have their mean [1/255].
-constexpr int Alike = 2;
+// Texels whose parts of the light differ by no more, in all layers together, count as alike and have their
+// mean. Parts are coded in 16 bits.
+constexpr float Alike = 2.0f / 255.0f;
+constexpr float Codes = 65535.0f;
 
 double Along(const double axis[3], const double vector[3])
 {
@@ -70,8 +72,9 @@ struct Interval
 class vtkGodRaysShadowPyramid::Walker
 {
 public:
-  Walker(const vtkGodRaysShadowPyramid& pyramid, std::vector<Stretch>& stretches)
+  Walker(const vtkGodRaysShadowPyramid& pyramid, double end, std::vector<Stretch>& stretches)
     : Pyramid(pyramid)
+    , End(static_cast<float>(end))
     , Stretches(stretches)
   {
   }
@@ -94,7 +97,8 @@ private:
   void Set(float at, float red, float green, float blue)
   {
     const float next[3] = { red, green, blue };
-    const float length = std::max(at - this->Last, 0.0f);
+    // What goes on beyond the ray's end counts up to there.
+    const float length = std::max(std::min(at, this->End) - this->Last, 0.0f);
     for (int c = 0; c < 3; ++c)
     {
       this->Sum[c] += length * this->Dark[c];
@@ -106,7 +110,7 @@ private:
     {
       return isNone(dark) == isNone(next) &&
         std::abs(dark[0] - red) + std::abs(dark[1] - green) + std::abs(dark[2] - blue) <
-        Alike / 255.0f;
+        this->Pyramid.Alike;
     };
     std::copy_n(next, 3, this->Dark);
     if (isAlike(this->First))
@@ -115,7 +119,7 @@ private:
     }
     if (!isNone(this->First) && at > this->Begin)
     {
-      const float inverse = 1.0f / (at - this->Begin);
+      const float inverse = 1.0f / std::max(std::min(at, this->End) - this->Begin, 1e-30f);
       this->Stretches.push_back({ this->Begin, at,
         { inverse * this->Sum[0], inverse * this->Sum[1], inverse * this->Sum[2] } });
     }
@@ -125,6 +129,7 @@ private:
   }
 
   const vtkGodRaysShadowPyramid& Pyramid;
+  float End; // of the ray
   std::vector<Stretch>& Stretches;
   float Begin = 0.0f;
   float Last = 0.0f; // from where on Dark is
@@ -221,7 +226,7 @@ void vtkGodRaysShadowPyramid::Walker::WalkPart(const Map& map, const double a[3]
         {
           range = std::max(range, dims.Most[c] - dims.Least[c]);
         }
-        if (range > Alike)
+        if (static_cast<float>(range) > Codes * this->Pyramid.Alike)
         {
           --level;
           continue;
@@ -347,6 +352,7 @@ void vtkGodRaysShadowPyramid::Build(const vtkGodRaysShadowGrids& grids, const do
     return;
   }
   this->Opaque = grids.NumberOfLayers == 0;
+  this->Alike = ::Alike / static_cast<float>(layers);
   this->Scale = static_cast<float>(65000.0 / (grids.Range[1] - grids.Range[0]));
   this->Maps.resize(static_cast<std::size_t>(layers) * grids.Levels);
   for (int layer = 0; layer < layers; ++layer)
@@ -427,7 +433,7 @@ void vtkGodRaysShadowPyramid::Reduce(Map& map) const
           {
             std::uint32_t least = 65535;
             std::uint32_t most = 0;
-            Dimming dims = { { 255, 255, 255 }, { 0, 0, 0 }, { 0.0f, 0.0f, 0.0f } };
+            Dimming dims = { { 65535, 65535, 65535 }, { 0, 0, 0 }, { 0.0f, 0.0f, 0.0f } };
             for (int k = 0; k < 4; ++k)
             {
               const int i = std::min(2 * x + (k & 1), width - 1);
@@ -451,11 +457,11 @@ void vtkGodRaysShadowPyramid::Reduce(Map& map) const
                 const bool isTexel = level == 0;
                 const float dark = isTexel ? map.Darks[3 * at + c] : map.Darker[below + at].Mean[c];
                 const int low =
-                  isTexel ? static_cast<int>(255.0f * dark) : map.Darker[below + at].Least[c];
-                const int high = isTexel ? static_cast<int>(std::ceil(255.0f * dark))
+                  isTexel ? static_cast<int>(Codes * dark) : map.Darker[below + at].Least[c];
+                const int high = isTexel ? static_cast<int>(std::ceil(Codes * dark))
                                          : map.Darker[below + at].Most[c];
-                dims.Least[c] = static_cast<std::uint8_t>(std::min<int>(dims.Least[c], low));
-                dims.Most[c] = static_cast<std::uint8_t>(std::max<int>(dims.Most[c], high));
+                dims.Least[c] = static_cast<std::uint16_t>(std::min<int>(dims.Least[c], low));
+                dims.Most[c] = static_cast<std::uint16_t>(std::max<int>(dims.Most[c], high));
                 dims.Mean[c] += 0.25f * dark;
               }
             }
@@ -553,7 +559,7 @@ void vtkGodRaysShadowPyramid::Walk(const double origin[3], const double directio
   const int layers = static_cast<int>(this->Maps.size()) / grids.Levels;
   for (int layer = 0; layer < layers; ++layer)
   {
-    Walker walker(*this, stretches);
+    Walker walker(*this, end, stretches);
     const std::size_t first = stretches.size();
     double last = 0.0;
     for (const Part& part : parts)

@@ -65,8 +65,8 @@ private:
   };
   struct Dimming
   {
-    std::uint8_t Least[3]; // rounded down
-    std::uint8_t Most[3];  // rounded up
+    std::uint16_t Least[3]; // rounded down
+    std::uint16_t Most[3];  // rounded up
     float Mean[3];
   };
   struct Patch // a texel's plane: planes of the scene are planes in a map
@@ -104,6 +104,7 @@ private:
   double Light[3] = { 0.0, 0.0, 0.0 };
   std::vector<Map> Maps; // of layers, of grids
   bool Opaque = true;
+  float Alike = 0.0f; // by how much parts of the light may differ in a layer, to be taken together
   float Scale = 1.0f; // of a directional light's heights, to codes
 };
 
