@@ -21,10 +21,11 @@ constexpr double NearestPass = 0.28;
 // What is left of a spotlight's light where it ends, at the least.
 constexpr double LeastFade = 1e-5;
 
-// Steps over which a spotlight's fade is a constant: for one that is even, and what is added for one that
-// fades to nothing.
-constexpr double LeastSteps = 3.0;
-constexpr double MoreSteps = 6.0;
+// Steps over which a spotlight's fade is a constant: at least, what is added for one that fades to nothing
+// over the root of the tolerance, as the error is in proportion to the step's square, and at most.
+constexpr double LeastSteps = 2.0;
+constexpr double MoreSteps = 0.25;
+constexpr double MostSteps = 28.0; // room for two parts in a batch
 constexpr int FadeEntries = 2048;
 
 // Places that are evaluated together.
@@ -99,8 +100,9 @@ void vtkGodRaysAirlight::Prepare(const Scene& scene)
   this->Closed = !layered && !scene.Point;
   for (int c = 0; c < 3; ++c)
   {
-    // So clear a medium cannot be told from none.
-    this->Extinction[c] = static_cast<float>(std::max(total[c], 1e-9 / medium.FarLimit));
+    // So clear a medium cannot be told from none; and numbers are those of single precision.
+    this->Extinction[c] =
+      static_cast<float>(std::min(std::max(total[c], 1e-9 / medium.FarLimit), 1e30));
   }
   for (int k = 0; k < (scene.Point ? 0 : medium.NumberOfComponents); ++k)
   {
@@ -126,47 +128,73 @@ void vtkGodRaysAirlight::Evaluate(int count, const float* x, const float* y, con
     }
     return;
   }
-  const int samples = this->MaximumNumberOfParts * (2 * this->Steps + 1);
-  const int step = std::max(Batch / samples, 1);
-  for (int first = 0; first < count; first += step)
+  for (int first = 0; first < count;)
   {
-    this->EvaluateParts(std::min(step, count - first), x + first, y + first, distances + first,
+    first += this->EvaluateParts(count - first, x + first, y + first, distances + first,
       values + first, lights ? lights + first : nullptr, count);
   }
 }
 
-// Each part is read in steps up to a distance and beyond it, over which the light fades by its mean.
-void vtkGodRaysAirlight::EvaluateParts(int count, const float* x, const float* y,
+// Parts are read in steps, over which the light fades by its mean; the last step ends at the distance. Returns
+// the number of places that were evaluated: as many as samples have room for.
+int vtkGodRaysAirlight::EvaluateParts(int count, const float* x, const float* y,
   const float* distances, float* values, float* lights, int stride) const
 {
   float xs[Batch];
   float ys[Batch];
   float places[Batch];
   float fades[Batch]; // from a place to the next one
-  int ends[Batch];    // of a place's samples
-  bool before[Batch]; // the distance
-  int samples = 0;
-  for (int i = 0; i < count; ++i)
+  struct
   {
-    double parts[MaximumParts][2];
-    const LitRay ray = this->MakeRay(x[i], y[i]);
-    const int number = this->GetParts(ray, x[i], y[i], parts);
-    const int begin = samples;
-    for (int k = 0; k < number; ++k)
+    bool IsNew;   // whether its ray is not that of the place before
+    int Nodes[2]; // the begins of a ray's steps, and the ends of its parts
+    int Step;     // that its distance is in; -1 before all
+    int Sample;   // of the distance
+    float Fade;   // from the step's begin to there
+  } of[Batch];
+  LitRay ray = {};
+  int samples = 0;
+  int number = 0;
+  for (; number < count; ++number)
+  {
+    auto& own = of[number];
+    const bool isNew = own.IsNew =
+      number == 0 || x[number] != x[number - 1] || y[number] != y[number - 1];
+    if (samples + (isNew ? this->MaximumNumberOfParts * (this->Steps + 1) : 0) >= Batch)
     {
-      const double middle = std::min(std::max<double>(distances[i], parts[k][0]), parts[k][1]);
-      const int first = samples;
-      samples += this->AddSteps(ray, parts[k][0], middle, places + samples, fades + samples);
-      std::fill(before + first, before + samples, true);
-      const int beyond = samples;
-      samples += this->AddSteps(ray, middle, parts[k][1], places + samples, fades + samples);
-      places[samples] = static_cast<float>(parts[k][1]);
-      fades[samples++] = 0.0f;
-      std::fill(before + beyond, before + samples, false);
+      break;
     }
-    std::fill(xs + begin, xs + samples, x[i]);
-    std::fill(ys + begin, ys + samples, y[i]);
-    ends[i] = samples;
+    const int begin = samples;
+    if (isNew)
+    {
+      double parts[MaximumParts][2];
+      ray = this->MakeRay(x[number], y[number]);
+      const int partsOfRay = this->GetParts(ray, x[number], y[number], parts);
+      for (int k = 0; k < partsOfRay; ++k)
+      {
+        samples += this->AddSteps(
+          ray, this->Steps, parts[k][0], parts[k][1], places + samples, fades + samples);
+        places[samples] = static_cast<float>(parts[k][1]);
+        fades[samples++] = 0.0f;
+      }
+    }
+    own.Nodes[0] = isNew ? begin : of[number - 1].Nodes[0];
+    own.Nodes[1] = isNew ? samples : of[number - 1].Nodes[1];
+    own.Step = own.Nodes[0] - 1;
+    while (own.Step + 1 < own.Nodes[1] && places[own.Step + 1] <= distances[number])
+    {
+      ++own.Step;
+    }
+    own.Sample = own.Step;
+    own.Fade = 0.0f;
+    if (own.Step >= own.Nodes[0] && fades[own.Step] > 0.0f && places[own.Step] < distances[number])
+    {
+      own.Sample = samples;
+      this->AddSteps(ray, 1, places[own.Step], distances[number], places + samples, &own.Fade);
+      places[samples++] = distances[number];
+    }
+    std::fill(xs + begin, xs + samples, x[number]);
+    std::fill(ys + begin, ys + samples, y[number]);
   }
   float read[MaximumPlanes * Batch];
   if (samples > 0)
@@ -176,26 +204,38 @@ void vtkGodRaysAirlight::EvaluateParts(int count, const float* x, const float* y
   for (int p = 0; p < this->GetNumberOfPlanes(); ++p)
   {
     const float* at = read + static_cast<std::ptrdiff_t>(p) * samples;
-    for (int i = 0; i < count; ++i)
+    float sums[Batch] = {}; // up to nodes
+    float sum = 0.0f;
+    for (int i = 0; i < number; ++i)
     {
-      float sums[2] = {};
-      for (int k = i > 0 ? ends[i - 1] : 0; k + 1 < ends[i]; ++k)
+      if (of[i].IsNew)
       {
-        sums[before[k] ? 0 : 1] += fades[k] * std::max(at[k + 1] - at[k], 0.0f);
+        sum = 0.0f;
+        for (int k = of[i].Nodes[0]; k + 1 < of[i].Nodes[1]; ++k)
+        {
+          sums[k] = sum;
+          sum += fades[k] * std::max(at[k + 1] - at[k], 0.0f);
+          sums[k + 1] = sum;
+        }
       }
-      const float sum = sums[0] + sums[1];
-      values[static_cast<std::ptrdiff_t>(p) * stride + i] = sum > 0.0f ? sums[0] / sum : 0.0f;
+      const int step = of[i].Step;
+      const float before = step < of[i].Nodes[0]
+        ? 0.0f
+        : sums[step] + of[i].Fade * std::max(at[of[i].Sample] - at[step], 0.0f);
+      values[static_cast<std::ptrdiff_t>(p) * stride + i] =
+        sum > 0.0f ? std::min(before / sum, 1.0f) : 0.0f;
       if (lights)
       {
         lights[static_cast<std::ptrdiff_t>(p) * stride + i] = sum;
       }
     }
   }
+  return number;
 }
 
 // The begins of steps over a part of a ray, and the light's fade over them. Returns their number.
 int vtkGodRaysAirlight::AddSteps(
-  const LitRay& ray, double begin, double end, float* places, float* fades) const
+  const LitRay& ray, int steps, double begin, double end, float* places, float* fades) const
 {
   if (this->Fade.empty())
   {
@@ -207,7 +247,7 @@ int vtkGodRaysAirlight::AddSteps(
   coordinates.Foot = ray.Foot;
   coordinates.Height = std::max(ray.Distance, this->Setup.Nearest);
   const double first = coordinates.GetCoordinate(begin);
-  const double step = (coordinates.GetCoordinate(end) - first) / this->Steps;
+  const double step = (coordinates.GetCoordinate(end) - first) / steps;
   const float scale =
     static_cast<float>(this->Fade.size() - 2) / static_cast<float>(1.0 - this->CosLit);
   const auto getFade = [&](double distance)
@@ -221,16 +261,16 @@ int vtkGodRaysAirlight::AddSteps(
     return this->Fade[i] + (entry - static_cast<float>(i)) * (this->Fade[i + 1] - this->Fade[i]);
   };
   float last = getFade(begin);
-  for (int i = 0; i < this->Steps; ++i)
+  for (int i = 0; i < steps; ++i)
   {
     places[i] = static_cast<float>(i == 0 ? begin : coordinates.GetDistance(first + i * step));
     const float middle = getFade(coordinates.GetDistance(first + (i + 0.5) * step));
     const float next =
-      getFade(i + 1 < this->Steps ? coordinates.GetDistance(first + (i + 1) * step) : end);
+      getFade(i + 1 < steps ? coordinates.GetDistance(first + (i + 1) * step) : end);
     fades[i] = (last + 4.0f * middle + next) / 6.0f; // Simpson's rule
     last = next;
   }
-  return this->Steps;
+  return steps;
 }
 
 // Airlight of a closed form or the table, as if no part of a ray were dark.
@@ -411,7 +451,8 @@ void vtkGodRaysAirlight::MakeFade()
   }
   this->CosLit = std::max(this->CosLit, std::pow(LeastFade, 1.0 / spot.Exponent));
   const double least = std::pow(this->CosLit, spot.Exponent);
-  this->Steps = static_cast<int>(std::ceil(LeastSteps + MoreSteps * (1.0 - least)));
+  const double more = MoreSteps * (1.0 - least) / std::sqrt(std::max(this->Setup.Tolerance, 1e-9));
+  this->Steps = static_cast<int>(std::ceil(std::min(LeastSteps + more, MostSteps)));
   this->Fade.resize(FadeEntries);
   for (int i = 0; i < FadeEntries; ++i)
   {

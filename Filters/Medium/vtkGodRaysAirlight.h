@@ -76,10 +76,10 @@ public:
   void GetFactors(double y, int first, int count, float* factors) const;
 
 private:
-  void EvaluateParts(int count, const float* x, const float* y, const float* distances,
+  int EvaluateParts(int count, const float* x, const float* y, const float* distances,
     float* values, float* lights, int stride) const;
-  int AddSteps(
-    const vtkGodRays::LitRay& ray, double begin, double end, float* places, float* fades) const;
+  int AddSteps(const vtkGodRays::LitRay& ray, int steps, double begin, double end, float* places,
+    float* fades) const;
   void EvaluateWhole(int count, const float* x, const float* y, const float* distances,
     float* values, int stride) const;
   vtkGodRays::LitRay MakeRay(double x, double y) const;
@@ -98,7 +98,7 @@ private:
   int MaximumNumberOfParts = 1;
   double CosLit = 0.0;     // of the cone within which a spotlight's light is not negligible
   std::vector<float> Fade; // of a spotlight, over the cosine from CosLit to 1
-  int Steps = 1;           // over which it is a constant, before and behind a place
+  int Steps = 1;           // of a part, over which it is a constant
   float Extinction[3] = { 0.0f, 0.0f, 0.0f };
   vtkGodRaysAirlightTable Table;
   std::vector<float> Phases[vtkGodRaysMedium::MaximumComponents];

@@ -20,6 +20,7 @@
 struct vtkGodRaysAirlightScene
 {
   int Size[2] = { 0, 0 };              // of the picture [pixels]
+  double Tolerance = 1e-3;             // of a spotlight's fade, of the light [0, 1]
   double PixelSize = 0.0;              // at depth 1, or of a parallel projection [scene units]
   double Center[2] = { 0.0, 0.0 };     // of the view axis; whole numbers are centres of pixels
   bool Parallel = false;               // projection

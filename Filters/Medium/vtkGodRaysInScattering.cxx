@@ -118,6 +118,7 @@ void vtkGodRaysInScattering::vtkInternals::Execute(const Parameters& parameters)
     scene.Center[i] = parameters.Center[i] - 0.5;
   }
   scene.PixelSize = parameters.PixelSize;
+  scene.Tolerance = parameters.Tolerance;
   scene.Parallel = parameters.Parallel;
   scene.Point = parameters.Light[3] != 0.0;
   const double norm = scene.Point

@@ -22,6 +22,9 @@ constexpr float Margin = 1e-5f;
 constexpr float Alike = 2.0f / 255.0f;
 constexpr float Codes = 65535.0f;
 
+// Of the pyramid, where a walk begins: from the top it would go down in most places, from texels up.
+constexpr int FirstLevel = 3;
+
 double Along(const double axis[3], const double vector[3])
 {
   return axis[0] * vector[0] + axis[1] * vector[1] + axis[2] * vector[2];
@@ -146,7 +149,7 @@ void vtkGodRaysShadowPyramid::Walker::WalkPart(const Map& map, const double a[3]
   const int top = static_cast<int>(map.Levels.size());
   const bool point = this->Pyramid.Grids.Point;
   const bool opaque = this->Pyramid.Opaque;
-  const float scale = this->Pyramid.Scale;
+  const float unit = 1.0f / this->Pyramid.Scale;
   const float ax = static_cast<float>(a[0]);
   const float ay = static_cast<float>(a[1]);
   const float az = static_cast<float>(a[2]);
@@ -181,7 +184,7 @@ void vtkGodRaysShadowPyramid::Walker::WalkPart(const Map& map, const double a[3]
 
   int cx = std::min(std::max(static_cast<int>(ax), 0), width - 1);
   int cy = std::min(std::max(static_cast<int>(ay), 0), height - 1);
-  int level = top;
+  int level = std::min(top, FirstLevel);
   float s = 0.0f;
   // Each turn goes down a level or on by a cell: the bound is never reached, but NaN could.
   for (int guard = 16 * (width + height) + 64; guard > 0; --guard)
@@ -202,9 +205,9 @@ void vtkGodRaysShadowPyramid::Walker::WalkPart(const Map& map, const double a[3]
       const std::size_t at = nodes.First + static_cast<std::size_t>(y) * nodes.Size[0] + x;
       const Node node = map.Nodes[at];
       const float least = point ? FromBits(static_cast<std::uint32_t>(node.Least) << 16)
-                                : static_cast<float>(node.Least - 1) / scale;
+                                : unit * static_cast<float>(node.Least - 1);
       const float most = point ? FromBits(static_cast<std::uint32_t>(node.Most) << 16)
-                               : static_cast<float>(node.Most) / scale;
+                               : unit * static_cast<float>(node.Most);
       if (node.Most == 0 || low >= most)
       {
         light(s);

@@ -167,7 +167,7 @@ TEST_F(GodRaysAtmosphereModel, IsTheGroundTruthOfSlantedSpotlights)
     const double even = this->GetErrorOfAir(truth, step);
     spot->SetExponent(6.0);
     std::cout << "error " << error << ", without fading " << even << "\n";
-    EXPECT_LT(error, 0.001) << this->Rays->GetPlan();
+    EXPECT_LT(error, 0.0007) << this->Rays->GetPlan();
     EXPECT_GT(even, 0.005);
     this->Scene.Window->Render();
     EXPECT_TRUE(Says(this->Rays->GetPlan(), "walked on the processor")) << this->Rays->GetPlan();
