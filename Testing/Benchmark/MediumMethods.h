@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Ways to draw a medium that the library does not offer, to compare it with. All are of a directional light
-// in perspective, run on the processor, and give their picture to the pass as the library's sweeps do.
+// in perspective, run on the processor, and give their picture to the pass as the library's walk does.
 
 #ifndef MediumMethods_h
 #define MediumMethods_h

@@ -48,16 +48,16 @@ std::vector<ModelMethod> MakeModelMethods()
   }
   for (const int size : { 512, 1024, 1536, 3072 })
   {
-    auto sweep = vtkSmartPointer<vtkGodRaysShadowMapIntegrator>::New();
-    sweep->WalkMapOn();
-    sweep->SetMapSize(size);
+    auto walk = vtkSmartPointer<vtkGodRaysShadowMapIntegrator>::New();
+    walk->WalkMapOn();
+    walk->SetMapSize(size);
     add(
-      ("shadow map, swept, 4 of " + std::to_string(size / 2)).c_str(), "shadow map, swept", sweep);
+      ("shadow map, walked, 4 of " + std::to_string(size / 2)).c_str(), "shadow map, walked", walk);
   }
   auto one = vtkSmartPointer<vtkGodRaysShadowMapIntegrator>::New();
   one->WalkMapOn();
   one->SetNumberOfNestedMaps(1);
-  add("shadow map, swept, 1 of 1024", "one map, swept", one);
+  add("shadow map, walked, 1 of 1024", "one map, walked", one);
   for (const int share : { 16, 32, 64, 128, 255, 512, 1024 })
   {
     const std::string name =

@@ -260,6 +260,30 @@ TEST_F(GodRaysContinuity, TheCameraFliesThrough)
   this->Check();
 }
 
+// Lamps as far away as suns are, and parallel rays that nearly follow the view.
+TEST_F(GodRaysAutomaticIntegrator, KeepsTheToleranceInHardCases)
+{
+  this->AddPillars();
+  const std::array<double, 3> towards = { 0.15, 0.1, -1.0 };
+  for (const double distance : { 5.0, 50.0, 200.0, 1000.0, 1e4 })
+  {
+    this->CheckAgainstNoShadows(("lamp at " + std::to_string(distance)).c_str(),
+      { distance * towards[0], distance * towards[1], distance * towards[2], 1.0 }, 0.0039);
+  }
+  this->Renderer->GetActiveCamera()->ParallelProjectionOn();
+  this->Renderer->GetActiveCamera()->SetParallelScale(3.0);
+  for (const double degrees : { 0.1, 1.0, 6.0, 13.0 })
+  {
+    for (const double along : { -1.0, 1.0 })
+    {
+      const double angle = vtkMath::RadiansFromDegrees(degrees);
+      this->CheckAgainstNoShadows(
+        (std::to_string(degrees) + (along < 0.0 ? " degrees, in front" : " degrees, behind")).c_str(),
+        { 0.8 * std::sin(angle), 0.6 * std::sin(angle), along * std::cos(angle), 0.0 }, 0.0039);
+    }
+  }
+}
+
 TEST_F(GodRaysAutomaticIntegrator, IsTheClosedFormWhereNoShadowCanBeSeen)
 {
   this->Renderer->AddActor(MakeBox({ 0.0, 0.0, -25.0 }, { 200.0, 200.0, 0.1 }));
