@@ -135,8 +135,8 @@ void vtkGodRaysAirlight::Evaluate(int count, const float* x, const float* y, con
   }
 }
 
-// Parts are read in steps, over which the light fades by its mean; the last step ends at the distance. Returns
-// the number of places that were evaluated: as many as samples have room for.
+// Reads parts in steps, over which the light fades by its mean; the last step ends at the distance. Returns
+// the number of places that were evaluated, as there is room for so many samples only.
 int vtkGodRaysAirlight::EvaluateParts(int count, const float* x, const float* y,
   const float* distances, float* values, float* lights, int stride) const
 {

@@ -4,18 +4,25 @@
 
 #include "vtkSMPTools.h"
 
+#include <algorithm>
+
 namespace
 {
-constexpr int Rays = 64; // that one task walks
+constexpr int Rays = 64;  // that one task walks
+constexpr int Batch = 32; // stretches that are evaluated together
 }
 
 void vtkGodRaysShadowLists::WalkSome(const std::vector<Place>& places,
-  const std::vector<float>& depths, std::size_t begin, std::size_t end, std::vector<float>& values,
+  const std::vector<float>& depths, std::size_t begin, std::size_t end, Task& task,
   int* counts) const
 {
-  thread_local std::vector<vtkGodRaysShadowPyramid::Stretch> stretches;
-  thread_local std::vector<float> numbers;
+  std::vector<vtkGodRaysShadowPyramid::Stretch>& stretches = task.Stretches;
+  std::vector<float>& values = task.Values;
   values.clear();
+  float xs[2 * Batch];
+  float ys[2 * Batch];
+  float distances[2 * Batch];
+  float airlight[vtkGodRaysAirlight::MaximumPlanes * 2 * Batch];
   const bool opaque = this->Pyramid.IsOpaque();
   const int planes = this->Airlight.GetNumberOfPlanes();
   for (std::size_t ray = begin; ray < end; ++ray)
@@ -42,32 +49,29 @@ void vtkGodRaysShadowLists::WalkSome(const std::vector<Place>& places,
     this->Pyramid.Walk(origin, direction, end, stretches);
     const int count = static_cast<int>(stretches.size());
     counts[ray - begin] = count;
-    numbers.resize(static_cast<std::size_t>(count) * 2 * (3 + planes));
-    float* xs = numbers.data();
-    float* ys = xs + 2 * count;
-    float* distances = ys + 2 * count;
-    float* airlight = distances + 2 * count;
-    for (int i = 0; i < count; ++i)
+    std::fill_n(xs, 2 * Batch, static_cast<float>(x));
+    std::fill_n(ys, 2 * Batch, static_cast<float>(y));
+    for (int first = 0; first < count; first += Batch)
     {
-      xs[2 * i] = xs[2 * i + 1] = static_cast<float>(x);
-      ys[2 * i] = ys[2 * i + 1] = static_cast<float>(y);
-      distances[2 * i] = stretches[i].Begin;
-      distances[2 * i + 1] = stretches[i].End;
-    }
-    if (count > 0)
-    {
-      this->Airlight.Evaluate(2 * count, xs, ys, distances, airlight);
-    }
-    for (int i = 0; i < count; ++i)
-    {
-      for (int p = 0; p < planes; ++p)
+      const int number = std::min(Batch, count - first);
+      const vtkGodRaysShadowPyramid::Stretch* const some = stretches.data() + first;
+      for (int i = 0; i < number; ++i)
       {
-        values.push_back(airlight[2 * p * count + 2 * i]);
-        values.push_back(airlight[2 * p * count + 2 * i + 1]);
+        distances[2 * i] = some[i].Begin;
+        distances[2 * i + 1] = some[i].End;
       }
-      if (!opaque)
+      this->Airlight.Evaluate(2 * number, xs, ys, distances, airlight);
+      for (int i = 0; i < number; ++i)
       {
-        values.insert(values.end(), stretches[i].Dark, stretches[i].Dark + 3);
+        for (int p = 0; p < planes; ++p)
+        {
+          values.push_back(airlight[2 * p * number + 2 * i]);
+          values.push_back(airlight[2 * p * number + 2 * i + 1]);
+        }
+        if (!opaque)
+        {
+          values.insert(values.end(), some[i].Dark, some[i].Dark + 3);
+        }
       }
     }
   }
@@ -79,9 +83,9 @@ void vtkGodRaysShadowLists::Walk(const std::vector<Place>& places, const std::ve
   const std::size_t tasks = (places.size() + Rays - 1) / Rays;
   const std::size_t firstTask = this->NumberOfTasks;
   this->NumberOfTasks += tasks;
-  if (this->Values.size() < this->NumberOfTasks)
+  if (this->Tasks.size() < this->NumberOfTasks)
   {
-    this->Values.resize(this->NumberOfTasks);
+    this->Tasks.resize(this->NumberOfTasks);
   }
   this->Lists.resize(first + places.size());
   const int stride = 2 * this->Airlight.GetNumberOfPlanes() + (this->Pyramid.IsOpaque() ? 0 : 3);
@@ -94,9 +98,9 @@ void vtkGodRaysShadowLists::Walk(const std::vector<Place>& places, const std::ve
         int counts[Rays];
         const std::size_t from = task * Rays;
         const std::size_t to = std::min(from + Rays, places.size());
-        std::vector<float>& values = this->Values[firstTask + task];
-        this->WalkSome(places, depths, from, to, values, counts);
-        const float* at = values.data();
+        Task& own = this->Tasks[firstTask + task];
+        this->WalkSome(places, depths, from, to, own, counts);
+        const float* at = own.Values.data();
         for (std::size_t ray = from; ray < to; ++ray)
         {
           this->Lists[first + ray] = { at, counts[ray - from] };

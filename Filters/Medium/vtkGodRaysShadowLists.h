@@ -79,12 +79,18 @@ public:
   }
 
 private:
+  struct Task // keeps its memory, so that a steady frame allocates none whatever the threads do
+  {
+    std::vector<vtkGodRaysShadowPyramid::Stretch> Stretches;
+    std::vector<float> Values; // of its lists
+  };
+
   void WalkSome(const std::vector<Place>& places, const std::vector<float>& depths,
-    std::size_t begin, std::size_t end, std::vector<float>& values, int* counts) const;
+    std::size_t begin, std::size_t end, Task& task, int* counts) const;
 
   const vtkGodRaysAirlight& Airlight;
   const vtkGodRaysShadowPyramid& Pyramid;
-  std::vector<std::vector<float>> Values; // of the lists of each task; they only grow
+  std::vector<Task> Tasks; // their number only grows
   std::size_t NumberOfTasks = 0;
   std::vector<List> Lists;
 };

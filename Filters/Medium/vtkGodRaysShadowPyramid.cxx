@@ -495,8 +495,8 @@ void vtkGodRaysShadowPyramid::Walk(const double origin[3], const double directio
     int Grid;
     Interval Ray;
   };
-  thread_local std::vector<Part> parts; // keeps its memory
-  parts.clear();
+  Part parts[2 * vtkGodRaysShadowGrids::MaximumGrids];
+  int count = 0;
   double starts[vtkGodRaysShadowGrids::MaximumGrids][3];
   double changes[vtkGodRaysShadowGrids::MaximumGrids][3];
   Interval inside[vtkGodRaysShadowGrids::MaximumGrids];
@@ -539,10 +539,10 @@ void vtkGodRaysShadowPyramid::Walk(const double origin[3], const double directio
     {
       if (inside[g].End > inside[g].Begin)
       {
-        parts.push_back({ g, inside[g] });
+        parts[count++] = { g, inside[g] };
       }
     }
-    std::sort(parts.begin(), parts.end(),
+    std::sort(parts, parts + count,
       [](const Part& one, const Part& other) { return one.Ray.Begin < other.Ray.Begin; });
   }
   else
@@ -555,7 +555,7 @@ void vtkGodRaysShadowPyramid::Walk(const double origin[3], const double directio
       const double to = k < levels - 1 ? inside[g + 1].Begin : inside[g].End;
       if (to > from)
       {
-        parts.push_back({ g, { from, to } });
+        parts[count++] = { g, { from, to } };
       }
     }
   }
@@ -565,8 +565,9 @@ void vtkGodRaysShadowPyramid::Walk(const double origin[3], const double directio
     Walker walker(*this, end, stretches);
     const std::size_t first = stretches.size();
     double last = 0.0;
-    for (const Part& part : parts)
+    for (int k = 0; k < count; ++k)
     {
+      const Part& part = parts[k];
       const int g = part.Grid;
       const vtkGodRaysShadowGrids::Grid& grid = grids.Grids[g];
       const Interval& ray = part.Ray;
