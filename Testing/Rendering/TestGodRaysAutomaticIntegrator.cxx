@@ -288,6 +288,39 @@ TEST_F(GodRaysAutomaticIntegrator, IsTheGroundTruthInHardCases)
   }
 }
 
+// Without thickness, whose far side ends the view rays at the very depth that the map has.
+TEST_F(GodRaysAutomaticIntegrator, AClosedRoomIsDark)
+{
+  auto room = MakeBox({ 0.0, 0.0, 2.0 }, { 14.0, 6.0, 24.0 });
+  this->Renderer->AddActor(room);
+  const std::vector<std::array<double, 4>> lights = { { 0.3, 1.0, 0.2, 0.0 },
+    { 0.3, 0.05, -1.0, 0.0 }, { 1.0, 0.01, 0.3, 0.0 }, { 0.3, 0.3, 1.0, 0.0 },
+    { 2.0, 9.0, -18.0, 1.0 }, { 9.0, 0.5, 3.0, 1.0 } };
+  const auto getLargest = [this]()
+  {
+    const auto image = this->GetScattering();
+    double largest = 0.0;
+    for (int y = 0; y < Height; ++y)
+    {
+      for (int x = 0; x < Width; ++x)
+      {
+        largest = std::max(largest, GetValue(image, x, y));
+      }
+    }
+    return largest;
+  };
+  for (const auto& light : lights)
+  {
+    this->SetLight(light);
+    const double dark = getLargest();
+    vtkGodRaysPass::SetRole(room, vtkGodRaysPass::IGNORED);
+    const double lit = getLargest();
+    vtkGodRaysPass::SetRole(room, vtkGodRaysPass::AUTOMATIC);
+    std::cout << light[0] << " " << light[3] << ": " << dark / lit << "\n";
+    EXPECT_LT(dark, 1e-3 * lit);
+  }
+}
+
 TEST_F(GodRaysAutomaticIntegrator, IsTheClosedFormWhereNoShadowCanBeSeen)
 {
   this->Renderer->AddActor(MakeBox({ 0.0, 0.0, -25.0 }, { 200.0, 200.0, 0.1 }));
