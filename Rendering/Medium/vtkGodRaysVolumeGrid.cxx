@@ -204,13 +204,21 @@ std::string FindFault(vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* proper
       "opacity is taken";
 }
 
+/// The length on which an opacity is taken [scene units]. VTK counts it in the data's own coordinates, along
+/// each ray; of data that are not scaled alike along all axes, that of a cube of the same volume is taken.
+double GetUnitDistance(vtkVolume* volume)
+{
+  return volume->GetProperty()->GetScalarOpacityUnitDistance(0) *
+    std::cbrt(std::abs(volume->GetMatrix()->Determinant()));
+}
+
 /// How far what a grid tells is from what the data are, where these are known. They may be outside of the
 /// range of the image's values, for which there is a table.
 vtkGodRaysVolumeGrid::Error FindError(const std::vector<vtkGodRaysVolumeImage::Sample>& samples,
-  vtkImageData* image, vtkVolumeProperty* property, const Cut& cut, const vtkGodRaysGrid& grid)
+  vtkImageData* image, vtkVolume* volume, const Cut& cut, const vtkGodRaysGrid& grid)
 {
-  vtkPiecewiseFunction* opacities = property->GetScalarOpacity(0);
-  const double unit = property->GetScalarOpacityUnitDistance(0);
+  vtkPiecewiseFunction* opacities = volume->GetProperty()->GetScalarOpacity(0);
+  const double unit = GetUnitDistance(volume);
   vtkGodRaysVolumeGrid::Error error;
   double peak = 0.0;
   double squares = 0.0;
@@ -297,7 +305,7 @@ std::string vtkGodRaysVolumeGrid::Read(vtkProp* prop, const Numbers& numbers,
   const Functions functions(property, table->First, table->Last, table->Entries);
   const Vec3 albedo(numbers.Albedo[0], numbers.Albedo[1], numbers.Albedo[2]);
   const bool alike = albedo.x == albedo.y && albedo.y == albedo.z;
-  functions.Fill(*table, property->GetScalarOpacityUnitDistance(0), albedo,
+  functions.Fill(*table, GetUnitDistance(volume), albedo,
     functions.Even              ? 0
       : functions.Grey && alike ? 1
                                 : 3);
@@ -313,6 +321,6 @@ std::string vtkGodRaysVolumeGrid::Read(vtkProp* prop, const Numbers& numbers,
   }
   grid.PhaseFunction = numbers.PhaseFunction;
   grid.Asymmetry = numbers.Asymmetry;
-  error = FindError(data.GetSamples(), image, property, cut, grid);
+  error = FindError(data.GetSamples(), image, volume, cut, grid);
   return "";
 }

@@ -58,7 +58,7 @@ struct Field
   int Component; // that has the opacity
   bool OfCells;
   bool Nearest;
-  double Extinctions[TableSize]; // [1/scene unit]
+  double Extinctions[TableSize]; // [1/unit of the data's coordinates]
   double Range[2];
   bool Cropped;
   double Crop[6];
@@ -148,6 +148,17 @@ struct Field
       ends[0] = std::max(ends[0], std::min(low / rate, high / rate));
       ends[1] = std::min(ends[1], std::max(low / rate, high / rate));
     }
+  }
+
+  /// Of a vector in view coordinates, in those of the data: the length that VTK's mappers count.
+  double GetLength(const double change[3]) const
+  {
+    double inData[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      inData[i] = vtkMath::Dot(this->ToData + 4 * i, change);
+    }
+    return vtkMath::Norm(inData);
   }
 
   static double Apply(const double row[4], const double place[3])
@@ -244,8 +255,8 @@ struct Rays
   double Light[3];   // a position
   double Towards[3]; // of a directional light
 
-  // At distances 0 and 1 [scene units]; returns the length between them.
-  double Find(const vtkGodRaysShadowGrids::Grid& grid, double i, double j, double start[3],
+  // At distances 0 and 1 [scene units].
+  void Find(const vtkGodRaysShadowGrids::Grid& grid, double i, double j, double start[3],
     double change[3]) const
   {
     const double a = grid.Low[0] + i * grid.Texel[0];
@@ -256,7 +267,6 @@ struct Rays
       start[k] = this->Grids.Point ? this->Light[k] : across;
       change[k] = this->Grids.Point ? across + grid.Axes[2][k] : -this->Towards[k];
     }
-    return vtkMath::Norm(change);
   }
 
   // Of corners of bounds: least and greatest distance.
@@ -295,7 +305,8 @@ void March(const Field& field, const T* values, const Rays& rays,
 {
   double start[3];
   double change[3];
-  const double length = rays.Find(grid, i, j, start, change);
+  rays.Find(grid, i, j, start, change);
+  const double length = field.GetLength(change);
   double ends[2] = { range[0], range[1] };
   field.Clip(start, change, ends);
   const double slice = (range[1] - range[0]) / Haze::Slices;

@@ -344,6 +344,26 @@ TEST_F(GodRaysTranslucentShadows, InsideAVolume)
   EXPECT_NEAR(left, std::exp(-6.0 * sigma), 0.01);
 }
 
+// As VTK draws them: a length on which the opacity is taken is one of the data's own coordinates.
+TEST_F(GodRaysTranslucentShadows, OfVolumesThatAreScaled)
+{
+  this->MeasureLit();
+  this->Rays->SetErrorTolerance(0.02);
+  const double slant = std::sqrt(0.1 * 0.1 + 1.0 + 0.05 * 0.05);
+  auto slab = this->AddSlab({ -60.0, 12.0, -60.0 }, { 120.0, 2.0, 120.0 }, 0.1);
+  slab->SetOrigin(0.0, 12.0, 0.0);
+  for (const std::array<double, 3>& scale :
+    { std::array<double, 3>{ 2.0, 2.0, 2.0 }, { 0.5, 3.0, 2.0 }, { 3.0, 0.5, 3.0 } })
+  {
+    slab->SetScale(scale[0], scale[1], scale[2]);
+    // The light's ray is changed by the scale.
+    const double length = std::sqrt(
+      std::pow(0.1 / scale[0], 2) + std::pow(1.0 / scale[1], 2) + std::pow(0.05 / scale[2], 2));
+    EXPECT_NEAR(this->GetLeft(), std::pow(0.9, 2.0 * scale[1] * length), 1e-3) << scale[1];
+    EXPECT_GT(std::abs(std::pow(0.9, 2.0 * scale[1] * slant) - this->GetLeft()), 0.05);
+  }
+}
+
 TEST_F(GodRaysTranslucentShadows, OfVolumesInTheLightOfALamp)
 {
   const std::array<double, 4> light{ 0.0, 9.0, 0.0, 1.0 };

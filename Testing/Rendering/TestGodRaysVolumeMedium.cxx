@@ -321,6 +321,40 @@ TEST_F(GodRaysVolumeMedium, IsTheTruth)
   }
 }
 
+// VTK counts the length on which an opacity is taken in the data's own coordinates.
+TEST_F(GodRaysVolumeMedium, IsTheSameHoweverItIsScaled)
+{
+  auto smoke = this->AddSmoke();
+  this->SetLight({ 1.0, 0.4, 0.2, 0.0 });
+  const auto expected = this->GetScattering();
+  vtkNew<vtkImageData> smaller;
+  smaller->ShallowCopy(this->Data);
+  double origin[3];
+  double spacing[3];
+  this->Data->GetOrigin(origin);
+  this->Data->GetSpacing(spacing);
+  smaller->SetOrigin(0.5 * origin[0], 0.5 * origin[1], 0.5 * origin[2]);
+  smaller->SetSpacing(0.5 * spacing[0], 0.5 * spacing[1], 0.5 * spacing[2]);
+  vtkVolumeMapper::SafeDownCast(smoke->GetMapper())->SetInputData(smaller);
+  smoke->SetScale(2.0);
+  const auto getDifference = [&]()
+  {
+    const auto image = this->GetScattering();
+    double largest = 0.0;
+    double peak = 0.0;
+    for (int i = 0; i < 96 * 72; ++i)
+    {
+      const double value = GetValue(expected, i % 96, i / 96);
+      peak = std::max(peak, value);
+      largest = std::max(largest, std::abs(GetValue(image, i % 96, i / 96) - value));
+    }
+    return largest / peak;
+  };
+  EXPECT_GT(getDifference(), 0.01) << "the same length in smaller coordinates";
+  smoke->GetProperty()->SetScalarOpacityUnitDistance(0.35);
+  EXPECT_LT(getDifference(), 1e-5);
+}
+
 TEST_F(GodRaysVolumeMedium, IsTheTruthOfSpotlights)
 {
   this->AddSmoke();
