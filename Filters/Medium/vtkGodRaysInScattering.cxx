@@ -192,34 +192,48 @@ void vtkGodRaysInScattering::vtkInternals::FindOwn(int first, int row, int count
   float x[MostPixels];
   float y[MostPixels];
   float distances[MostPixels];
+  int pixels[MostPixels];
   float values[MaximumPlanes * MostPixels];
   float lights[MaximumPlanes * MostPixels];
   const std::size_t pixel = static_cast<std::size_t>(row) * this->Size[0] + first;
   const float size = this->Parallel ? 0.0f : static_cast<float>(this->PixelSize);
   const float far = static_cast<float>(this->FarLimit);
   const float along = (static_cast<float>(row) - static_cast<float>(this->Center[1])) * size;
+  const bool hasLights = !this->Lights.empty();
+  const bool isFraction = !hasLights && !this->Airlight.IsClosedForm(); // 1 of a whole ray
+  int number = 0;
   for (int i = 0; i < count; ++i)
   {
-    x[i] = static_cast<float>(first + i);
-    y[i] = static_cast<float>(row);
-    const float across = (x[i] - static_cast<float>(this->Center[0])) * size;
-    distances[i] =
-      std::min(this->Depths[pixel + i], far) * std::sqrt(1.0f + across * across + along * along);
+    const float depth = this->Depths[pixel + i];
+    if (isFraction && depth >= far)
+    {
+      continue;
+    }
+    pixels[number] = i;
+    x[number] = static_cast<float>(first + i);
+    y[number] = static_cast<float>(row);
+    const float across = (x[number] - static_cast<float>(this->Center[0])) * size;
+    distances[number] = std::min(depth, far) * std::sqrt(1.0f + across * across + along * along);
+    if (this->Airlight.IsOverPlanet())
+    {
+      distances[number] =
+        static_cast<float>(this->Airlight.GetEnd(first + i, row, distances[number]));
+    }
+    ++number;
   }
-  for (int i = 0; this->Airlight.IsOverPlanet() && i < count; ++i)
-  {
-    distances[i] = static_cast<float>(this->Airlight.GetEnd(first + i, row, distances[i]));
-  }
-  const bool hasLights = !this->Lights.empty();
-  this->Airlight.Evaluate(count, x, y, distances, values, hasLights ? lights : nullptr);
+  this->Airlight.Evaluate(number, x, y, distances, values, hasLights ? lights : nullptr);
   for (int p = 0; p < this->Planes; ++p)
   {
-    const std::ptrdiff_t from = static_cast<std::ptrdiff_t>(p) * count;
-    const std::size_t to = p * this->Pixels + pixel;
-    std::copy_n(values + from, count, this->Own.data() + to);
+    const std::ptrdiff_t from = static_cast<std::ptrdiff_t>(p) * number;
+    float* const to = this->Own.data() + p * this->Pixels + pixel;
+    std::fill_n(to, count, 1.0f);
+    for (int i = 0; i < number; ++i)
+    {
+      to[pixels[i]] = values[from + i];
+    }
     if (hasLights)
     {
-      std::copy_n(lights + from, count, this->Lights.data() + to);
+      std::copy_n(lights + from, count, this->Lights.data() + p * this->Pixels + pixel);
     }
   }
 }
