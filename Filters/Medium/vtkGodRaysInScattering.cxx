@@ -200,7 +200,9 @@ void vtkGodRaysInScattering::vtkInternals::FindOwn(int first, int row, int count
   const float far = static_cast<float>(this->FarLimit);
   const float along = (static_cast<float>(row) - static_cast<float>(this->Center[1])) * size;
   const bool hasLights = !this->Lights.empty();
-  const bool isFraction = !hasLights && !this->Airlight.IsClosedForm(); // 1 of a whole ray
+  // Of a whole ray, which goes through a planet's ground.
+  const bool isFraction =
+    !hasLights && !this->Airlight.IsClosedForm() && !this->Airlight.IsOverPlanet();
   int number = 0;
   for (int i = 0; i < count; ++i)
   {
@@ -616,7 +618,7 @@ void vtkGodRaysInScattering::vtkInternals::Refine()
         const Place& pixel = this->CellsLeft[i];
         const std::size_t at = static_cast<std::size_t>(pixel.Y) * this->Size[0] + pixel.X;
         float own[MaximumPlanes];
-        float hidden[MaximumPlanes];
+        float hidden[MaximumPlanes] = {};
         for (int p = 0; p < this->Planes; ++p)
         {
           own[p] = this->GetOwn(p)[at];

@@ -537,13 +537,16 @@ void vtkGodRaysShadowPyramid::Walk(const double origin[3], const double directio
   {
     for (int g = 0; g < grids.Levels; ++g)
     {
-      if (inside[g].End > inside[g].Begin)
+      if (inside[g].End > inside[g].Begin) // from the nearest on
       {
-        parts[count++] = { g, inside[g] };
+        int at = count++;
+        for (; at > 0 && parts[at - 1].Ray.Begin > inside[g].Begin; --at)
+        {
+          parts[at] = parts[at - 1];
+        }
+        parts[at] = { g, inside[g] };
       }
     }
-    std::sort(parts, parts + count,
-      [](const Part& one, const Part& other) { return one.Ray.Begin < other.Ray.Begin; });
   }
   else
   {
