@@ -495,8 +495,8 @@ bool vtkGodRaysInScattering::vtkInternals::FillCell(int level, const Place& cell
       const int y = y0 + i / Side;
       if (x < this->Size[0] && y < this->Size[1])
       {
-        const float u = static_cast<float>(i % Side) / Side;
-        const float v = static_cast<float>(i / Side) / Side;
+        const float u = static_cast<float>(x - x0) / Side;
+        const float v = static_cast<float>(y - y0) / Side;
         const int at = p * count + i;
         const float low = hidden[0][at] + u * (hidden[1][at] - hidden[0][at]);
         const float high = hidden[2][at] + u * (hidden[3][at] - hidden[2][at]);
