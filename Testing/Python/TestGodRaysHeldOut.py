@@ -129,6 +129,9 @@ class Volume:
         self.affine = affine and rng.random() < 0.5
         matrix[:3, :3] = self.turn @ numpy.diag(self.scale) @ (draw_rotation(rng) if self.affine else numpy.eye(3))
         matrix[:3, 3] = rng.uniform(-spread, spread, 3)
+        # VTK counts the length on which an opacity is taken in the data's own coordinates. Of data that are not
+        # scaled alike along all axes, the medium's is that of a cube of the same volume.
+        extinction = extinction / numpy.cbrt(abs(numpy.linalg.det(matrix[:3, :3])))
         grid_matrix = numpy.eye(4)
         grid_matrix[:3, :3] = numpy.diag(spacing)
         grid_matrix[:3, 3] = origin
