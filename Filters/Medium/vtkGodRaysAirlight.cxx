@@ -18,7 +18,7 @@ using Component = vtkGodRaysMedium::Component;
 // A point light is no nearer to a view ray than that: 1/distance is then the mean over its pixel [pixels].
 constexpr double NearestPass = 0.28;
 
-// What is left of a spotlight's light where it ends, at the least.
+// A spotlight's light ends where no more than that is left of it.
 constexpr double LeastFade = 1e-5;
 
 // Steps over which a spotlight's fade is a constant: at least, what is added for one that fades to nothing
@@ -297,7 +297,7 @@ void vtkGodRaysAirlight::EvaluateWhole(int count, const float* x, const float* y
   }
 }
 
-// What a ray has in common with the light.
+// Describes a view ray as the light meets it.
 LitRay vtkGodRaysAirlight::MakeRay(double x, double y) const
 {
   double start[3];

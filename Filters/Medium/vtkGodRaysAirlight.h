@@ -46,31 +46,31 @@ public:
   /**
    * Airlight up to distances, as fractions of the whole ray's; of a closed form, but for GetFactors().
    * @param values  of planes, of places
-   * @param lights  what light comes from the whole rays in a cone or past a planet, as fractions of what
-   * would come
-   *                without; of planes, of places. Null: not asked for
+   * @param lights  light of the whole rays in a cone or past a planet, as fractions of the light without
+   *                either; of planes, of places. Null: not asked for
    */
   void Evaluate(int count, const float* x, const float* y, const float* distances, float* values,
     float* lights = nullptr) const;
 
   ///@{
   /**
-   * Whether light can come from less than a whole ray; and the parts, at most two of them, from which it can:
-   * in a spotlight's cone, and not in a planet's shadow. Returns their number.
+   * HasParts() returns whether a spotlight's cone or a planet's shadow limits the light to parts of a ray.
+   * GetParts() finds these, at most two, and returns their number.
    */
   bool HasParts() const { return this->Setup.Spot.IsCone() || this->HasPlanetShadow; }
   int GetParts(double x, double y, double parts[MaximumParts][2]) const;
   ///@}
 
   ///@{
-  /// Whether there is a planet; and where its ground ends a ray, if that is before a distance.
+  /// Returns whether there is a planet; and the distance at which its ground ends a ray, or the one given, if
+  /// that is less.
   bool IsOverPlanet() const { return this->IsPlanet; }
   double GetEnd(double x, double y, double distance) const;
   ///@}
 
   /**
-   * What the values of pixels of a row, from the first on, are multiplied by for the radiance of each colour,
-   * but for the light's own.
+   * Finds the factors that turn values of pixels of a row, from the first on, into the radiance of each
+   * colour. They leave out the light's own colour.
    * @param factors  of components, of colours, of pixels
    */
   void GetFactors(double y, int first, int count, float* factors) const;

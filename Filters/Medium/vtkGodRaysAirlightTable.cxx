@@ -13,14 +13,14 @@ namespace
 using namespace vtkGodRays;
 using Component = vtkGodRaysMedium::Component;
 
-// Of the spline along a ray. With 64, interpolation is within 1e-4 of a ray's light in the tests' scenes.
+// A ray's spline has 64 parts: its interpolation is within 1e-4 of the ray's light in the tests' scenes.
 constexpr int NumberOfParts = 64;
 constexpr int NumberOfNodes = NumberOfParts + 1;
 
-// Of the table's coarsest rays, in the picture's height, about.
+// The coarsest grid has about so many rays in the picture's height.
 constexpr double NumberOfRows = 64.0;
 
-// What a ray may be off the mean of those beside it [fraction].
+// Rays are added where one differs by more from the mean of those beside it [fraction].
 constexpr float RayTolerance = 1e-3f;
 
 // Places that are evaluated together.

@@ -6,7 +6,6 @@
 #include "vtkGodRaysShadowGrids.h"
 #include "vtkGodRaysShadowLists.h"
 #include "vtkGodRaysShadowPyramid.h"
-#include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -24,7 +23,8 @@ constexpr int Coarsest = 1 << Levels;
 constexpr int MostPixels = Coarsest * Coarsest;
 constexpr int MaximumPlanes = vtkGodRaysAirlight::MaximumPlanes;
 
-// What rays about a cell may differ by, of the tolerance of a pixel. Measured on the scenes of ModelError.
+// A cell is filled where its rays differ by no more than so many tolerances of a pixel: measured on the
+// scenes of ModelError.
 constexpr double CellTolerance = 3.0;
 
 // Cells of one task.
@@ -61,7 +61,7 @@ private:
   void FindOwn();
   void FindOwn(int first, int row, int count);
   void WalkCoarsest();
-  void FindLimit();
+  double FindLimit();
   void Refine();
   template <int Side>
   void FillCells(int level, double limit);
@@ -83,16 +83,8 @@ private:
   }
 
   double Color[3] = { 1.0, 1.0, 1.0 };
-  double Tolerance = 0.0;
   int Planes = 1;
   std::size_t Pixels = 0;
-  bool HasShadows = false;
-  double FarLimit = 0.0;
-  double PixelSize = 0.0;
-  double Center[2] = { 0.0, 0.0 };
-  bool Parallel = false;
-  bool Point = false;
-  double Light[3] = { 0.0, 0.0, 0.0 };
   vtkGodRaysShadowPyramid Pyramid;
   std::vector<float> Greatest[Levels]; // depths of cells
   std::vector<float> Own;              // airlight of the pixels' rays: [plane][pixel]
@@ -106,7 +98,6 @@ private:
   std::vector<Place> Places;
   std::vector<float> Ends;
   std::vector<float> Brightness; // of the coarsest grid's rays
-  double Limit = 0.0;
 };
 
 void vtkGodRaysInScattering::vtkInternals::Execute(const Parameters& parameters)
@@ -131,24 +122,17 @@ void vtkGodRaysInScattering::vtkInternals::Execute(const Parameters& parameters)
   scene.Spot = parameters.Spot;
   scene.Medium = parameters.Medium;
   const vtkGodRaysShadowGrids* shadows = parameters.Shadows;
-  this->HasShadows = shadows && shadows->Levels > 0;
-  scene.Colored = this->HasShadows && shadows->NumberOfLayers > 0 && shadows->Colored;
+  const bool hasShadows = shadows && shadows->Levels > 0;
+  scene.Colored = hasShadows && shadows->NumberOfLayers > 0 && shadows->Colored;
   this->Airlight.Prepare(scene);
   std::copy_n(parameters.LightColor, 3, this->Color);
-  this->Tolerance = parameters.Tolerance;
-  this->FarLimit = parameters.Medium.FarLimit;
-  this->PixelSize = parameters.PixelSize;
-  this->Parallel = scene.Parallel;
-  this->Point = scene.Point;
-  std::copy_n(scene.Light, 3, this->Light);
-  std::copy_n(scene.Center, 2, this->Center);
   this->Planes = this->Airlight.GetNumberOfPlanes();
   this->Pixels = static_cast<std::size_t>(this->Size[0]) * this->Size[1];
   this->NumberOfComponents = scene.Colored ? 3 : this->GetComponents(parameters);
   this->Lists.Clear();
   this->FindOwn();
   this->Hidden.assign(this->Planes * this->Pixels, 0.0f);
-  if (this->HasShadows)
+  if (hasShadows)
   {
     this->Pyramid.Build(*shadows, scene.Light);
     this->Refine();
@@ -196,11 +180,12 @@ void vtkGodRaysInScattering::vtkInternals::FindOwn(int first, int row, int count
   float values[MaximumPlanes * MostPixels];
   float lights[MaximumPlanes * MostPixels];
   const std::size_t pixel = static_cast<std::size_t>(row) * this->Size[0] + first;
-  const float size = this->Parallel ? 0.0f : static_cast<float>(this->PixelSize);
-  const float far = static_cast<float>(this->FarLimit);
-  const float along = (static_cast<float>(row) - static_cast<float>(this->Center[1])) * size;
+  const vtkGodRaysAirlightScene& scene = this->Airlight.GetScene();
+  const float size = scene.Parallel ? 0.0f : static_cast<float>(scene.PixelSize);
+  const float far = static_cast<float>(scene.Medium.FarLimit);
+  const float along = (static_cast<float>(row) - static_cast<float>(scene.Center[1])) * size;
   const bool hasLights = !this->Lights.empty();
-  // Of a whole ray, which goes through a planet's ground.
+  // A table's value is a fraction of the whole ray, which goes through a planet's ground.
   const bool isFraction =
     !hasLights && !this->Airlight.IsClosedForm() && !this->Airlight.IsOverPlanet();
   int number = 0;
@@ -214,7 +199,7 @@ void vtkGodRaysInScattering::vtkInternals::FindOwn(int first, int row, int count
     pixels[number] = i;
     x[number] = static_cast<float>(first + i);
     y[number] = static_cast<float>(row);
-    const float across = (x[number] - static_cast<float>(this->Center[0])) * size;
+    const float across = (x[number] - static_cast<float>(scene.Center[0])) * size;
     distances[number] = std::min(depth, far) * std::sqrt(1.0f + across * across + along * along);
     if (this->Airlight.IsOverPlanet())
     {
@@ -314,24 +299,26 @@ bool vtkGodRaysInScattering::vtkInternals::IsAlongLight(double x, double y, doub
 {
   double origin[3];
   double direction[3];
-  this->Airlight.GetScene().GetRay(x, y, origin, direction);
+  const vtkGodRaysAirlightScene& scene = this->Airlight.GetScene();
+  scene.GetRay(x, y, origin, direction);
   double to[3];
   double square = 0.0;
   double along = 0.0;
   for (int i = 0; i < 3; ++i)
   {
-    to[i] = this->Light[i] - (this->Point ? origin[i] : 0.0);
+    to[i] = scene.Light[i] - (scene.Point ? origin[i] : 0.0);
     square += to[i] * to[i];
     along += to[i] * direction[i];
   }
   // Squares of the sine of the angle between ray and light, or of the distance between them.
   const double across = std::max(square - along * along, 0.0);
-  const double cells = 2.0 * side * this->PixelSize;
-  if (!this->Parallel)
+  const double cells = 2.0 * side * scene.PixelSize;
+  if (!scene.Parallel)
   {
     return across < square * cells * cells * direction[2] * direction[2];
   }
-  return across * (this->Point ? 1.0 : this->FarLimit * this->FarLimit) < cells * cells;
+  const double far = scene.Medium.FarLimit;
+  return across * (scene.Point ? 1.0 : far * far) < cells * cells;
 }
 
 void vtkGodRaysInScattering::vtkInternals::WalkCoarsest()
@@ -359,7 +346,7 @@ void vtkGodRaysInScattering::vtkInternals::WalkCoarsest()
 
 // The tolerance is a fraction of the brightest ray of the coarsest grid, but of 1 in 1000 about a point
 // light.
-void vtkGodRaysInScattering::vtkInternals::FindLimit()
+double vtkGodRaysInScattering::vtkInternals::FindLimit()
 {
   const Grid& grid = this->Grids[Levels];
   std::vector<float>& bright = this->Brightness;
@@ -392,7 +379,7 @@ void vtkGodRaysInScattering::vtkInternals::FindLimit()
   const std::size_t rank = static_cast<std::size_t>(0.999 * static_cast<double>(bright.size() - 1));
   std::nth_element(
     bright.begin(), bright.begin() + static_cast<std::ptrdiff_t>(rank), bright.end());
-  this->Limit = CellTolerance * this->Tolerance * bright[rank];
+  return CellTolerance * this->Airlight.GetScene().Tolerance * bright[rank];
 }
 
 template <int Side>
@@ -579,7 +566,6 @@ void vtkGodRaysInScattering::vtkInternals::PlaceRays(int level)
 void vtkGodRaysInScattering::vtkInternals::Refine()
 {
   this->FindDepths();
-  this->Lists.Clear();
   for (int level = 0; level <= Levels; ++level)
   {
     Grid& grid = this->Grids[level];
@@ -592,8 +578,7 @@ void vtkGodRaysInScattering::vtkInternals::Refine()
     grid.Index.assign(static_cast<std::size_t>(grid.Size[0]) * grid.Size[1], -1);
   }
   this->WalkCoarsest();
-  this->FindLimit();
-  const double limit = this->Limit;
+  const double limit = this->FindLimit();
   for (int level = Levels; level > 0; --level)
   {
     if (level == 3)

@@ -47,6 +47,7 @@ bool vtkGodRaysShadowMap::Draw(
   {
     return true;
   }
+  // One number for all maps, as a walk may be given those of one light after those of another.
   static std::atomic<unsigned int> version{ 0 };
   this->Faces.Grids.Version = ++version;
   const bool hasRest = this->FindRest();

@@ -150,7 +150,7 @@ struct Field
     }
   }
 
-  /// Of a vector in view coordinates, in those of the data: the length that VTK's mappers count.
+  /// Returns the length of a vector of view coordinates in those of the data, which VTK's mappers count.
   double GetLength(const double change[3]) const
   {
     double inData[3];
