@@ -12,7 +12,7 @@ class Enable(Case):
         expected = make_view()
         add_pillars(expected)
         view = make_view("RenderView")
-        middle, *_ = add_pillars(view)
+        middle, *_ = add_each_pillar(view)
         view.UseFXAA = expected.UseFXAA = 0  # which comes before the rays here, and after them there
         plain = pixels(view)
         enabled = godrays.enable(view, light=sun)
@@ -24,7 +24,7 @@ class Enable(Case):
 
     def test_representations_and_lights(self):
         view = make_view("RenderView")
-        middle, left, *_ = add_pillars(view)
+        middle, left, *_ = add_each_pillar(view)
         light = simple.AddLight(view=view)
         light.Coords = "Scene"
         light.Position = [0.0, 1.0, -4.0]

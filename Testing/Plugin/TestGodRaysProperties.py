@@ -299,7 +299,7 @@ class Properties(Case):
         self.assertIn("2001-2-29", messages.text)
 
     def test_role(self):
-        shown = add_pillars(make_view())[0]
+        shown = add_pillars(make_view())
         domain = shown.SMProxy.GetProperty("GodRaysRole").FindDomain("vtkSMEnumerationDomain")
         roles = {
             domain.GetEntryText(i).upper(): domain.GetEntryValue(i)

@@ -8,7 +8,7 @@ from plugin_testing import *
 def make_scene(**properties):
     """A view with pillars, of which the middle one is in the way of the sun."""
     view = make_view(SunElevation=4.0, **properties)
-    return view, add_pillars(view)
+    return view, add_each_pillar(view)
 
 
 def role(representation):

@@ -24,7 +24,7 @@ def make_scene():
     view.Integrator = "Taps"
     view.Integrator.NumberOfTaps = 64
     view.UntaggedPropsOcclude = 0
-    pillars = add_pillars(view)
+    pillars = add_each_pillar(view)
     for each, kind, role in zip(
         pillars,
         ("Surface", "Wireframe", "Surface With Edges", "Surface", "Points"),
@@ -196,10 +196,10 @@ class State(Case):
 class Pictures(Case):
     def test_a_screenshot_larger_than_the_view(self):
         large = make_view(size=(480, 360))
-        add_colonnade(large)
+        add_pillars(large, COLUMNS, center=False)
         expected = pixels(large)
         view = make_view()
-        add_colonnade(view)
+        add_pillars(view, COLUMNS, center=False)
         size = list(view.ViewSize)
         self.assert_alike(pixels(view, 3), expected)
         self.assertEqual(list(view.ViewSize), size)
@@ -207,7 +207,7 @@ class Pictures(Case):
         self.assert_alike(read(path("large.png")), expected)
         # a control: the same light in tiles
         tiled = make_view("RenderView")
-        add_colonnade(tiled)
+        add_pillars(tiled, COLUMNS, center=False)
         godrays.enable(
             tiled.GetClientSideObject().GetRenderer(),
             light=[0.0, numpy.sin(numpy.radians(10.0)), -numpy.cos(numpy.radians(10.0))],
@@ -274,13 +274,13 @@ class Pictures(Case):
         for width, smooth in zip(widths, (0, 1)):  # ParaView does not smooth the first one's edges
             view = make_view(UseFXAA=smooth)
             set_look(view)
-            middle, left, *_ = add_pillars(view)
+            middle, left, *_ = add_each_pillar(view)
             middle.Input.XLength = width
             left.GodRaysRole = "Ignored"
             expected.append(pixels(view))
         both = make_view("Comparative" + VIEW, (321, 120), Dimensions=[2, 1])
         set_look(both)
-        middle, left, *_ = add_pillars(both)
+        middle, left, *_ = add_each_pillar(both)
         left.GodRaysRole = "Ignored"
         manager = simple.servermanager.ProxyManager().SMProxyManager
         cue = simple.servermanager._getPyProxy(

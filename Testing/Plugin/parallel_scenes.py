@@ -28,18 +28,23 @@ REDUCTION = 4
 CENTERS = [(-1.7, 0.7, 0.0), (-0.9, -0.6, 0.3), (0.1, 0.8, -0.4), (0.9, -0.4, 0.2), (1.7, 0.6, 0.0)]
 
 
-def add_spheres(view):
-    """Spheres, of which every process has a part."""
-    shown = []
-    for center in CENTERS:
-        source = simple.Sphere(
-            Center=center, Radius=0.45, ThetaResolution=48, PhiResolution=48
-        )
-        each = simple.Show(source, view)
-        each.ColorArrayName = ["POINTS", ""]
-        each.DiffuseColor = [0.4, 0.45, 0.5]
-        shown.append(each)
+def add_spheres(view, centers=CENTERS):
+    """Spheres, of which every process has a part, as one representation."""
+    shown = show_joined(
+        [
+            simple.Sphere(Center=center, Radius=0.45, ThetaResolution=48, PhiResolution=48)
+            for center in centers
+        ],
+        view,
+    )
+    shown.DiffuseColor = [0.4, 0.45, 0.5]
     return shown
+
+
+def add_spheres_in_part_ignored(view, first, last):
+    """Spheres, of which those from first to before last block no light."""
+    add_spheres(view, CENTERS[:first] + CENTERS[last:])
+    add_spheres(view, CENTERS[first:last]).GodRaysRole = "Ignored"
 
 
 def opaque(view):
@@ -54,9 +59,7 @@ def gradient(view):
 
 
 def tagged(view):
-    shown = add_spheres(view)
-    for each in shown[1:3]:
-        each.GodRaysRole = "Ignored"
+    add_spheres_in_part_ignored(view, 1, 3)
 
 
 def lamp(view):
@@ -118,10 +121,9 @@ def volume(view):
 
 def medium(view):
     """A sun in fog, with the shadows of what the picture shows."""
-    shown = add_spheres(view)
+    add_spheres_in_part_ignored(view, 1, 2)
     view.Preset = "fog"
     view.WorldUnitInMeters = 10.0
-    shown[1].GodRaysRole = "Ignored"
 
 
 def shadows(view):
