@@ -69,7 +69,7 @@ TEST(FadingSpotlights, ShineInLayersAsTheIntegral)
     vtkNew<Airlight> airlight;
     SetScene(random, reference);
     SetScene(random, airlight);
-    reference->SetSize(96, 54);
+    reference->SetSize(64, 36);
     reference->SetTolerance(1e-4);
     reference->Update();
     const auto start = std::chrono::steady_clock::now();

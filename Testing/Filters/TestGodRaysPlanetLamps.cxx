@@ -21,6 +21,9 @@ using vtkGodRays::Vec3;
 
 namespace
 {
+constexpr int Columns = 32;
+constexpr int Rows = 24;
+
 struct PlanetScene
 {
   bool Parallel;
@@ -67,7 +70,7 @@ void SetScene(const PlanetScene& scene, vtkGodRaysMediumFilter* filter)
 void SetTruth(const PlanetScene& scene, vtkGodRaysSingleScatteringReference* reference)
 {
   SetScene(scene, reference);
-  reference->SetSize(64, 48);
+  reference->SetSize(Columns, Rows);
   reference->SetTolerance(1e-4);
   reference->Update();
 }
@@ -96,7 +99,7 @@ TEST(PlanetLamps, BelowTheGroundGiveNoLight)
     SetScene(scene, airlight);
     vtkNew<vtkGodRaysSingleScatteringReference> reference;
     SetTruth(scene, reference);
-    const Picture ends = MakePicture(64, 48, [&](int, int) { return scene.Far; });
+    const Picture ends = MakePicture(Columns, Rows, [&](int, int) { return scene.Far; });
     EXPECT_EQ(reference->GetOutput()->GetPointData()->GetArray("Radiance")->GetRange(0)[1], 0.0);
     EXPECT_EQ(airlight->Draw(ends).GetMaximum(), 0.0) << airlight->Describe();
     // The control: a plane hides nothing.
