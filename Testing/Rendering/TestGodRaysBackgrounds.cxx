@@ -106,8 +106,8 @@ vtkSmartPointer<vtkTexture> MakeTexture()
 /// The haze of a medium among volumes takes a second for each frame of Width x Height pixels.
 constexpr int MediumScale = 2;
 
-/// Coloured volumes, or sheets, in the light of the eye, a bright sun behind them. The window has Width / scale x
-/// Height / scale pixels.
+/// Coloured volumes, or sheets, in the light of the eye, a bright sun behind them. The window has
+/// Width / scale x Height / scale pixels.
 struct HazyStage : Stage
 {
   explicit HazyStage(bool sheets = false, int samples = 0, int scale = 1)
