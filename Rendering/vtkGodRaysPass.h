@@ -175,7 +175,7 @@ public:
   ///@{
   /**
    * Set/Get how the sum is evaluated. Null restores the default, that of the model: a
-   * vtkGodRaysEpipolarIntegrator, or, of a medium, a vtkGodRaysAutomaticIntegrator.
+   * vtkGodRaysEpipolarIntegrator, or, of a medium, a vtkGodRaysShadowMapIntegrator.
    */
   void SetIntegrator(vtkGodRaysIntegrator* integrator);
   vtkGodRaysIntegrator* GetIntegrator();
@@ -294,7 +294,7 @@ public:
    * Set/Get the error that the rays may have, root mean square over the picture, as a fraction of
    * the brightest possible result [no unit]; the integrator chooses its work by it. Of a look the exact
    * result is its converged sum, of a medium single scattering in this scene, see
-   * vtkGodRaysAutomaticIntegrator. Half of it holds where a picture is drawn in tiles, so that their edges
+   * vtkGodRaysShadowMapIntegrator. Half of it holds where a picture is drawn in tiles, so that their edges
    * do not show. Valid range: [1e-6, 0.1]. Default is 1/255, a level of an 8-bit picture.
    */
   void SetErrorTolerance(double tolerance);

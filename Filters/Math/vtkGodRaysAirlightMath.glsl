@@ -249,23 +249,3 @@ FUNCTION RealLength ExponentialAirlight(IN(RealPerLength) extinction, IN(RealLen
     extinction * scaleHeight * ExponentialDensity(start, scaleHeight) / lightSlope;
   return column * MeanTransmittance(tau, extinction * column * (1.0 - slope / lightSlope));
 }
-
-// Where a directional light's airlight from the first part of a ray is a given part of that from an
-// endless one, in a homogeneous medium: steps between such places carry equal light. all is the part
-// of the whole ray, tau MeanExponential(tau) for its optical depth tau.
-// Formula: -ln(1 - fraction all)/extinction, as a series where all is below 0.01; distance is the
-// whole ray's length. [length]
-FUNCTION RealLength AirlightPlace(
-  IN(RealPerLength) extinction, IN(RealLength) distance, IN(Real) all, IN(Real) fraction)
-{
-  GODRAYS_EXPECT(extinction >= 0.0 && distance >= 0.0);
-  GODRAYS_EXPECT(all >= 0.0 && all <= 1.0 && fraction >= 0.0 && fraction <= 1.0);
-  Real x = fraction * all;
-  if (all < 0.01)
-  {
-    Real mean = all / max(extinction * distance, 1e-30);
-    return distance * (mean > 0.5 ? mean : 1.0) * fraction *
-      (1.0 + x * (0.5 + x * (1.0 / 3.0 + 0.25 * x)));
-  }
-  return -log(max(1.0 - x, 1e-30)) / extinction;
-}

@@ -79,6 +79,7 @@ inline bool IsCosine(Real value)
 #define LAYER_TEMPLATE template <typename Layer>
 #define FUNCTION inline
 #define IN(T) const T&
+#define INOUT(T) T&
 #include "vtkGodRaysCommonMath.glsl"
 
 #include "vtkGodRaysColourMath.glsl"
@@ -88,12 +89,14 @@ inline bool IsCosine(Real value)
 #include "vtkGodRaysPlanetMath.glsl"
 #include "vtkGodRaysRadialMath.glsl"
 #include "vtkGodRaysSkyMapMath.glsl"
+#include "vtkGodRaysWalkMath.glsl"
 
 #include "vtkGodRaysAirlightMath.glsl"
 #include "vtkGodRaysMediumMath.glsl"
 #include "vtkGodRaysSkyMath.glsl"
 #include "vtkGodRaysVisibilityMath.glsl"
 #undef GODRAYS_EXPECT
+#undef INOUT
 #undef IN
 #undef FUNCTION
 #undef LAYER_TEMPLATE

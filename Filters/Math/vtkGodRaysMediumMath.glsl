@@ -27,21 +27,6 @@ FUNCTION Vec2 MediumStart(IN(Real) planetRadius, IN(Real) eyeHeight, IN(Vec3) up
   return Vec2(height, slope);
 }
 
-// The depth at which something at view depth z hides a point light, or one that is infinitely far,
-// from a view ray. lightZ and lightW are of the light's view coordinates (x, y, z)/w, z forwards; m is
-// how far the thing is along the march from the ray's point of the picture towards the light's:
-// picture + m ((x, y) - picture z) at depth 1, or picture + m ((x, y) - picture w) in a parallel view.
-// 1e30 if it is beyond the light.
-// Formula: (1 - m lightZ)/(1/z - m lightW), or (z - m lightZ)/(1 - m lightW): a line is straight in the
-// picture and in 1/z, or z. [length]
-FUNCTION Real HiddenDepth(
-  IN(bool) parallel, IN(Real) lightZ, IN(Real) lightW, IN(Real) z, IN(Real) m)
-{
-  Real over = parallel ? z - m * lightZ : z * (1.0 - m * lightZ);
-  Real under = 1.0 - m * lightW * (parallel ? 1.0 : z);
-  return under > 1e-6 ? min(over / under, 1e30) : 1e30;
-}
-
 // A component of a medium, e.g. molecules or dust, in one channel of colour.
 struct MediumComponent
 {
@@ -251,6 +236,23 @@ FUNCTION Real MediumPlace(
   // tan(a + angle) with tan(a) = low/h
   Real place = ray.Foot + h * (low * cos(angle) + h * sin(angle)) / (h * cos(angle) - low * sin(angle));
   return t < 1.0 ? clamp(place, begin, end) : end;
+}
+
+// The inverse of MediumPlace(): which fraction of the way ends at a place of the ray.
+// Formula: (place - begin)/(end - begin), or the angle of place at the light over that of end. [no unit]
+FUNCTION Real MediumFraction(
+  IN(LitRay) ray, IN(Real) begin, IN(Real) end, IN(Real) place)
+{
+  GODRAYS_EXPECT(begin <= end && place >= begin && place <= end);
+  Real all = end - begin;
+  Real part = place - begin;
+  if (ray.Infinite == 0)
+  {
+    Real h = PointLightHeight(ray.Foot, ray.Distance, begin, end);
+    all = atan(h * all, h * h + (begin - ray.Foot) * (end - ray.Foot));
+    part = atan(h * part, h * h + (begin - ray.Foot) * (place - ray.Foot));
+  }
+  return part < all ? part / all : 1.0;
 }
 
 // Airlight of a part of a ray, for a light of irradiance or intensity 1. For a light that is

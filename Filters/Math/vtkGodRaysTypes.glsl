@@ -21,4 +21,5 @@
 #define LAYER_TEMPLATE
 #define FUNCTION
 #define IN(T) in T
+#define INOUT(T) inout T
 #define SampleLayer(layer, uv) (textureLod(layer, uv, 0.0).rgb)

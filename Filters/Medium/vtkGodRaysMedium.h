@@ -33,17 +33,6 @@ struct vtkGodRaysSpot
     ray.Shape.CosCone = this->CosCone;
     ray.Shape.Exponent = this->Exponent;
   }
-
-  /// How finely tables must divide what depends on the angle to the axis, in units of an exponent of 0;
-  /// 0 if nothing does.
-  double GetFineness() const { return this->Fades() ? std::sqrt(1.0 + this->Exponent) : 0.0; }
-
-  /// Add all numbers to those that something depends on.
-  void AddTo(std::vector<double>& key) const
-  {
-    key.insert(key.end(), this->Axis, this->Axis + 3);
-    key.insert(key.end(), { this->CosCone, this->Exponent });
-  }
 };
 
 struct vtkGodRaysMedium

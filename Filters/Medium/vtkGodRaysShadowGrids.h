@@ -58,14 +58,6 @@ struct vtkGodRaysShadowGrids
   // Distances along the third axis of depths 0 and 1, from a point light or the eye [scene units].
   double Range[2] = { 0.0, 1.0 };
 
-  /// Where a line from the eye leaves a level, along an axis that it goes along in a direction of that
-  /// sign. The level is looked up to there.
-  double GetReach(int level, int axis, double sign) const
-  {
-    const Grid& grid = this->Grids[level];
-    return sign > 0.0 ? grid.Low[axis] + grid.Size[axis] * grid.Texel[axis] : grid.Low[axis];
-  }
-
   /// One over the distance of an occluder from a point light, along the third axis, of a depth.
   double GetNearness(double depth) const
   {

@@ -4,12 +4,28 @@
 
 #include "vtkSMPTools.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
 namespace
 {
+// The walk itself, which shaders share.
+using Real = float;
+using glm::abs;
+using glm::clamp;
+using glm::max;
+using glm::min;
+#define FUNCTION inline
+#define IN(T) T
+#define INOUT(T) T&
+#include "vtkGodRaysWalkMath.glsl"
+#undef INOUT
+#undef IN
+#undef FUNCTION
+
 // Height of a texel without occluder: a directional light's heights are at least 0, and a point light's
 // 1/distance is above 0.
 constexpr float None = -1e30f;
@@ -21,9 +37,6 @@ constexpr float Margin = 1e-5f;
 // mean. Parts are coded in 16 bits.
 constexpr float Alike = 2.0f / 255.0f;
 constexpr float Codes = 65535.0f;
-
-// Of the pyramid, where a walk begins: from the top it would go down in most places, from texels up.
-constexpr int FirstLevel = 3;
 
 double Along(const double axis[3], const double vector[3])
 {
@@ -144,22 +157,11 @@ private:
 void vtkGodRaysShadowPyramid::Walker::WalkPart(const Map& map, const double a[3], const double b[3],
   double begin, double end, double wa, double wb)
 {
-  const int width = map.Size[0];
-  const int height = map.Size[1];
-  const int top = static_cast<int>(map.Levels.size());
   const bool point = this->Pyramid.Grids.Point;
   const bool opaque = this->Pyramid.Opaque;
   const float unit = 1.0f / this->Pyramid.Scale;
-  const float ax = static_cast<float>(a[0]);
-  const float ay = static_cast<float>(a[1]);
   const float az = static_cast<float>(a[2]);
-  const float wx = static_cast<float>(b[0] - a[0]);
-  const float wy = static_cast<float>(b[1] - a[1]);
   const float wz = static_cast<float>(b[2] - a[2]);
-  const float inverseX = std::abs(wx) > 1e-12f ? 1.0f / wx : 1e30f;
-  const float inverseY = std::abs(wy) > 1e-12f ? 1.0f / wy : 1e30f;
-  const int rightwards = wx >= 0.0f ? 1 : 0;
-  const int upwards = wy >= 0.0f ? 1 : 0;
   const auto getDistance = [&](float s)
   {
     const double u = wa * (1.0 - s);
@@ -182,44 +184,37 @@ void vtkGodRaysShadowPyramid::Walker::WalkPart(const Map& map, const double a[3]
   };
   static const float all[3] = { 1.0f, 1.0f, 1.0f };
 
-  int cx = std::min(std::max(static_cast<int>(ax), 0), width - 1);
-  int cy = std::min(std::max(static_cast<int>(ay), 0), height - 1);
-  int level = std::min(top, FirstLevel);
-  float s = 0.0f;
+  MapWalk walk =
+    BeginWalk(static_cast<float>(a[0]), static_cast<float>(a[1]), static_cast<float>(b[0]),
+      static_cast<float>(b[1]), map.Size[0], map.Size[1], static_cast<int>(map.Levels.size()));
   // Each turn goes down a level or on by a cell: the bound is never reached, but NaN could.
-  for (int guard = 16 * (width + height) + 64; guard > 0; --guard)
+  for (int guard = 16 * (map.Size[0] + map.Size[1]) + 64; guard > 0; --guard)
   {
-    const int x = cx >> level;
-    const int y = cy >> level;
-    const float tx = (static_cast<float>((x + rightwards) << level) - ax) * inverseX;
-    const float ty = (static_cast<float>((y + upwards) << level) - ay) * inverseY;
-    const bool byX = tx < ty;
-    const float e = std::min(std::max(byX ? tx : ty, s), 1.0f);
-    const float h0 = az + s * wz;
-    const float h1 = az + e * wz;
-    const float low = std::min(h0, h1);
-    const float high = std::max(h0, h1);
-    if (level > 0)
+    FindEnd(walk);
+    const float h0 = az + walk.Begin * wz;
+    const float h1 = az + walk.End * wz;
+    if (walk.Level > 0)
     {
-      const Level& nodes = map.Levels[static_cast<std::size_t>(level) - 1];
-      const std::size_t at = nodes.First + static_cast<std::size_t>(y) * nodes.Size[0] + x;
+      const Level& nodes = map.Levels[static_cast<std::size_t>(walk.Level) - 1];
+      const std::size_t at = nodes.First +
+        static_cast<std::size_t>(walk.Y >> walk.Level) * nodes.Size[0] + (walk.X >> walk.Level);
       const Node node = map.Nodes[at];
       const float least = point ? FromBits(static_cast<std::uint32_t>(node.Least) << 16)
                                 : unit * static_cast<float>(node.Least - 1);
       const float most = point ? FromBits(static_cast<std::uint32_t>(node.Most) << 16)
                                : unit * static_cast<float>(node.Most);
-      if (node.Most == 0 || low >= most)
+      if (node.Most == 0 || std::min(h0, h1) >= most)
       {
-        light(s);
+        light(walk.Begin);
       }
-      else if (node.Least == 0 || high >= least)
+      else if (node.Least == 0 || std::max(h0, h1) >= least)
       {
-        --level;
+        --walk.Level;
         continue;
       }
       else if (opaque)
       {
-        darken(s, all);
+        darken(walk.Begin, all);
       }
       else
       {
@@ -231,78 +226,49 @@ void vtkGodRaysShadowPyramid::Walker::WalkPart(const Map& map, const double a[3]
         }
         if (static_cast<float>(range) > Codes * this->Pyramid.Alike)
         {
-          --level;
+          --walk.Level;
           continue;
         }
-        darken(s, dims.Mean);
+        darken(walk.Begin, dims.Mean);
       }
     }
     else
     {
-      const std::size_t at = static_cast<std::size_t>(y) * width + x;
-      const float* dark = opaque ? all : &map.Darks[3 * at];
-      const Patch patch = map.GetPatch(x, y);
-      const float before = h0 - patch.GetHeight(ax + s * wx, ay + s * wy);
-      const float after = h1 - patch.GetHeight(ax + e * wx, ay + e * wy);
+      const float* dark =
+        opaque ? all : &map.Darks[3 * (static_cast<std::size_t>(walk.Y) * map.Size[0] + walk.X)];
+      const Patch patch = map.GetPatch(walk.X, walk.Y);
+      const auto getAbove = [&](float s, float height) {
+        return height -
+          patch.GetHeight(walk.StartX + s * walk.SlopeX, walk.StartY + s * walk.SlopeY);
+      };
+      const float before = getAbove(walk.Begin, h0);
+      const float after = getAbove(walk.End, h1);
       if (before >= 0.0f && after >= 0.0f)
       {
-        light(s);
+        light(walk.Begin);
       }
       else if (before < 0.0f && after < 0.0f)
       {
-        darken(s, dark);
+        darken(walk.Begin, dark);
       }
       else
       {
-        const float cross = s + (e - s) * before / (before - after);
+        const float cross = walk.Begin + (walk.End - walk.Begin) * before / (before - after);
         if (before < 0.0f)
         {
-          darken(s, dark);
+          darken(walk.Begin, dark);
           light(cross);
         }
         else
         {
-          light(s);
+          light(walk.Begin);
           darken(cross, dark);
         }
       }
     }
-    if (e >= 1.0f)
+    if (!GoOn(walk))
     {
       return;
-    }
-    s = e;
-    // On to the neighbour by whole numbers: a rounded place alone might stay where it is.
-    const int lowX = x << level;
-    const int lowY = y << level;
-    const int last = (1 << level) - 1;
-    int edge;
-    if (byX)
-    {
-      edge = lowX + (rightwards << level);
-      cx = edge - 1 + rightwards;
-      cy =
-        std::min(std::max(static_cast<int>(ay + e * wy), lowY), std::min(lowY + last, height - 1));
-      if (cx < 0 || cx >= width)
-      {
-        return;
-      }
-    }
-    else
-    {
-      edge = lowY + (upwards << level);
-      cy = edge - 1 + upwards;
-      cx =
-        std::min(std::max(static_cast<int>(ax + e * wx), lowX), std::min(lowX + last, width - 1));
-      if (cy < 0 || cy >= height)
-      {
-        return;
-      }
-    }
-    // Up where the edge is one of the parent, too: the old parent is known to be mixed.
-    if (level < top && ((edge >> (level + 1)) << (level + 1)) == edge)
-    {
-      ++level;
     }
   }
 }
@@ -322,23 +288,16 @@ std::uint32_t vtkGodRaysShadowPyramid::EncodeUp(float height) const
     : 2 + static_cast<std::uint32_t>(std::min(std::max(height * this->Scale, 0.0f), 65000.0f));
 }
 
-// The lesser slope to both sides, if they agree: none at an occluder's edge.
 vtkGodRaysShadowPyramid::Patch vtkGodRaysShadowPyramid::Map::GetPatch(int x, int y) const
 {
   const std::ptrdiff_t width = this->Size[0];
   const float* const texel = this->Heights.data() + y * width + x;
-  const auto limit = [=](std::ptrdiff_t step, bool hasBefore, bool hasAfter)
-  {
-    const float before = hasBefore ? texel[0] - texel[-step] : 0.0f;
-    const float after = hasAfter ? texel[step] - texel[0] : 0.0f;
-    const float lesser = std::abs(before) < std::abs(after) ? before : after;
-    return before * after > 0.0f ? lesser : 0.0f;
-  };
   Patch patch = { *texel, 0.0f, 0.0f, static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f };
   if (*texel != None)
   {
-    patch.SlopeX = limit(1, x > 0, x + 1 < this->Size[0]);
-    patch.SlopeY = limit(width, y > 0, y + 1 < this->Size[1]);
+    patch.SlopeX = TexelSlope(x > 0 ? texel[-1] : None, *texel, x + 1 < width ? texel[1] : None);
+    patch.SlopeY =
+      TexelSlope(y > 0 ? texel[-width] : None, *texel, y + 1 < this->Size[1] ? texel[width] : None);
   }
   return patch;
 }

@@ -6,7 +6,7 @@
  *
  * vtkGodRaysPass calls Integrate() once for each light of a frame that has a vtkGodRaysMediumModel.
  *
- * @sa vtkGodRaysAutomaticIntegrator vtkGodRaysShadowMapIntegrator vtkGodRaysMediumModel
+ * @sa vtkGodRaysShadowMapIntegrator vtkGodRaysMediumModel
  */
 
 #ifndef vtkGodRaysMediumIntegrator_h

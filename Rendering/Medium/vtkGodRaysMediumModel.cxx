@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysMediumModel.h"
 
-#include "vtkGodRaysAutomaticIntegrator.h"
 #include "vtkGodRaysMedium.h"
 #include "vtkGodRaysMediumEffect.h"
 #include "vtkGodRaysSetGet.h"
+#include "vtkGodRaysShadowMapIntegrator.h"
 
 #include <algorithm>
 
@@ -59,7 +59,7 @@ bool vtkGodRaysMediumModel::CanScatter() const
 
 vtkGodRaysIntegrator* vtkGodRaysMediumModel::MakeIntegrator() const
 {
-  return vtkGodRaysAutomaticIntegrator::New();
+  return vtkGodRaysShadowMapIntegrator::New();
 }
 
 std::unique_ptr<vtkGodRaysEffect> vtkGodRaysMediumModel::MakeEffect()

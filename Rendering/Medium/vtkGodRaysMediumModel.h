@@ -32,7 +32,7 @@
  * tilted against the axis of view, as only a projection matrix made by hand has it, or has pixels that are
  * oblong by 2 percent, as it and a vtkDepthOfFieldPass in an oblong window have them, is an error.
  *
- * @sa vtkGodRaysHomogeneousModel vtkGodRaysVolumeModel vtkGodRaysAutomaticIntegrator
+ * @sa vtkGodRaysHomogeneousModel vtkGodRaysVolumeModel vtkGodRaysShadowMapIntegrator
  */
 
 #ifndef vtkGodRaysMediumModel_h

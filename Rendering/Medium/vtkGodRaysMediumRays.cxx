@@ -5,7 +5,6 @@
 #include "vtkGodRaysLight.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysMedium.h"
-#include "vtkGodRaysMediumRaysFS.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysQuad.h"
 #include "vtkGodRaysSum.h"
@@ -18,9 +17,6 @@
 
 namespace
 {
-/// Into which a ray is divided whose airlight has no closed form.
-constexpr int TotalParts = 32;
-
 void SetNumber(vtkShaderProgram* program, const char* name, double value)
 {
   program->SetUniformf(name, static_cast<float>(value));
@@ -32,44 +28,6 @@ void SetPair(vtkShaderProgram* program, const char* name, double x, double y)
   program->SetUniform2f(name, values);
 }
 
-/// The names of a component's uniforms; they are made once, as they are needed in each frame.
-struct ComponentNames
-{
-  explicit ComponentNames(int number)
-    : Component("components[" + std::to_string(number) + "].")
-  {
-  }
-
-  const std::string Component;
-  const std::string Scattering = Component + "Scattering";
-  const std::string Extinction = Component + "Extinction";
-  const std::string ScaleHeight = Component + "ScaleHeight";
-  const std::string Kinds[2] = { Component + "First.Kind", Component + "Second.Kind" };
-  const std::string Asymmetries[2] = { Component + "First.Asymmetry",
-    Component + "Second.Asymmetry" };
-  const std::string SecondWeight = Component + "SecondWeight";
-};
-
-const ComponentNames& GetNames(int number)
-{
-  static const std::vector<ComponentNames> all = []
-  {
-    std::vector<ComponentNames> names;
-    for (int i = 0; i < 3 * vtkGodRaysMedium::MaximumComponents; ++i)
-    {
-      names.emplace_back(i);
-    }
-    return names;
-  }();
-  return all[static_cast<std::size_t>(number)];
-}
-}
-
-std::string vtkGodRaysMediumRays::Complete(const char* shader)
-{
-  std::string text = shader;
-  vtkShaderProgram::Substitute(text, "//VTK::GodRays::MediumRays", vtkGodRaysMediumRaysFS);
-  return text;
 }
 
 vtkGodRaysMediumRays::vtkGodRaysMediumRays(
@@ -104,11 +62,6 @@ vtkGodRaysSingleScattering::Parameters vtkGodRaysMediumRays::GetWorldParameters(
   return parameters;
 }
 
-bool vtkGodRaysMediumRays::IsParallel() const
-{
-  return this->Request.View->Parallel;
-}
-
 bool vtkGodRaysMediumRays::IsInfinite() const
 {
   return this->Request.Light->IsInfinite();
@@ -119,7 +72,7 @@ bool vtkGodRaysMediumRays::IsGrey() const
   return this->Request.Medium->IsGrey();
 }
 
-bool vtkGodRaysMediumRays::IsUniform() const
+bool vtkGodRaysMediumRays::IsClosed() const
 {
   return this->IsInfinite() && !this->Request.Medium->HasExponentialDensity();
 }
@@ -151,33 +104,26 @@ void vtkGodRaysMediumRays::Set(vtkShaderProgram* program) const
   SetNumber(program, "spotShape.Exponent", light.Spot.Exponent);
   vtkGodRaysQuad::SetVector(program, "mediumUp", medium.Up);
   SetNumber(program, "eyeHeight", medium.EyeHeight);
-  const bool closed = this->IsInfinite() &&
-    (!medium.HasExponentialDensity() ||
-      (medium.NumberOfComponents == 1 && medium.PlanetRadius == 0.0));
-  program->SetUniformi("totalParts", closed ? 1 : TotalParts);
   program->SetUniformf("maximum", result.GetFormat() == GL_RGBA16F ? 65504.0f : 1e30f);
   this->SetComponents(program);
 }
 
 void vtkGodRaysMediumRays::SetComponents(vtkShaderProgram* program) const
 {
+  constexpr int each = vtkGodRaysMedium::MaximumComponents;
   const vtkGodRaysMedium& medium = *this->Request.Medium;
-  const vtkGodRaysMedium::Component empty;
-  for (int channel = 0; channel < (this->IsGrey() ? 1 : 3); ++channel)
+  float numbers[3 * each][8] = {};
+  for (int i = 0; i < 3 * each; ++i)
   {
-    for (int k = 0; k < vtkGodRaysMedium::MaximumComponents; ++k)
+    if (i % each < medium.NumberOfComponents)
     {
-      const auto& component = k < medium.NumberOfComponents ? medium.Components[k] : empty;
-      const ComponentNames& names = GetNames(vtkGodRaysMedium::MaximumComponents * channel + k);
-      const double scattering = component.Scattering[channel];
-      SetNumber(program, names.Scattering.c_str(), scattering);
-      SetNumber(program, names.Extinction.c_str(), scattering + component.Absorption[channel]);
-      SetNumber(program, names.ScaleHeight.c_str(), component.ScaleHeight);
-      program->SetUniformi(names.Kinds[0].c_str(), component.PhaseFunction);
-      SetNumber(program, names.Asymmetries[0].c_str(), component.Asymmetry);
-      program->SetUniformi(names.Kinds[1].c_str(), component.SecondPhaseFunction);
-      SetNumber(program, names.Asymmetries[1].c_str(), component.SecondAsymmetry);
-      SetNumber(program, names.SecondWeight.c_str(), component.SecondWeight);
+      const auto& component = medium.Components[i % each];
+      const double scattering = component.Scattering[i / each];
+      const double values[8] = { scattering, scattering + component.Absorption[i / each],
+        component.ScaleHeight, component.SecondWeight, component.PhaseFunction + 0.0,
+        component.Asymmetry, component.SecondPhaseFunction + 0.0, component.SecondAsymmetry };
+      std::copy_n(values, 8, numbers[i]);
     }
   }
+  program->SetUniform4fv("components", 6 * each, numbers[0]);
 }

@@ -4,8 +4,7 @@
  * @class   vtkGodRaysMediumRays
  * @brief   medium, light and view rays of a request, as shaders see them; private to this module
  *
- * A shader that is completed by Complete() has the terms parallel, infinite, uniformly and grey, and gets
- * its numbers by Set().
+ * A shader has the terms parallel, infinite, closed and grey, and gets its numbers by Set().
  */
 
 #ifndef vtkGodRaysMediumRays_h
@@ -15,18 +14,11 @@
 #include "vtkGodRaysSingleScattering.h" // For Parameters
 #include "vtkGodRaysView.h"             // For Pinhole
 
-#include <string>
-
 class vtkShaderProgram;
 
 class vtkGodRaysMediumRays
 {
 public:
-  /**
-   * A shader's text with vtkGodRaysMediumRaysFS.glsl in the place of its tag //VTK::GodRays::MediumRays.
-   */
-  static std::string Complete(const char* shader);
-
   /**
    * Take a request of a vtkGodRaysMediumModel, which must outlive this, for a layer of this size
    * [pixels] that a pinhole can see.
@@ -42,12 +34,12 @@ public:
 
   ///@{
   /**
-   * The shader's terms: whether view rays are parallel, the light is infinitely far, it is and the
-   * medium homogeneous, and one channel serves a light of any colour.
+   * The shader's terms: whether view rays are parallel, the light is infinitely far, airlight has a closed
+   * form, and one channel serves a light of any colour.
    */
-  bool IsParallel() const;
+  bool IsParallel() const { return this->Request.View->Parallel; }
   bool IsInfinite() const;
-  bool IsUniform() const;
+  bool IsClosed() const;
   bool IsGrey() const;
   ///@}
 

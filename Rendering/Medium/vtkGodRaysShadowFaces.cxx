@@ -142,7 +142,6 @@ void vtkGodRaysShadowFaces::Fit(
 void vtkGodRaysShadowFaces::SetSize(int size)
 {
   this->Size = size;
-  this->Texel /= size;
   for (vtkGodRaysShadowGrids::Grid& grid : this->Grids.Grids)
   {
     for (int k = 0; k < 2; ++k)
@@ -218,7 +217,6 @@ void vtkGodRaysShadowFaces::FitDirectional(const vtkGodRaysMediumIntegrator::Req
   this->Count = 1;
   this->Grids.Range[0] = -high[2] - around;
   this->Grids.Range[1] = -low[2] + around;
-  this->Texel = std::max(high[0] - low[0], high[1] - low[1]);
   this->SetFace(0, axes, Eye, low, high);
   this->Grids.Levels = 1;
   this->Nest(axes, low, high);
@@ -288,14 +286,12 @@ void vtkGodRaysShadowFaces::FitPoint(const vtkGodRaysMediumIntegrator::Request& 
     this->Grids.Range[0] = 0.999 * nearest;
     const double high[2] = { 1.001 * tangents[0] + 1e-6, 1.001 * tangents[1] + 1e-6 };
     const double low[2] = { -high[0], -high[1] };
-    this->Texel = 2.0 * std::max(high[0], high[1]);
     this->SetFace(0, axes, light, low, high);
     this->Grids.Levels = 1;
     return;
   }
   this->Count = 6;
   this->Grids.Range[0] = 1e-4 * farthest;
-  this->Texel = 2.0;
   for (int face = 0; face < 6; ++face)
   {
     double direction[3]; // backwards, along an axis of the world
@@ -351,31 +347,21 @@ void vtkGodRaysShadowFaces::SetFace(int face, const double axes[3][3], const dou
 
 void vtkGodRaysShadowFaces::Set(vtkShaderProgram* program) const
 {
-  program->SetUniformi("mapSize", this->Size);
-  const float range[2] = { static_cast<float>(this->Grids.Range[0]),
-    static_cast<float>(this->Grids.Range[1]) };
-  program->SetUniform2f("mapRange", range);
-  program->SetUniformf("texel", static_cast<float>(this->Texel));
+  program->SetUniformi("numberOfFaces", this->Count);
+  program->SetUniformf("nearest", static_cast<float>(0.5 * this->Grids.Range[0]));
   float matrices[6 * 16]; // columns first
   for (int face = 0; face < this->Count; ++face)
   {
-    for (int i = 0; i < 16; ++i)
+    const double* m = this->ViewToMap[face];
+    for (int column = 0; column < 4; ++column)
     {
-      matrices[16 * face + i] = static_cast<float>(this->ViewToMap[face][4 * (i % 4) + i / 4]);
+      float* to = matrices + static_cast<std::ptrdiff_t>(16) * face + 4 * column;
+      const double w = m[12 + column];
+      to[0] = static_cast<float>(0.5 * this->Size * (m[column] + w));
+      to[1] = static_cast<float>(0.5 * this->Size * (m[4 + column] + w));
+      to[2] = static_cast<float>(0.5 * (w - m[8 + column]));
+      to[3] = static_cast<float>(w);
     }
   }
   program->SetUniformMatrix4x4v("toMap", this->Count, matrices);
-  if (this->Count == 6)
-  {
-    float toCube[9]; // columns first
-    for (int i = 0; i < 3; ++i)
-    {
-      const double* axis = this->Grids.Grids[2 * i].Axes[2];
-      for (int k = 0; k < 3; ++k)
-      {
-        toCube[3 * k + i] = static_cast<float>(axis[k]);
-      }
-    }
-    program->SetUniformMatrix3x3("toCube", toCube);
-  }
 }

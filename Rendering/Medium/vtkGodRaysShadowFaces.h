@@ -38,7 +38,7 @@ public:
   int GetRows() const { return this->Count == 1 ? 1 : 2; }
 
   /**
-   * Give a shader its numbers.
+   * Give a shader its numbers, where there are faces.
    */
   void Set(vtkShaderProgram* program) const;
 
@@ -50,8 +50,7 @@ private:
     const double high[2]);
   void SetSize(int size);
 
-  int Levels = 1;     // at most, of a light that is infinitely far
-  double Texel = 0.0; // width of a pixel, at distance 1 from a point light [scene units]
+  int Levels = 1; // at most, of a light that is infinitely far
 };
 
 #endif

@@ -28,10 +28,9 @@ vtkGodRaysShadowMap::vtkGodRaysShadowMap() = default;
 vtkGodRaysShadowMap::~vtkGodRaysShadowMap() = default;
 
 bool vtkGodRaysShadowMap::Draw(
-  const vtkGodRaysMediumIntegrator::Request& request, int size, int levels, bool translucent)
+  const vtkGodRaysMediumIntegrator::Request& request, int size, int levels)
 {
   this->Kept = false;
-  this->Translucent = translucent;
   this->Faces.Fit(request, size, levels);
   if (this->Faces.Count == 0)
   {
@@ -40,7 +39,7 @@ bool vtkGodRaysShadowMap::Draw(
   vtkGodRaysTarget& map = this->Maps[this->Faces.Count / 6];
   map.Prepare(request.Window, this->Faces.GetColumns() * this->Faces.Size,
     this->Faces.GetRows() * this->Faces.Size, { 0, GL_DEPTH_COMPONENT32F });
-  this->Asked.Find(request, this->Faces, map.GetDepth(), translucent);
+  this->Asked.Find(request, this->Faces, map.GetDepth());
   this->Kept = !this->Asked.Objects.empty() && this->Asked.IsSame(this->Drawn);
   this->NumberOfChanged = 0;
   if (this->Kept)
@@ -177,10 +176,10 @@ bool vtkGodRaysShadowMap::RenderTranslucent(
   std::copy_if(request.Occluders->begin(), request.Occluders->end(), std::back_inserter(props),
     [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; });
   std::vector<vtkVolume*> volumes;
-  this->LeftOut = this->Translucent ? 0 : static_cast<int>(props.size());
+  this->LeftOut = 0;
   for (vtkProp* prop : *request.Occluders)
   {
-    vtkVolume* volume = this->Translucent ? vtkGodRaysVolumeHaze::GetVolume(prop) : nullptr;
+    vtkVolume* volume = vtkGodRaysVolumeHaze::GetVolume(prop);
     if (volume)
     {
       volumes.push_back(volume);
@@ -190,8 +189,7 @@ bool vtkGodRaysShadowMap::RenderTranslucent(
       ++this->LeftOut;
     }
   }
-  const bool hasSurfaces =
-    vtkGodRaysCompositor::Any(request.Compositor, !props.empty()) && this->Translucent;
+  const bool hasSurfaces = vtkGodRaysCompositor::Any(request.Compositor, !props.empty());
   const bool hasVolumes = vtkGodRaysCompositor::Any(request.Compositor, !volumes.empty());
   this->Layers.Clear();
   if (!hasSurfaces && this->Peeler)
@@ -248,9 +246,9 @@ std::string vtkGodRaysShadowMap::DescribeLayers() const
   if (this->LeftOut > 0)
   {
     text += "; " + std::to_string(this->LeftOut) +
-      (this->Translucent ? " volumes cast no shadow: they are no images, or have gradient opacity, "
-                           "a 2-D transfer function or another blend mode than composite"
-                         : " translucent props or volumes cast no shadow in steps");
+      " volumes cast no shadow: they are no images, or have gradient opacity, a 2-D transfer "
+      "function or "
+      "another blend mode than composite";
   }
   return text;
 }

@@ -10,8 +10,8 @@
  * only some occluders change, and faces stay as they are, the depths of the others are kept in a map of their
  * own from the first such frame on: it is copied, and what changes is drawn over it.
  *
- * Translucent surfaces and volumes are layers of the grids, if Draw() is asked for them: without such props
- * nothing is drawn or kept for them.
+ * Translucent surfaces and volumes are layers of the grids: without such props nothing is drawn or kept for
+ * them.
  */
 
 #ifndef vtkGodRaysShadowMap_h
@@ -29,7 +29,6 @@
 
 class vtkCamera;
 class vtkGodRaysLightLayers;
-class vtkShaderProgram;
 
 class vtkGodRaysShadowMap
 {
@@ -39,10 +38,9 @@ public:
 
   /**
    * Render the props that block into the faces that vtkGodRaysShadowFaces::Fit() places. All processes of a
-   * compositor call it. What is translucent is drawn if so asked. Returns false when the driver refuses.
+   * compositor call it. Returns false when the driver refuses.
    */
-  bool Draw(
-    const vtkGodRaysMediumIntegrator::Request& request, int size, int levels, bool translucent);
+  bool Draw(const vtkGodRaysMediumIntegrator::Request& request, int size, int levels);
 
   /**
    * The faces as numbers, read back where they were drawn anew. They are valid until the next Draw().
@@ -54,6 +52,12 @@ public:
    */
   int GetNumberOfFaces() const { return this->Faces.Count; }
   int GetSize() const { return this->Faces.Size; }
+  const vtkGodRaysShadowFaces& GetFaces() const { return this->Faces; }
+
+  /**
+   * Whether something lets a part of the light through: how much, only the grids have.
+   */
+  bool HasLayers() const { return this->Layers.GetNumberOfLayers() > 0; }
 
   /**
    * Whether the last Draw() took what was there.
@@ -73,11 +77,6 @@ public:
   std::string DescribeLayers() const;
 
   vtkTextureObject* GetDepth() const { return this->Maps[this->Faces.Count / 6].GetDepth(); }
-
-  /**
-   * Give a shader its numbers.
-   */
-  void Set(vtkShaderProgram* program) const { this->Faces.Set(program); }
 
   void Release(vtkWindow* window);
 
@@ -101,8 +100,7 @@ private:
   bool RestIsDrawn = false;
   int NumberOfChanged = 0;
   bool Kept = false;
-  bool Translucent = false; // whether it is asked for
-  int LeftOut = 0;          // translucent props, if it is not
+  int LeftOut = 0; // volumes that cast no shadow
   vtkSmartPointer<vtkGodRaysLightLayers> Peeler;
   vtkGodRaysShadowLayers Layers;
   vtkSmartPointer<vtkCamera> Camera;

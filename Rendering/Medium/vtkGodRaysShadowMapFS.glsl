@@ -1,125 +1,338 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 
-// The part of a view ray's airlight that the light's shadow map leaves, in steps along the ray.
+// The airlight of the parts of a view ray that its walk through the light's shadow map finds lit.
 
 in vec2 texCoord; // of the picture, as well as it is interpolated
 
 //VTK::GodRays::Terms
 // parallel: whether view rays are
 // infinite: whether the light is infinitely far
-// uniformly: whether it is and the medium is homogeneous
 // grey: whether the medium has one colour
-// cube: whether the map has six faces
+// closed: whether airlight has a closed form
+// shadowed: whether there is a map
 
-//VTK::GodRays::MediumRays
+//VTK::GodRays::Medium
+//VTK::GodRays::Walk
+//VTK::GodRays::ShadowMapTexels
 
+// View coordinates are x to the right, y up, z forwards.
+uniform vec2 pictureSize; // [pixels]
+uniform vec2 layerSize;   // with the margin about it [pixels]
+uniform float viewScale;  // fraction of the layer that the picture covers
+uniform vec2 viewCenter;  // of the view axis [pixels of the layer]
+uniform float pixelSize;  // at depth 1, or of a parallel projection
+uniform float farLimit;   // where the medium ends [view depth]
+uniform vec4 light;       // (x, y, z)/w, or with w = 0 the direction to it
+uniform vec3 lightColor;  // irradiance or intensity
+uniform float lightHeight; // of a point light
+uniform vec3 spotAxis;    // of a spotlight
+uniform SpotShape spotShape;
+uniform vec3 mediumUp;
+uniform float eyeHeight;
+uniform float planetRadius; // 0: the ground is a plane
+uniform vec4 components[12]; // of each channel two, of two each: see GetComponent()
+uniform float maximum;    // that the result can hold
 uniform sampler2D ends;    // view depths of where view rays end
-uniform sampler2D map;     // window depths, faces side by side
-uniform int mapSize;       // of a face [pixels]
-uniform mat4 toMap[6];     // view coordinates to clip coordinates of a face
-uniform mat3 toCube;       // view coordinates to the axes of a cube's faces
-uniform vec2 mapRange;     // distances from the light of window depths 0 and 1
-uniform float texel;       // size of a pixel, at distance 1 from a point light
-uniform int numberOfSteps;
+uniform int numberOfFaces; // of the map
+uniform mat4 toMap[6];     // view coordinates to (texels, texels, height, 1) w of a face
+uniform float nearest;     // half the least distance from a point light that its faces have
 
-// Of a pixel's size, so that what a step is on does not shade it.
-const float bias = 1.5;
+// By how much a shadowed stretch is longer than the map says, of the distance from the eye: depths of single
+// precision may end a ray shortly behind a surface that the map has, too.
+const float margin = 1e-5;
 
-// The face of a cube about the light that a direction from it, along the cube's axes, meets.
-int GetFace(vec3 direction)
+const int channels = grey ? 1 : 3;
+
+struct Part // of a ray that a face has
 {
-  vec3 size = abs(direction);
-  if (size.x >= size.y && size.x >= size.z)
-  {
-    return direction.x > 0.0 ? 0 : 1;
-  }
-  if (size.y >= size.z)
-  {
-    return direction.y > 0.0 ? 2 : 3;
-  }
-  return direction.z > 0.0 ? 4 : 5;
+  float Begin;
+  float End;
+};
+
+// Into which a ray is divided whose airlight has no closed form.
+const int steps = 32;
+
+LitRay ray;
+vec3 strength = vec3(0.0);            // what is scattered of a directional light, if airlight is closed
+vec2 lit;                             // from where to where light can come
+float sums[channels * (steps + 1)];   // airlight up to the ends of steps
+vec3 airlight = vec3(0.0);            // up to where the walk is
+bool dark = false;
+
+void SetRay(vec3 origin, vec3 direction)
+{
+  vec3 to = infinite ? light.xyz : light.xyz - origin;
+  ray.Infinite = infinite ? 1 : 0;
+  ray.Foot = dot(to, direction);
+  ray.Distance = infinite ? 0.0 : length(cross(to, direction));
+  vec2 start = MediumStart(planetRadius, eyeHeight, mediumUp, origin, direction);
+  ray.Height = start.x;
+  ray.Slope = start.y;
+  ray.LightHeight = infinite
+    ? MediumStart(planetRadius, eyeHeight, mediumUp, origin, light.xyz).y
+    : lightHeight;
+  ray.PlanetRadius = planetRadius;
+  ray.AxisStart = -dot(spotAxis, to);
+  ray.AxisSlope = dot(spotAxis, direction);
+  ray.Shape = spotShape;
+  ray.ThroughGround = 0;
 }
 
-// Whether the light reaches a place, in clip coordinates of a face: beyond the map's edge nothing
-// blocks it.
-float GetVisibility(vec4 clip, int face)
+MediumComponent GetComponent(int number)
 {
-  vec2 at = 0.5 * ((infinite ? clip.xy : clip.xy / clip.w) + 1.0) * float(mapSize);
-  if (clip.w <= 0.0 || (!cube &&
-      (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, vec2(float(mapSize)))))))
-  {
-    return 1.0;
-  }
-  ivec2 pixel = clamp(ivec2(at), ivec2(0), ivec2(mapSize - 1)) +
-    mapSize * ivec2(face % 3, face / 3);
-  float window = texelFetch(map, pixel, 0).r;
-  if (window >= 1.0)
-  {
-    return 1.0;
-  }
-  float blocked = infinite
-    ? mix(mapRange.x, mapRange.y, window)
-    : mapRange.x * mapRange.y / (mapRange.y - window * (mapRange.y - mapRange.x));
-  float here = infinite
-    ? mix(mapRange.x, mapRange.y, 0.5 * clip.z + 0.5)
-    : clip.w;
-  return here > blocked + bias * texel * (infinite ? 1.0 : blocked) ? 0.0 : 1.0;
+  vec4 amounts = components[2 * number];
+  vec4 phases = components[2 * number + 1];
+  return MediumComponent(amounts.x, amounts.y, amounts.z, PhaseFunction(int(phases.x), phases.y),
+    PhaseFunction(int(phases.z), phases.w), amounts.w);
 }
 
-// Where steps end: equal light comes from each, if nothing blocks it. all is of AirlightPlace().
-float GetStep(LitRay ray, vec2 part, float extinction, float all, float t)
+float GetAirlight(int channel, float begin, float end)
 {
-  return uniformly ? AirlightPlace(extinction, part.y, all, t) : MediumPlace(ray, part.x, part.y, t);
+  return MediumAirlight(GetComponent(2 * channel), GetComponent(2 * channel + 1), ray, begin, end);
+}
+
+void SumSteps()
+{
+  for (int c = 0; c < channels; ++c)
+  {
+    sums[c * (steps + 1)] = 0.0;
+  }
+  float begin = lit.x;
+  for (int i = 1; i <= steps; ++i)
+  {
+    float end = MediumPlace(ray, lit.x, lit.y, float(i) / float(steps));
+    for (int c = 0; c < channels; ++c)
+    {
+      int at = c * (steps + 1) + i;
+      sums[at] = sums[at - 1] + GetAirlight(c, begin, end);
+    }
+    begin = end;
+  }
+}
+
+// Airlight up to a place, as if nothing were dark: between the ends of steps, a cubic through four of them.
+// It is in the innermost loop, in which pixels that are drawn together wait for each other.
+vec3 GetSum(float place)
+{
+  place = clamp(place, lit.x, lit.y);
+  vec3 sum = vec3(0.0);
+  if (closed)
+  {
+    for (int c = 0; c < channels; ++c)
+    {
+      float extinction = components[4 * c].y + components[4 * c + 2].y;
+      sum[c] = strength[c] * DirectionalAirlight(extinction, 0.0, place, 0.0, 0.0);
+    }
+    return sum;
+  }
+  float at = MediumFraction(ray, lit.x, lit.y, place) * float(steps);
+  int part = clamp(int(at), 0, steps - 1);
+  int first = clamp(part - 1, 0, steps - 3);
+  float x = at - float(first);
+  vec4 weights = vec4((1.0 - x) * (x - 2.0) * (x - 3.0) / 6.0, 0.5 * x * (x - 2.0) * (x - 3.0),
+    0.5 * x * (1.0 - x) * (x - 3.0), x * (x - 1.0) * (x - 2.0) / 6.0);
+  for (int c = 0; c < channels; ++c)
+  {
+    int from = c * (steps + 1);
+    float value = 0.0;
+    for (int k = 0; k < 4; ++k)
+    {
+      value += weights[k] * sums[from + first + k];
+    }
+    sum[c] = clamp(value, sums[from + part], sums[from + part + 1]);
+  }
+  return sum;
+}
+
+// From a place on there is light, or none.
+void Turn(float place, bool isDark)
+{
+  if (isDark != dark)
+  {
+    vec3 sum = GetSum(isDark ? place : place * (1.0 + margin));
+    airlight += isDark ? sum : -sum;
+    dark = isDark;
+  }
+}
+
+// Keeps what is at least 0 of an affine function of the distance along the ray.
+void Clip(inout Part part, float start, float change)
+{
+  float zero = -start / (change == 0.0 ? 1e-30 : change);
+  if (change > 0.0)
+  {
+    part.Begin = max(part.Begin, zero);
+  }
+  else if (change < 0.0 || start < 0.0)
+  {
+    part.End = change < 0.0 ? min(part.End, zero) : part.Begin;
+  }
+}
+
+// What of a ray a face can tell; start and change are in its coordinates.
+Part GetPart(vec4 start, vec4 change)
+{
+  Part part = Part(lit.x, lit.y);
+  if (!infinite)
+  {
+    Clip(part, start.w - nearest, change.w);
+  }
+  float size = float(mapSize);
+  for (int k = 0; k < 2; ++k)
+  {
+    Clip(part, start[k], change[k]);
+    Clip(part, size * start.w - start[k], size * change.w - change[k]);
+  }
+  part.End = max(part.End, part.Begin);
+  return part;
+}
+
+void WalkFace(int face, vec4 start, vec4 change, Part part)
+{
+  vec4 a = start + part.Begin * change;
+  vec4 b = start + part.End * change;
+  vec3 from = a.xyz / a.w;
+  vec3 to = b.xyz / b.w;
+  ivec2 corner = GetCorner(face, 0);
+  int top = 0;
+  while (GetSize(top) > 1)
+  {
+    ++top;
+  }
+  MapWalk walk = BeginWalk(from.x, from.y, to.x, to.y, mapSize, mapSize, top);
+  // Each turn goes down a level or on by a cell: the bound is never reached, but NaN could.
+  for (int guard = 32 * mapSize + 64; guard > 0; --guard)
+  {
+    FindEnd(walk);
+    vec2 heights = from.z + vec2(walk.Begin, walk.End) * (to.z - from.z);
+    // Distances of the places where the cell, and perhaps a shadow within it, begin.
+    vec2 s = vec2(walk.Begin);
+    bool darkAtFirst;
+    bool changes = false;
+    if (walk.Level > 0)
+    {
+      vec2 node = GetNode(face, walk.Level, ivec2(walk.X, walk.Y) >> walk.Level);
+      bool above = min(heights.x, heights.y) >= node.y;
+      if (!above && max(heights.x, heights.y) >= node.x)
+      {
+        --walk.Level;
+        continue;
+      }
+      darkAtFirst = !above;
+    }
+    else
+    {
+      ivec2 texel = ivec2(walk.X, walk.Y);
+      float height = GetHeight(corner, texel);
+      vec2 slopes = height > nothing ? GetSlopes(corner, texel, height) : vec2(0.0);
+      vec2 x = walk.StartX + vec2(walk.Begin, walk.End) * walk.SlopeX - (float(walk.X) + 0.5);
+      vec2 y = walk.StartY + vec2(walk.Begin, walk.End) * walk.SlopeY - (float(walk.Y) + 0.5);
+      vec2 above = heights - (height + slopes.x * x + slopes.y * y);
+      darkAtFirst = above.x < 0.0;
+      changes = darkAtFirst != (above.y < 0.0);
+      s.y = mix(walk.Begin, walk.End, changes ? above.x / (above.x - above.y) : 0.0);
+    }
+    vec2 ends = vec2(b.w * (1.0 - s.x), a.w * s.x);
+    vec2 crossing = vec2(b.w * (1.0 - s.y), a.w * s.y);
+    vec2 at = vec2(dot(ends, vec2(part.Begin, part.End)) / (ends.x + ends.y),
+      dot(crossing, vec2(part.Begin, part.End)) / (crossing.x + crossing.y));
+    Turn(at.x, darkAtFirst);
+    Turn(at.y, darkAtFirst != changes);
+    if (!GoOn(walk))
+    {
+      return;
+    }
+  }
+}
+
+// The faces in the order in which the ray meets them: those about a point light as they come; of nested ones,
+// each before and behind the finer one.
+void Walk(vec3 origin, vec3 direction)
+{
+  vec4 starts[6];
+  vec4 changes[6];
+  Part inside[6];
+  for (int face = 0; face < numberOfFaces; ++face)
+  {
+    starts[face] = toMap[face] * vec4(origin, 1.0);
+    changes[face] = toMap[face] * vec4(direction, 0.0);
+    inside[face] = GetPart(starts[face], changes[face]);
+    if (infinite && face > 0)
+    {
+      Part outer = inside[face - 1];
+      inside[face].Begin = clamp(inside[face].Begin, outer.Begin, outer.End);
+      inside[face].End = clamp(inside[face].End, outer.Begin, outer.End);
+    }
+  }
+  float last = lit.x;
+  int visited = 0;
+  int count = infinite ? 2 * numberOfFaces - 1 : numberOfFaces;
+  for (int k = 0; k < count; ++k)
+  {
+    int face = k < numberOfFaces ? k : 2 * numberOfFaces - 2 - k;
+    Part part = inside[face];
+    if (infinite)
+    {
+      part.Begin = k < numberOfFaces ? part.Begin : inside[face + 1].End;
+      part.End = k < numberOfFaces - 1 ? inside[face + 1].Begin : part.End;
+    }
+    else
+    {
+      face = -1;
+      for (int other = 0; other < numberOfFaces; ++other)
+      {
+        bool left = (visited & (1 << other)) == 0 && inside[other].End > inside[other].Begin;
+        face = left && (face < 0 || inside[other].Begin < inside[face].Begin) ? other : face;
+      }
+      if (face < 0)
+      {
+        break;
+      }
+      visited |= 1 << face;
+      part = inside[face];
+    }
+    if (part.End > part.Begin)
+    {
+      if (part.Begin > last + 1e-6 * lit.y)
+      {
+        Turn(last, false); // beyond the map all is lit
+      }
+      WalkFace(face, starts[face], changes[face], part);
+      last = part.End;
+    }
+  }
+  if (last < lit.y - 1e-6 * lit.y)
+  {
+    Turn(last, false);
+  }
 }
 
 void main()
 {
-  vec2 place = GetPlace();
-  LitRay ray = GetLitRay(place);
-  float perDepth = GetLengthPerDepth(place);
-  float end = GetEnd(ray, texelFetch(ends, ivec2(place), 0).r, perDepth);
-  vec2 part = SpotPart(ray, end);
-  float extinction =
-    grey ? GetExtinction(0) : (GetExtinction(0) + GetExtinction(1) + GetExtinction(2)) / 3.0;
-  float whole = extinction * end * MeanExponential(extinction * end);
-  vec2 xy = GetRayPlace(place);
+  vec2 uv = (floor(texCoord * pictureSize) + 0.5) / pictureSize;
+  vec2 place = (0.5 + (uv - 0.5) * viewScale) * layerSize; // of the pixel in the layer
+  vec2 xy = (place - viewCenter) * pixelSize; // of the view ray at depth 1, or of its start
+  float perDepth = parallel ? 1.0 : length(vec3(xy, 1.0));
   vec3 origin = parallel ? vec3(xy, 0.0) : vec3(0.0);
   vec3 direction = parallel ? vec3(0.0, 0.0, 1.0) : vec3(xy, 1.0) / perDepth;
-  vec4 start = toMap[0] * vec4(origin, 1.0); // a face's clip coordinates are linear along the ray
-  vec4 change = toMap[0] * vec4(direction, 0.0);
-  float noise = InterleavedGradientNoise(floor(texCoord * pictureSize));
-
-  vec3 lit = vec3(0.0);
-  vec3 all = vec3(0.0);
-  float begin = part.x;
-  for (int i = 0; i < numberOfSteps; ++i)
+  SetRay(origin, direction);
+  float depth = texelFetch(ends, ivec2(place), 0).r;
+  lit = SpotPart(ray, MediumEnd(ray, perDepth * min(depth, farLimit)));
+  if (!closed)
   {
-    float at = GetStep(ray, part, extinction, whole, (float(i) + noise) / float(numberOfSteps));
-    int face = cube ? GetFace(toCube * (origin + at * direction - light.xyz)) : 0;
-    float visible = GetVisibility(
-      cube ? toMap[face] * vec4(origin + at * direction, 1.0) : start + at * change, face);
-    if (uniformly && grey)
-    {
-      lit.x += visible;
-      all.x += 1.0;
-      continue;
-    }
-    float last = GetStep(ray, part, extinction, whole, float(i + 1) / float(numberOfSteps));
-    vec3 sum = vec3(0.0);
-    for (int c = 0; c < channels; ++c)
-    {
-      float depth = uniformly ? GetExtinction(c) * last : 0.0;
-      sum[c] = uniformly ? last * MeanExponential(depth) : all[c] + GetAirlight(c, ray, 0.0, begin, last);
-    }
-    lit += visible * (sum - all);
-    all = sum;
-    begin = last;
+    SumSteps();
   }
-  for (int c = 0; c < channels; ++c)
+  for (int c = 0; closed && c < channels; ++c)
   {
-    lit[c] = all[c] > 0.0 ? lit[c] / all[c] : 1.0;
+    strength[c] = ScatteredPart(GetComponent(2 * c), 0.0, ray.Foot) +
+      ScatteredPart(GetComponent(2 * c + 1), 0.0, ray.Foot);
   }
-  float depth = min(texelFetch(ends, ivec2(place), 0).r, farLimit) / farLimit;
-  gl_FragData[0] = grey ? vec4(lit.x, depth, 0.0, 1.0) : vec4(lit, depth);
+  if (shadowed)
+  {
+    Walk(origin, direction);
+  }
+  Turn(lit.y, true);
+  gl_FragData[0] =
+    vec4(Sanitize(lightColor * (grey ? vec3(airlight.x) : airlight), maximum), 1.0);
 }

@@ -209,7 +209,7 @@ struct PropState
 
 // Left empty on several processes: the others would have to agree.
 void vtkGodRaysShadowState::Find(const vtkGodRaysMediumIntegrator::Request& request,
-  const vtkGodRaysShadowFaces& faces, const void* map, bool translucent)
+  const vtkGodRaysShadowFaces& faces, const void* map)
 {
   this->Clear();
   if (request.Compositor && request.Compositor->IsDistributed())
@@ -217,7 +217,7 @@ void vtkGodRaysShadowState::Find(const vtkGodRaysMediumIntegrator::Request& requ
     return;
   }
   this->Objects = { request.Window, request.Renderer, map };
-  this->Numbers = { faces.Size + 0.0, faces.Count + 0.0, translucent + 0.0 };
+  this->Numbers = { faces.Size + 0.0, faces.Count + 0.0 };
   for (int face = 0; face < faces.Count; ++face)
   {
     for (const double* corner : faces.Corners)

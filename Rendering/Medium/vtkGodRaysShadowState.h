@@ -27,7 +27,7 @@ struct vtkGodRaysShadowState
 
   /// Finds it from modification times of actors, of all that they draw, of assemblies' parts and of volumes.
   void Find(const vtkGodRaysMediumIntegrator::Request& request, const vtkGodRaysShadowFaces& faces,
-    const void* map, bool translucent);
+    const void* map);
 
   std::size_t GetNumberOfProps() const { return this->Ends.empty() ? 0 : this->Ends.size() - 1; }
   bool IsSame(const vtkGodRaysShadowState& other) const;

@@ -14,6 +14,7 @@
 #include "vtkGodRaysRadialMath.h"
 #include "vtkGodRaysSkyMath.h"
 #include "vtkGodRaysTypes.h"
+#include "vtkGodRaysWalkMath.h"
 #include "vtkObject.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -55,7 +56,8 @@ const char* FindTopic(const std::string& name)
     { "Colour", vtkGodRaysColourMath }, { "Common", vtkGodRaysCommonMath },
     { "Light", vtkGodRaysLightMath }, { "Medium", vtkGodRaysMediumMath },
     { "Phase", vtkGodRaysPhaseMath }, { "Planet", vtkGodRaysPlanetMath },
-    { "Radial", vtkGodRaysRadialMath }, { "Sky", vtkGodRaysSkyMath } };
+    { "Radial", vtkGodRaysRadialMath }, { "Sky", vtkGodRaysSkyMath },
+    { "Walk", vtkGodRaysWalkMath } };
   const auto found = topics.find(name);
   return found == topics.end() ? nullptr : found->second;
 }

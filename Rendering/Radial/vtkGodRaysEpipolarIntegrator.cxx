@@ -23,48 +23,15 @@
 
 vtkStandardNewMacro(vtkGodRaysEpipolarIntegrator);
 
-namespace
-{
-/// Whether OpenGL runs on the processor; its context is current.
-bool IsSoftware()
-{
-  const auto name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  const std::string renderer = name ? name : "";
-  for (const char* software : { "llvmpipe", "softpipe", "swrast", "Software Rasterizer", "SWR",
-         "SwiftShader", "GDI Generic" })
-  {
-    if (renderer.find(software) != std::string::npos)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-}
-
 struct vtkGodRaysEpipolarIntegrator::Internals
 {
   vtkNew<vtkGodRaysTapsIntegrator> Taps;
   vtkGodRaysRadialSweep Sweep;
   vtkGodRaysBlockMeans BlockMeans;
   vtkGodRaysClippedTaps ClippedTaps;
-  std::string Plan = "nothing yet";        // what was done last
-  std::vector<float> Pixels;               // of layers and rays of three channels
-  vtkGodRaysTarget Rays[2];                // of one channel, and of three
-  vtkOpenGLRenderWindow* Window = nullptr; // that Software is known of
-  vtkMTimeType ContextTime = 0;
-  bool Software = false;
-
-  bool UsesProcessor(int backend, vtkOpenGLRenderWindow* window)
-  {
-    if (this->Window != window || this->ContextTime != window->GetContextCreationTime())
-    {
-      this->Window = window;
-      this->ContextTime = window->GetContextCreationTime();
-      this->Software = IsSoftware();
-    }
-    return backend == PROCESSOR || (backend == AUTOMATIC && this->Software);
-  }
+  std::string Plan = "nothing yet"; // what was done last
+  std::vector<float> Pixels;        // of layers and rays of three channels
+  vtkGodRaysTarget Rays[2];         // of one channel, and of three
 
   bool IntegrateOnProcessor(const Request& request);
   bool IntegrateOnGraphics(const Request& request);
@@ -147,14 +114,13 @@ vtkGodRaysEpipolarIntegrator::vtkGodRaysEpipolarIntegrator()
 vtkGodRaysEpipolarIntegrator::~vtkGodRaysEpipolarIntegrator() = default;
 
 unsigned int vtkGodRaysEpipolarIntegrator::GetOneColorFormat(
-  vtkOpenGLRenderWindow* window, vtkGodRaysModel* model, unsigned int precision)
+  vtkGodRaysModel* model, unsigned int precision)
 {
   if (!vtkGodRaysRadialModel::SafeDownCast(model))
   {
     return 0;
   }
-  const bool processor = this->Internal->UsesProcessor(this->Backend, window);
-  return processor || precision == GL_RGBA32F ? GL_R32F : GL_R16F; // nothing to convert
+  return this->UsesProcessor() || precision == GL_RGBA32F ? GL_R32F : GL_R16F; // nothing to convert
 }
 
 bool vtkGodRaysEpipolarIntegrator::Integrate(const Request& request)
@@ -164,8 +130,8 @@ bool vtkGodRaysEpipolarIntegrator::Integrate(const Request& request)
   {
     return self.Taps->Integrate(request);
   }
-  return self.UsesProcessor(this->Backend, request.Window) ? self.IntegrateOnProcessor(request)
-                                                           : self.IntegrateOnGraphics(request);
+  return this->UsesProcessor() ? self.IntegrateOnProcessor(request)
+                               : self.IntegrateOnGraphics(request);
 }
 
 std::string vtkGodRaysEpipolarIntegrator::Describe(vtkGodRaysModel* model)
@@ -184,11 +150,9 @@ void vtkGodRaysEpipolarIntegrator::ReleaseGraphicsResources(vtkWindow* window)
   this->Internal->ClippedTaps.Release();
   this->Internal->Rays[0].Release(window);
   this->Internal->Rays[1].Release(window);
-  this->Internal->Window = nullptr;
 }
 
 void vtkGodRaysEpipolarIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Backend: " << this->Backend << "\n";
 }

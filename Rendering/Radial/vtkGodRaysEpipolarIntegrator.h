@@ -36,24 +36,8 @@ public:
   vtkTypeMacro(vtkGodRaysEpipolarIntegrator, vtkGodRaysRadialIntegrator);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Where the integral is evaluated.
-  enum BackendType
-  {
-    AUTOMATIC = 0, ///< PROCESSOR where OpenGL is software, GRAPHICS elsewhere
-    PROCESSOR = 1, ///< sector sweep by vtkSMPTools
-    GRAPHICS = 2   ///< block means in fragment shaders
-  };
-
-  ///@{
-  /**
-   * Set/Get where the integral is evaluated, one of BackendType. Default is AUTOMATIC.
-   */
-  vtkSetClampMacro(Backend, int, AUTOMATIC, GRAPHICS);
-  vtkGetMacro(Backend, int);
-  ///@}
-
   VTK_WRAPEXCLUDE unsigned int GetOneColorFormat(
-    vtkOpenGLRenderWindow* window, vtkGodRaysModel* model, unsigned int precision) override;
+    vtkGodRaysModel* model, unsigned int precision) override;
   VTK_WRAPEXCLUDE bool Integrate(const Request& request) override;
   std::string Describe(vtkGodRaysModel* model) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -68,8 +52,6 @@ private:
 
   struct Internals;
   std::unique_ptr<Internals> Internal;
-
-  int Backend = AUTOMATIC;
 };
 
 #endif

@@ -54,7 +54,7 @@ void vtkGodRaysRadialEffect::SetUp(
   request.LampsOcclude = true;
   request.Dims = true;
   request.OneColorFormat = vtkGodRaysRadialIntegrator::SafeDownCast(integrator)
-                             ->GetOneColorFormat(request.Window, this->Model, request.ColorFormat);
+                             ->GetOneColorFormat(this->Model, request.ColorFormat);
 }
 
 void vtkGodRaysRadialEffect::Begin(const Frame& frame)

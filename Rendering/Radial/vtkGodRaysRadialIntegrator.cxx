@@ -35,8 +35,7 @@ void vtkGodRaysRadialIntegrator::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
 }
 
-unsigned int vtkGodRaysRadialIntegrator::GetOneColorFormat(
-  vtkOpenGLRenderWindow*, vtkGodRaysModel*, unsigned int)
+unsigned int vtkGodRaysRadialIntegrator::GetOneColorFormat(vtkGodRaysModel*, unsigned int)
 {
   return 0;
 }

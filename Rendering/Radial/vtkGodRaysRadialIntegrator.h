@@ -56,7 +56,7 @@ public:
    * any other layer, GL_RGBA16F or GL_RGBA32F.
    */
   VTK_WRAPEXCLUDE virtual unsigned int GetOneColorFormat(
-    vtkOpenGLRenderWindow* window, vtkGodRaysModel* model, unsigned int precision);
+    vtkGodRaysModel* model, unsigned int precision);
 
   /**
    * Add the light of one layer to the result. Returns false, after an error, if that failed.

@@ -2,7 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysIntegrator.h"
 
+#include "vtkGodRaysOpenGL.h"
+
 #include <algorithm>
+
+bool vtkGodRaysIntegrator::UsesProcessor() const
+{
+  const auto name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string renderer = name ? name : "";
+  const auto names = { "llvmpipe", "softpipe", "swrast", "Software Rasterizer", "SWR",
+    "SwiftShader", "GDI Generic" };
+  const bool isSoftware = std::any_of(names.begin(), names.end(),
+    [&](const char* software) { return renderer.find(software) != std::string::npos; });
+  return this->Backend == PROCESSOR || (this->Backend == AUTOMATIC && isSoftware);
+}
 
 void vtkGodRaysIntegrator::BeginVerification(bool isStill)
 {
@@ -29,6 +42,7 @@ void vtkGodRaysIntegrator::TakeErrors(double rootMeanSquare, double largest)
 void vtkGodRaysIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Backend: " << this->Backend << "\n";
   os << indent << "VerifyPixels: " << this->VerifyPixels << "\n";
   os << indent << "VerifyInterval: " << this->VerifyInterval << "\n";
   os << indent << "ErrorEstimate: " << this->ErrorEstimate << "\n";

@@ -28,6 +28,23 @@ public:
   vtkTypeMacro(vtkGodRaysIntegrator, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Where light is summed.
+  enum BackendType
+  {
+    AUTOMATIC = 0, ///< PROCESSOR where OpenGL is software, GRAPHICS elsewhere
+    PROCESSOR = 1, ///< by vtkSMPTools
+    GRAPHICS = 2   ///< in fragment shaders
+  };
+
+  ///@{
+  /**
+   * Set/Get where light is summed, one of BackendType. Taps and published sums are summed in shaders, and a
+   * medium whose light passes translucent things on the processor, whatever this is. Default is AUTOMATIC.
+   */
+  vtkSetClampMacro(Backend, int, AUTOMATIC, GRAPHICS);
+  vtkGetMacro(Backend, int);
+  ///@}
+
   ///@{
   /**
    * Set/Get at how many pixels of a frame, at most all, chosen at random but the same every time,
@@ -91,6 +108,10 @@ protected:
   vtkGodRaysIntegrator() = default;
   ~vtkGodRaysIntegrator() override = default;
 
+  /// Whether light is summed on the processor, in the context that is current.
+  bool UsesProcessor() const;
+
+  int Backend = AUTOMATIC;
   int VerifyPixels = 0;
   int VerifyInterval = 1;
   double ErrorEstimate = -1.0;

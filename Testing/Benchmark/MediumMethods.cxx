@@ -89,7 +89,6 @@ void ClosedFormIntegrator::ReleaseGraphicsResources(vtkWindow* window)
 //------------------------------------------------------------------------------
 PictureIntegrator::PictureIntegrator()
 {
-  this->Map->WalkMapOn();
   this->Map->SetMapSize(1024);
   this->Map->SetNumberOfNestedMaps(1);
 }

@@ -4,7 +4,6 @@
 
 #include "MediumMethods.h"
 
-#include "vtkGodRaysAutomaticIntegrator.h"
 #include "vtkGodRaysEpipolarIntegrator.h"
 #include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysShadowMapIntegrator.h"
@@ -40,29 +39,27 @@ std::vector<ModelMethod> MakeModelMethods()
     add(name, "froxels", froxels);
   }
   add(TreeMethod, "min/max trees", vtkSmartPointer<TreesIntegrator>::New());
-  for (const int steps : { 8, 16, 64, 256 })
-  {
-    auto shadows = vtkSmartPointer<vtkGodRaysShadowMapIntegrator>::New();
-    shadows->SetNumberOfSteps(steps);
-    add(("shadow map, " + std::to_string(steps) + " steps").c_str(), "shadow map, steps", shadows);
-  }
-  for (const int size : { 512, 1024, 1536, 3072 })
+  const auto addMap = [&](const char* kind, int size, int backend)
   {
     auto walk = vtkSmartPointer<vtkGodRaysShadowMapIntegrator>::New();
-    walk->WalkMapOn();
     walk->SetMapSize(size);
-    add(
-      ("shadow map, walked, 4 of " + std::to_string(size / 2)).c_str(), "shadow map, walked", walk);
+    walk->SetBackend(backend);
+    add((kind + (", 4 of " + std::to_string(size / 2))).c_str(), kind, walk);
+  };
+  for (const int size : { 512, 1024, 1536, 3072 })
+  {
+    addMap("shadow map, walked", size, vtkGodRaysIntegrator::PROCESSOR);
   }
+  addMap("shadow map, in shaders", 1536, vtkGodRaysIntegrator::GRAPHICS);
   auto one = vtkSmartPointer<vtkGodRaysShadowMapIntegrator>::New();
-  one->WalkMapOn();
+  one->SetMapSize(1024);
   one->SetNumberOfNestedMaps(1);
   add("shadow map, walked, 1 of 1024", "one map, walked", one);
   for (const int share : { 16, 32, 64, 128, 255, 512, 1024 })
   {
     const std::string name =
       share == 255 ? std::string(BestModel) : "automatic, 1/" + std::to_string(share);
-    add(name.c_str(), "automatic", vtkSmartPointer<vtkGodRaysAutomaticIntegrator>::New());
+    add(name.c_str(), "automatic", vtkSmartPointer<vtkGodRaysShadowMapIntegrator>::New());
     methods.back().Tolerance = 1.0 / share;
   }
   return methods;

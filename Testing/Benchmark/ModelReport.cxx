@@ -264,8 +264,8 @@ void ModelReport::WritePage(const std::string& folder) const
     << this->PixelsOnEdges
     << " pixels of a picture, what is seen\nthere is one thing or the other, and the "
        "nearer truth counts.\n\nWhat is left of the errors of shadow maps is edges of less than a "
-       "pixel, and of the map's.\nSteps among leaves (*canopy*) are "
-       "no better than their one map: walked through, it has the same error.\n\n"
+       "pixel, and of the map's.\n*In shaders*, "
+       "as on a graphics card, every pixel's ray is walked, whatever the tolerance.\n\n"
        "- *closed form*: light without any shadow, what the library does where no occluder "
        "reaches.\n"
        "- *froxels*: what games do, made for this comparison, on the processor: a grid of the "

@@ -72,9 +72,8 @@ void Scattering::SetCase(
 //------------------------------------------------------------------------------
 vtkGodRaysTarget& Scattering::GetTarget(const Method& method, Content content)
 {
-  const unsigned int one = content == ONE_COLOR
-    ? method.Integrator->GetOneColorFormat(this->OpenGL.GetWindow(), this->Model, GL_RGBA16F)
-    : 0;
+  const unsigned int one =
+    content == ONE_COLOR ? method.Integrator->GetOneColorFormat(this->Model, GL_RGBA16F) : 0;
   const unsigned int format = one ? one : GL_RGBA16F;
   vtkGodRaysTarget& target = this->Targets[format];
   if (!target.IsReady())
@@ -103,8 +102,7 @@ vtkGodRaysTarget& Scattering::GetTarget(const Method& method, Content content)
 //------------------------------------------------------------------------------
 bool Scattering::HasOneChannel(const Method& method)
 {
-  return method.Integrator->GetOneColorFormat(this->OpenGL.GetWindow(), this->Model, GL_RGBA16F) !=
-    0;
+  return method.Integrator->GetOneColorFormat(this->Model, GL_RGBA16F) != 0;
 }
 
 //------------------------------------------------------------------------------

@@ -484,43 +484,89 @@ TEST(Medium, GivesNoMoreThanItTakes)
   }
 }
 
-TEST(Medium, AirlightPlacesAreWhereTheAirlightIsThatPart)
+TEST(Medium, FractionsEndAtTheirPlaces)
 {
-  for (const double extinction : { 0.0, 1e-9, 1e-4, 0.0009, 0.0011, 0.1, 3.0 })
+  Random random;
+  for (int i = 0; i < 1000; ++i)
   {
-    for (const double fraction : { 0.0, 0.01, 0.5, 0.9, 1.0 })
+    LitRay ray = {};
+    ray.Infinite = i % 2;
+    ray.Foot = random.Uniform(-20.0, 20.0);
+    ray.Distance = i % 7 == 0 ? 0.0 : random.Magnitude(1e-3, 1e2);
+    const double begin = random.Uniform(0.0, 10.0);
+    const double end = begin + random.Magnitude(1e-3, 1e2);
+    for (const double fraction : { 0.0, 0.01, 0.5, 0.99, 1.0 })
     {
-      const double all = 10.0 * extinction * MeanExponential(10.0 * extinction);
-      const double place = AirlightPlace(extinction, 10.0, all, fraction);
-      const double part = DirectionalAirlight(extinction, 0.0, place, 0.0, 0.0);
-      const double whole = DirectionalAirlight(extinction, 0.0, 10.0, 0.0, 0.0);
-      EXPECT_NEAR(part, fraction * whole, 1e-7 * whole) << extinction << " " << fraction;
+      // Where the ray goes through the light, nearly all of the way there is at the light.
+      const double place = MediumPlace(ray, begin, end, fraction);
+      const double found = MediumFraction(ray, begin, end, place);
+      EXPECT_NEAR(MediumPlace(ray, begin, end, found), place, 1e-6 * (end - begin)) << i;
     }
   }
 }
 
-// A thing on the segment from a point of the view ray to the light is seen where the march leads.
-TEST(Medium, ThingsHideTheDepthWhoseLightTheyBlock)
+// Cells follow on each other to the end of the way, and have what is between.
+TEST(Walk, GoesThroughTheCellsOfTheWay)
 {
-  const Vec3 lights[] = { { 2.0, 1.0, 5.0 }, { 2.0, 1.0, -5.0 }, { 2.0, 1.0, 0.0 } };
-  for (const Vec3& light : lights)
+  Random random;
+  for (int i = 0; i < 2000; ++i)
   {
-    for (const double w : { 0.0, 0.3 })
+    const int width = 1 + static_cast<int>(random.Uniform(0.0, 40.0));
+    const int height = 1 + static_cast<int>(random.Uniform(0.0, 40.0));
+    int top = 0;
+    while ((std::max(width, height) - 1) >> top > 0)
     {
-      for (const bool parallel : { false, true })
-      {
-        const Vec2 picture(0.3, -0.2);
-        const double depth = 3.0;
-        const Vec3 point = parallel ? Vec3(picture, depth) : depth * Vec3(picture, 1.0);
-        const Vec3 thing = point + 0.25 * (light - w * point);
-        const double m = parallel ? 0.25 : 0.25 / thing.z;
-        const double seen = thing.x / (parallel ? 1.0 : thing.z);
-        EXPECT_NEAR(seen, picture.x + m * (light.x - (parallel ? w : light.z) * picture.x), 1e-12);
-        EXPECT_NEAR(HiddenDepth(parallel, light.z, w, thing.z, m), depth, 1e-12);
-      }
+      ++top;
     }
+    double from[2] = { random.Uniform(0.0, width), random.Uniform(0.0, height) };
+    double to[2] = { random.Uniform(0.0, width), random.Uniform(0.0, height) };
+    if (i % 3 == 0) // along edges, or nowhere
+    {
+      from[i % 2] = to[i % 2] = std::floor(from[i % 2]);
+    }
+    if (i % 33 == 0)
+    {
+      from[1 - i % 2] = to[1 - i % 2];
+    }
+    MapWalk walk = BeginWalk(from[0], from[1], to[0], to[1], width, height, top);
+    double last = 0.0;
+    int guard = 16 * (width + height) + 64;
+    do
+    {
+      FindEnd(walk);
+      if (walk.Level > 0 && random.Uniform(0.0, 1.0) < 0.6)
+      {
+        --walk.Level;
+        continue;
+      }
+      ASSERT_EQ(walk.Begin, last) << i;
+      ASSERT_GE(walk.End, last) << i;
+      last = walk.End;
+      const double middle = 0.5 * (walk.Begin + walk.End);
+      const double x = (from[0] + middle * (to[0] - from[0])) / (1 << walk.Level);
+      const double y = (from[1] + middle * (to[1] - from[1])) / (1 << walk.Level);
+      ASSERT_NEAR(x, (walk.X >> walk.Level) + 0.5, 0.5 + 1e-9) << i;
+      ASSERT_NEAR(y, (walk.Y >> walk.Level) + 0.5, 0.5 + 1e-9) << i;
+      if (!GoOn(walk))
+      {
+        break;
+      }
+    } while (--guard > 0);
+    EXPECT_GT(guard, 0) << i;
+    EXPECT_GT(last, 1.0 - 1e-9) << i;
   }
-  EXPECT_EQ(HiddenDepth(false, 1.0, 1.0, 4.0, 0.5), 1e30); // beyond a lamp at depth 1
+}
+
+TEST(Walk, PlanesOfTexelsGoOnOnBothSidesOrNot)
+{
+  const double nothing = -1e30;
+  EXPECT_EQ(TexelSlope(1.0, 2.0, 3.0), 1.0);
+  EXPECT_EQ(TexelSlope(1.0, 2.0, 2.5), 0.5);
+  EXPECT_EQ(TexelSlope(3.0, 2.0, 1.5), -0.5);
+  EXPECT_EQ(TexelSlope(1.0, 2.0, 1.0), 0.0);
+  EXPECT_EQ(TexelSlope(nothing, 2.0, 2.5), 0.5);
+  EXPECT_EQ(TexelSlope(nothing, 2.0, 1.5), 0.0);
+  EXPECT_EQ(TexelSlope(nothing, 2.0, nothing), 0.0);
 }
 
 TEST(Medium, AirlightOfPartsIsTheClosedForm)

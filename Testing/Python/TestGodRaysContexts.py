@@ -65,6 +65,7 @@ class Stage:
             self.rays = godrays.enable(self.renderer, light=(0.3, 0.2, -1), preset=preset)
             if integrator:
                 self.rays.SetIntegrator(integrator())
+                self.rays.GetIntegrator().SetBackend(godrays.vtkGodRaysShadowMapIntegrator.GRAPHICS)
 
     def shown(self):
         self.window.Render()

@@ -214,14 +214,11 @@ const Kind Kinds[] = {
     } },
   { "Medium", [](Stage& scene) { scene.Rays->SetModel(vtkNew<vtkGodRaysHomogeneousModel>()); } },
   { "Atmosphere", [](Stage& scene) { scene.Rays->SetModel(vtkNew<vtkGodRaysAtmosphereModel>()); } },
-  { "Steps",
-    [](Stage& scene) { SetMedium<vtkGodRaysShadowMapIntegrator>(scene)->SetMapSize(64); } },
-  { "SweptMap",
-    [](Stage& scene)
-    {
-      auto* integrator = SetMedium<vtkGodRaysShadowMapIntegrator>(scene);
-      integrator->WalkMapOn();
-      integrator->SetMapSize(128);
+  { "ShadowMap",
+    [](Stage& scene) { SetMedium<vtkGodRaysShadowMapIntegrator>(scene)->SetMapSize(128); } },
+  { "ShadowMapInShaders",
+    [](Stage& scene) {
+      SetMedium<vtkGodRaysShadowMapIntegrator>(scene)->SetBackend(vtkGodRaysIntegrator::GRAPHICS);
     } },
   { "TwoLampsInAnAtmosphere", [](Stage& scene) { AddLampsInAnAtmosphere(scene, 2); } },
   { "FiveLampsInAnAtmosphere", [](Stage& scene) { AddLampsInAnAtmosphere(scene, 5); } },

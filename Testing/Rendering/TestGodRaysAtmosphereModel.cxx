@@ -9,7 +9,6 @@
 #include "vtkCommand.h"
 #include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysAtmosphereModel.h"
-#include "vtkGodRaysAutomaticIntegrator.h"
 #include "vtkGodRaysShadowMapIntegrator.h"
 #include "vtkGodRaysSingleScatteringReference.h"
 
@@ -124,7 +123,8 @@ TEST_F(GodRaysAtmosphereModel, IsTheGroundTruthWithOccluders)
   this->Scene.Window->SetSize(255, 192);
   this->AddPillars(0.1);
   vtkNew<vtkGodRaysShadowMapIntegrator> shadows;
-  vtkNew<vtkGodRaysAutomaticIntegrator> automatic;
+  shadows->SetBackend(vtkGodRaysIntegrator::GRAPHICS);
+  vtkNew<vtkGodRaysShadowMapIntegrator> automatic;
   const std::array<vtkGodRaysIntegrator*, 2> integrators = { shadows, automatic };
   const std::pair<std::array<double, 4>, double> cases[] = { { InFront, 0.01 }, { Beside, 0.005 },
     { Behind, 0.006 }, { LampInFront, 0.008 }, { LampBeside, 0.0002 } };
@@ -181,7 +181,8 @@ TEST_F(GodRaysAtmosphereModel, IsTheIntegralOverAPlanet)
   this->Air->SetPlanetRadius(5e5);
   this->Air->SetFarLimit(300.0);
   vtkNew<vtkGodRaysShadowMapIntegrator> shadows;
-  vtkNew<vtkGodRaysAutomaticIntegrator> automatic;
+  shadows->SetBackend(vtkGodRaysIntegrator::GRAPHICS);
+  vtkNew<vtkGodRaysShadowMapIntegrator> automatic;
   const std::array<vtkGodRaysIntegrator*, 2> integrators = { shadows, automatic };
   const auto truth = this->GetTruth(Beside);
   for (vtkGodRaysIntegrator* integrator : integrators)
@@ -221,11 +222,10 @@ TEST_F(GodRaysAtmosphereModel, EndsAtAPlanetsGroundOutOfWhichNothingShines)
   for (const bool parallel : { false, true })
   {
     this->Renderer->GetActiveCamera()->SetParallelProjection(parallel);
-    for (auto& integrator : { vtkSmartPointer<vtkGodRaysMediumIntegrator>(
-                                vtkSmartPointer<vtkGodRaysAutomaticIntegrator>::New()),
-           vtkSmartPointer<vtkGodRaysMediumIntegrator>(
-             vtkSmartPointer<vtkGodRaysShadowMapIntegrator>::New()) })
+    vtkNew<vtkGodRaysShadowMapIntegrator> integrator;
+    for (const int backend : { vtkGodRaysIntegrator::PROCESSOR, vtkGodRaysIntegrator::GRAPHICS })
     {
+      integrator->SetBackend(backend);
       this->Rays->SetIntegrator(integrator);
       const auto truth = this->GetTruth(LampBeside);
       const double error = this->GetErrorOfAir(LampBeside, truth);

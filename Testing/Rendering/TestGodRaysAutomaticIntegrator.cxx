@@ -7,7 +7,7 @@
 #include "GodRaysMediumTesting.h"
 
 #include "vtkGodRaysAtmosphereModel.h"
-#include "vtkGodRaysAutomaticIntegrator.h"
+#include "vtkGodRaysShadowMapIntegrator.h"
 
 #include "vtkCamera.h"
 #include "vtkLight.h"
@@ -61,7 +61,7 @@ TEST_F(GodRaysAutomaticIntegrator, ChoosesByLightViewAndMedium)
 {
   this->AddPillars();
   this->SetLight({ 0.15, 0.1, -1.0, 0.0 });
-  EXPECT_TRUE(Says(this->GetPlan(), "automatic: shadow map: 4 of 768")) << this->Rays->GetPlan();
+  EXPECT_TRUE(Says(this->GetPlan(), "shadow map: 4 of 768")) << this->Rays->GetPlan();
   EXPECT_TRUE(Says(this->GetPlan(), "walked on the processor"));
   this->SetLight({ 0.0, 0.5, -2.0, 1.0 });
   EXPECT_TRUE(Says(this->GetPlan(), "6 of 1024")) << this->Rays->GetPlan();

@@ -124,11 +124,12 @@ const Kind Kinds[] = {
       scene.Rays->SetLayerMargin(0.25);
     } },
   { "Medium", AddFog },
-  { "Steps",
+  { "MediumInShaders",
     [](Stage& scene)
     {
       AddFog(scene);
       vtkNew<vtkGodRaysShadowMapIntegrator> integrator;
+      integrator->SetBackend(vtkGodRaysIntegrator::GRAPHICS);
       integrator->SetMapSize(64);
       scene.Rays->SetIntegrator(integrator);
     } },

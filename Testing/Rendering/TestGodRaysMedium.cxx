@@ -6,7 +6,6 @@
 
 #include "GodRaysMediumTesting.h"
 
-#include "vtkGodRaysAutomaticIntegrator.h"
 #include "vtkGodRaysEpipolarIntegrator.h"
 #include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysMath.h"
@@ -35,7 +34,7 @@ class GodRaysMedium : public MediumTest
 
 TEST_F(GodRaysMedium, ChoosesItsOwnIntegratorUnlessOneIsSet)
 {
-  EXPECT_TRUE(vtkGodRaysAutomaticIntegrator::SafeDownCast(this->Rays->GetIntegrator()));
+  EXPECT_TRUE(vtkGodRaysShadowMapIntegrator::SafeDownCast(this->Rays->GetIntegrator()));
   this->Rays->SetModel(nullptr);
   EXPECT_TRUE(vtkGodRaysEpipolarIntegrator::SafeDownCast(this->Rays->GetIntegrator()));
   vtkNew<vtkGodRaysEpipolarIntegrator> mine;
@@ -46,7 +45,7 @@ TEST_F(GodRaysMedium, ChoosesItsOwnIntegratorUnlessOneIsSet)
   this->Scene.Window->Render();
   EXPECT_TRUE(Says(this->VTKMessages.Take().at(0), "cannot evaluate"));
   this->Rays->SetIntegrator(nullptr);
-  EXPECT_TRUE(vtkGodRaysAutomaticIntegrator::SafeDownCast(this->Rays->GetIntegrator()));
+  EXPECT_TRUE(vtkGodRaysShadowMapIntegrator::SafeDownCast(this->Rays->GetIntegrator()));
 }
 
 // Nothing blocks, so that a closed form holds in each pixel; view rays are those of GetClip().
@@ -153,7 +152,8 @@ TEST_F(GodRaysMedium, SpotlightsShineInTheirCones)
   const auto truth = GetTrueScattering(
     this->Renderer, setMedium, { 1.0, 2.0, -3.0, 1.0 }, this->Scene.Window->GetSize());
   vtkNew<vtkGodRaysShadowMapIntegrator> shadows;
-  vtkNew<vtkGodRaysAutomaticIntegrator> automatic;
+  shadows->SetBackend(vtkGodRaysIntegrator::GRAPHICS);
+  vtkNew<vtkGodRaysShadowMapIntegrator> automatic;
   const std::array<vtkGodRaysIntegrator*, 2> integrators = { shadows, automatic };
   for (vtkGodRaysIntegrator* integrator : integrators)
   {
@@ -372,7 +372,6 @@ TEST_F(GodRaysMedium, GoesTogetherWithARadialSum)
 TEST_F(GodRaysMedium, AnIntegratorServesOnePassAfterAnother)
 {
   vtkNew<vtkGodRaysShadowMapIntegrator> integrator;
-  integrator->WalkMapOn();
   double means[2];
   for (const bool pillars : { false, true })
   {

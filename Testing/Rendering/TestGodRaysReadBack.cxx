@@ -6,7 +6,6 @@
 #include "../Filters/GodRaysGridScenes.h"
 #include "GodRaysTesting.h"
 
-#include "vtkGodRaysAutomaticIntegrator.h"
 #include "vtkGodRaysEpipolarIntegrator.h"
 #include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysOpenGL.h"
@@ -54,6 +53,7 @@ const Case Kinds[] = {
     {
       rays->SetModel(vtkNew<vtkGodRaysHomogeneousModel>());
       rays->SetIntegrator(vtkNew<vtkGodRaysShadowMapIntegrator>());
+      rays->GetIntegrator()->SetBackend(vtkGodRaysIntegrator::GRAPHICS);
     } },
   { "data", [](vtkGodRaysPass* rays) { rays->SetModel(vtkNew<vtkGodRaysVolumeModel>()); }, true },
 };
@@ -89,7 +89,7 @@ const Case Changes[] = {
   { "a new integrator",
     [](vtkGodRaysPass* rays) { rays->SetIntegrator(vtkNew<vtkGodRaysEpipolarIntegrator>()); } },
   { "a new medium's integrator",
-    [](vtkGodRaysPass* rays) { rays->SetIntegrator(vtkNew<vtkGodRaysAutomaticIntegrator>()); } },
+    [](vtkGodRaysPass* rays) { rays->SetIntegrator(vtkNew<vtkGodRaysShadowMapIntegrator>()); } },
   { "the default model", [](vtkGodRaysPass* rays) { rays->SetModel(nullptr); } },
   { "a new look", [](vtkGodRaysPass* rays) { rays->SetModel(vtkNew<vtkGodRaysRadialModel>()); } },
   { "a new medium",

@@ -7,6 +7,7 @@
 #include "CountOpenGLCalls.h"
 #include "GodRaysTesting.h"
 
+#include "vtkGodRaysAtmosphereModel.h"
 #include "vtkGodRaysEpipolarIntegrator.h"
 #include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysPublishedModel.h"
@@ -40,6 +41,7 @@ struct Counts
   int VertexArrays = 0;
   int Queries = 0; // VTK's mappers make some after a hundred frames
   int Uploads = 0; // into textures
+  int Reads = 0;   // of textures and framebuffers
 
   int GetMade() const
   {
@@ -64,6 +66,7 @@ struct Counts
     c.VertexArrays -= other.VertexArrays;
     c.Queries -= other.Queries;
     c.Uploads -= other.Uploads;
+    c.Reads -= other.Reads;
     return c;
   }
 };
@@ -110,6 +113,11 @@ COUNT_CALLS_1_1(TexSubImage2D,
   (GLenum target, GLint level, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
     GLenum type, const void* pixels),
   (target, level, x, y, width, height, format, type, pixels), ++Now.Uploads)
+COUNT_CALLS_1_1(ReadPixels,
+  (GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void* pixels),
+  (x, y, width, height, format, type, pixels), ++Now.Reads)
+COUNT_CALLS_1_1(GetTexImage, (GLenum target, GLint level, GLenum format, GLenum type, void* pixels),
+  (target, level, format, type, pixels), ++Now.Reads)
 COUNT_CALLS_1_1(GenTextures, (GLsizei n, GLuint* t), (n, t), (Now.Textures += n, Now.Objects += n))
 COUNT_CALLS_1_1(DeleteTextures, (GLsizei n, const GLuint* t), (n, t), Now.Textures -= n)
 
@@ -133,6 +141,8 @@ void Count(vtkRenderWindow* window)
   INSTALL_COUNT(TexImage2DMultisample)
   INSTALL_COUNT_1_1(TexImage2D)
   INSTALL_COUNT_1_1(TexSubImage2D)
+  INSTALL_COUNT_1_1(ReadPixels)
+  INSTALL_COUNT_1_1(GetTexImage)
   INSTALL_COUNT_1_1(GenTextures)
   INSTALL_COUNT_1_1(DeleteTextures)
 }
@@ -454,6 +464,7 @@ TEST(GodRaysResources, AreNotMadeForShadowMaps)
   vtkNew<vtkGodRaysHomogeneousModel> model;
   scene.Rays->SetModel(model);
   vtkNew<vtkGodRaysShadowMapIntegrator> integrator;
+  integrator->SetBackend(vtkGodRaysIntegrator::GRAPHICS);
   scene.Rays->SetIntegrator(integrator);
   Count(scene.Window);
   EXPECT_GT(Draw(scene).GetMade(), 10);
@@ -465,6 +476,41 @@ TEST(GodRaysResources, AreNotMadeForShadowMaps)
   }
 }
 
+// Nothing goes over the bus, whether the camera moves or not, but for the exposure. The control is the
+// processor.
+TEST(GodRaysResources, AreNeitherReadNorUploadedInShaders)
+{
+  Messages messages;
+  for (const bool air : { false, true })
+  {
+    for (const int backend : { vtkGodRaysIntegrator::GRAPHICS, vtkGodRaysIntegrator::PROCESSOR })
+    {
+      Stage scene(64, 48);
+      scene.AddPillarsAndSun();
+      scene.Rays->AddLight(MakeLamplight({ 0.6, 0.5, 0.0 }));
+      vtkSmartPointer<vtkGodRaysModel> model = vtkSmartPointer<vtkGodRaysHomogeneousModel>::New();
+      if (air)
+      {
+        model = vtkSmartPointer<vtkGodRaysAtmosphereModel>::New();
+      }
+      scene.Rays->SetModel(model);
+      scene.Rays->GetIntegrator()->SetBackend(backend);
+      scene.Rays->AutomaticExposureOff();
+      Count(scene.Window);
+      Draw(scene);
+      for (int frame = 0; frame < 4; ++frame)
+      {
+        const Counts counts = Draw(scene);
+        const bool processor = backend == vtkGodRaysIntegrator::PROCESSOR;
+        EXPECT_EQ(counts.Reads > 0, processor) << counts.Reads << " in frame " << frame;
+        EXPECT_EQ(counts.Uploads > 0, processor) << counts.Uploads << " in frame " << frame;
+        EXPECT_TRUE(Says(scene.Rays->GetPlan(), processor ? "on the processor" : "in shaders"));
+        scene.Renderer->GetActiveCamera()->Azimuth(frame < 1 ? 0.0 : 2.0);
+      }
+    }
+  }
+}
+
 // However many they are; a light that is gone keeps none.
 TEST(GodRaysResources, AreThoseOfTheLightsThatThereAre)
 {
@@ -473,7 +519,6 @@ TEST(GodRaysResources, AreThoseOfTheLightsThatThereAre)
   scene.AddPillarsAndSun();
   scene.Rays->SetModel(vtkNew<vtkGodRaysHomogeneousModel>());
   vtkNew<vtkGodRaysShadowMapIntegrator> integrator;
-  integrator->WalkMapOn();
   integrator->SetMapSize(64);
   scene.Rays->SetIntegrator(integrator);
   scene.Rays->RemoveAllLights();
@@ -589,11 +634,12 @@ TEST(GodRaysResources, ThatADriverRefusesLeaveTheSceneAsWithoutRays)
     { "in shaders", UseShaders },
     { "all", AddAll },
     { "medium", [](Stage& scene) { scene.Rays->SetModel(vtkNew<vtkGodRaysHomogeneousModel>()); } },
-    { "steps",
+    { "medium in shaders",
       [](Stage& scene)
       {
         scene.Rays->SetModel(vtkNew<vtkGodRaysHomogeneousModel>());
         scene.Rays->SetIntegrator(vtkNew<vtkGodRaysShadowMapIntegrator>());
+        scene.Rays->GetIntegrator()->SetBackend(vtkGodRaysIntegrator::GRAPHICS);
       } },
   };
   int refused = 0;

@@ -87,15 +87,15 @@ const Kind Kinds[] = {
       AddFog(scene);
       // Small maps: a driver keeps up to three of them for a while, and each is to be seen if it stays.
       vtkNew<vtkGodRaysShadowMapIntegrator> integrator;
-      integrator->WalkMapOn();
       integrator->SetMapSize(128);
       scene.Rays->SetIntegrator(integrator);
     } },
-  { "Steps",
+  { "MediumInShaders",
     [](Stage& scene)
     {
       AddFog(scene);
       vtkNew<vtkGodRaysShadowMapIntegrator> integrator;
+      integrator->SetBackend(vtkGodRaysIntegrator::GRAPHICS);
       integrator->SetMapSize(64);
       scene.Rays->SetIntegrator(integrator);
     } },

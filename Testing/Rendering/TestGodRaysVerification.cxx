@@ -5,7 +5,6 @@
 
 #include "GodRaysMediumTesting.h"
 
-#include "vtkGodRaysAutomaticIntegrator.h"
 #include "vtkGodRaysPublishedModel.h"
 #include "vtkGodRaysShadowMapIntegrator.h"
 
@@ -35,7 +34,8 @@ protected:
   GodRaysVerification()
   {
     this->Coarse->SetMapSize(64);
-    this->Coarse->SetNumberOfSteps(1);
+    this->Coarse->SetNumberOfNestedMaps(1);
+    this->Coarse->SetBackend(vtkGodRaysIntegrator::GRAPHICS);
     this->Rays->SetIntegrator(this->Coarse);
     this->Rays->SetPrecision(vtkGodRaysPass::SINGLE);
   }
@@ -73,7 +73,8 @@ TEST_F(GodRaysVerification, IsWhatTheReferenceFinds)
   this->Renderer->ResetCameraClippingRange();
   this->Check("from elsewhere", { 1.0, 0.3, -0.1, 0.0 });
   this->Renderer->GetActiveCamera()->ParallelProjectionOn();
-  this->Renderer->GetActiveCamera()->SetParallelScale(3.0);
+  // No edge goes through the centre of a pixel, where picture and reference may see different things.
+  this->Renderer->GetActiveCamera()->SetParallelScale(2.7);
   this->Check("parallel", { 1.0, 0.3, -0.1, 0.0 });
 }
 
@@ -120,7 +121,7 @@ TEST_F(GodRaysVerification, FollowsTheOccluders)
 {
   auto box = MakeBox({ 0.5, 0.5, 2.0 }, { 2.0, 2.0, 0.1 });
   this->Renderer->AddActor(box);
-  vtkNew<vtkGodRaysAutomaticIntegrator> automatic;
+  vtkNew<vtkGodRaysShadowMapIntegrator> automatic;
   this->Rays->SetIntegrator(automatic);
   this->SetLight({ 0.15, 0.1, -1.0, 0.0 });
   const auto isRight = [this](const char* change)
@@ -207,7 +208,7 @@ TEST_F(GodRaysVerification, CorrectsTheChoice)
   {
     this->Renderer->AddActor(MakeBox({ 0.06 * i, 0.0, 0.0 }, { 0.02, 4.0, 0.02 }));
   }
-  vtkNew<vtkGodRaysAutomaticIntegrator> automatic;
+  vtkNew<vtkGodRaysShadowMapIntegrator> automatic;
   this->Rays->SetIntegrator(automatic);
   this->SetLight({ 0.15, 0.1, -1.0, 0.0 });
   const double first = this->Measure();

@@ -740,9 +740,10 @@ TEST_F(GodRaysVolumeMedium, WorksWithEachIntegrator)
 {
   this->AddSmoke();
   this->Model->SetScatteringCoefficient(0.02, 0.02, 0.02);
-  vtkNew<vtkGodRaysShadowMapIntegrator> steps;
-  this->Rays->SetIntegrator(steps);
-  this->CheckData("steps", { 1.0, 0.4, 0.2, 0.0 });
+  vtkNew<vtkGodRaysShadowMapIntegrator> shaders;
+  shaders->SetBackend(vtkGodRaysIntegrator::GRAPHICS);
+  this->Rays->SetIntegrator(shaders);
+  this->CheckData("in shaders", { 1.0, 0.4, 0.2, 0.0 });
   this->Rays->SetIntegrator(nullptr);
   this->Rays->SetLayerMargin(0.2);
   this->CheckData("margin", { 1.0, 0.4, 0.2, 0.0 });
