@@ -5,15 +5,16 @@
 #include "vtkGodRaysOpenGL.h"
 
 #include <algorithm>
+#include <cstring>
 
 bool vtkGodRaysIntegrator::UsesProcessor() const
 {
   const auto name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  const std::string renderer = name ? name : "";
   const auto names = { "llvmpipe", "softpipe", "swrast", "Software Rasterizer", "SWR",
     "SwiftShader", "GDI Generic" };
-  const bool isSoftware = std::any_of(names.begin(), names.end(),
-    [&](const char* software) { return renderer.find(software) != std::string::npos; });
+  const bool isSoftware = name &&
+    std::any_of(names.begin(), names.end(),
+      [&](const char* software) { return std::strstr(name, software) != nullptr; });
   return this->Backend == PROCESSOR || (this->Backend == AUTOMATIC && isSoftware);
 }
 
