@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysMediumRays.h"
 
-#include "vtkGodRaysLight.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysMedium.h"
 #include "vtkGodRaysOpenGL.h"
@@ -60,16 +59,6 @@ vtkGodRaysSingleScattering::Parameters vtkGodRaysMediumRays::GetWorldParameters(
   parameters.Spot = request.Light->Spot;
   parameters.Medium = *request.Medium;
   return parameters;
-}
-
-bool vtkGodRaysMediumRays::IsInfinite() const
-{
-  return this->Request.Light->IsInfinite();
-}
-
-bool vtkGodRaysMediumRays::IsGrey() const
-{
-  return this->Request.Medium->IsGrey();
 }
 
 bool vtkGodRaysMediumRays::IsClosed() const

@@ -10,6 +10,7 @@
 #ifndef vtkGodRaysMediumRays_h
 #define vtkGodRaysMediumRays_h
 
+#include "vtkGodRaysLight.h"            // For IsInfinite
 #include "vtkGodRaysMediumIntegrator.h" // For Request
 #include "vtkGodRaysSingleScattering.h" // For Parameters
 #include "vtkGodRaysView.h"             // For Pinhole
@@ -38,9 +39,9 @@ public:
    * form, and one channel serves a light of any colour.
    */
   bool IsParallel() const { return this->Request.View->Parallel; }
-  bool IsInfinite() const;
+  bool IsInfinite() const { return this->Request.Light->IsInfinite(); }
   bool IsClosed() const;
-  bool IsGrey() const;
+  bool IsGrey() const { return this->Request.Medium->IsGrey(); }
   ///@}
 
   const vtkGodRaysView::Pinhole& GetPinhole() const { return this->Pinhole; }

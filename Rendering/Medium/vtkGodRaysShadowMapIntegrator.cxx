@@ -272,6 +272,7 @@ void vtkGodRaysShadowMapIntegrator::ReleaseGraphicsResources(vtkWindow* window)
 void vtkGodRaysShadowMapIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Backend: " << this->Backend << "\n";
   os << indent << "MapSize: " << this->MapSize << "\n";
   os << indent << "NumberOfNestedMaps: " << this->NumberOfNestedMaps << "\n";
 }

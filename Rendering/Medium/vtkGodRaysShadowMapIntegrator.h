@@ -44,6 +44,14 @@ public:
 
   ///@{
   /**
+   * Set/Get where light is summed, one of BackendType. Default is AUTOMATIC.
+   */
+  vtkSetClampMacro(Backend, int, AUTOMATIC, GRAPHICS);
+  vtkGetMacro(Backend, int);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get how wide and high a map is [pixels]; the driver may allow fewer. 0: as vtkGodRaysPass's error
    * tolerance asks for, or a fraction of it where VerifyPixels has found a larger error, until the
    * tolerance changes; Documentation/ModelError.md has errors and costs. Valid range: [0, 8192]; others are

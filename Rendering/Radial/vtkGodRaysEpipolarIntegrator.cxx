@@ -155,4 +155,5 @@ void vtkGodRaysEpipolarIntegrator::ReleaseGraphicsResources(vtkWindow* window)
 void vtkGodRaysEpipolarIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Backend: " << this->Backend << "\n";
 }

@@ -36,6 +36,14 @@ public:
   vtkTypeMacro(vtkGodRaysEpipolarIntegrator, vtkGodRaysRadialIntegrator);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
+  /**
+   * Set/Get where light is summed, one of BackendType. Default is AUTOMATIC.
+   */
+  vtkSetClampMacro(Backend, int, AUTOMATIC, GRAPHICS);
+  vtkGetMacro(Backend, int);
+  ///@}
+
   VTK_WRAPEXCLUDE unsigned int GetOneColorFormat(
     vtkGodRaysModel* model, unsigned int precision) override;
   VTK_WRAPEXCLUDE bool Integrate(const Request& request) override;

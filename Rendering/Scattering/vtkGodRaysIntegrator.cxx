@@ -43,7 +43,6 @@ void vtkGodRaysIntegrator::TakeErrors(double rootMeanSquare, double largest)
 void vtkGodRaysIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Backend: " << this->Backend << "\n";
   os << indent << "VerifyPixels: " << this->VerifyPixels << "\n";
   os << indent << "VerifyInterval: " << this->VerifyInterval << "\n";
   os << indent << "ErrorEstimate: " << this->ErrorEstimate << "\n";

@@ -28,22 +28,13 @@ public:
   vtkTypeMacro(vtkGodRaysIntegrator, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Where light is summed.
+  /// Where light is summed, by integrators that have a Backend.
   enum BackendType
   {
     AUTOMATIC = 0, ///< PROCESSOR where OpenGL is software, GRAPHICS elsewhere
     PROCESSOR = 1, ///< by vtkSMPTools
     GRAPHICS = 2   ///< in fragment shaders
   };
-
-  ///@{
-  /**
-   * Set/Get where light is summed, one of BackendType. Taps and published sums are summed in shaders, and a
-   * medium whose light passes translucent things on the processor, whatever this is. Default is AUTOMATIC.
-   */
-  vtkSetClampMacro(Backend, int, AUTOMATIC, GRAPHICS);
-  vtkGetMacro(Backend, int);
-  ///@}
 
   ///@{
   /**

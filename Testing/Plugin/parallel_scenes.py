@@ -127,9 +127,11 @@ def medium(view):
 
 
 def shadows(view):
-    """The same with shadow maps."""
+    """The same in shaders, with coarse shadow maps."""
     medium(view)
     view.Integrator = "Shadow Map"
+    view.Integrator.Backend = "Graphics"
+    view.Integrator.MapSize = 64
 
 
 def sky(view):

@@ -52,8 +52,9 @@ const Case Kinds[] = {
     [](vtkGodRaysPass* rays)
     {
       rays->SetModel(vtkNew<vtkGodRaysHomogeneousModel>());
-      rays->SetIntegrator(vtkNew<vtkGodRaysShadowMapIntegrator>());
-      rays->GetIntegrator()->SetBackend(vtkGodRaysIntegrator::GRAPHICS);
+      vtkNew<vtkGodRaysShadowMapIntegrator> integrator;
+      integrator->SetBackend(vtkGodRaysIntegrator::GRAPHICS);
+      rays->SetIntegrator(integrator);
     } },
   { "data", [](vtkGodRaysPass* rays) { rays->SetModel(vtkNew<vtkGodRaysVolumeModel>()); }, true },
 };

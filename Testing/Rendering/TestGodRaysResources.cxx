@@ -494,7 +494,9 @@ TEST(GodRaysResources, AreNeitherReadNorUploadedInShaders)
         model = vtkSmartPointer<vtkGodRaysAtmosphereModel>::New();
       }
       scene.Rays->SetModel(model);
-      scene.Rays->GetIntegrator()->SetBackend(backend);
+      vtkNew<vtkGodRaysShadowMapIntegrator> integrator;
+      integrator->SetBackend(backend);
+      scene.Rays->SetIntegrator(integrator);
       scene.Rays->AutomaticExposureOff();
       Count(scene.Window);
       Draw(scene);
@@ -638,8 +640,9 @@ TEST(GodRaysResources, ThatADriverRefusesLeaveTheSceneAsWithoutRays)
       [](Stage& scene)
       {
         scene.Rays->SetModel(vtkNew<vtkGodRaysHomogeneousModel>());
-        scene.Rays->SetIntegrator(vtkNew<vtkGodRaysShadowMapIntegrator>());
-        scene.Rays->GetIntegrator()->SetBackend(vtkGodRaysIntegrator::GRAPHICS);
+        vtkNew<vtkGodRaysShadowMapIntegrator> integrator;
+        integrator->SetBackend(vtkGodRaysIntegrator::GRAPHICS);
+        scene.Rays->SetIntegrator(integrator);
       } },
   };
   int refused = 0;
