@@ -22,11 +22,19 @@ from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 SIZE = (48, 36)
+
+
+def make_walk():
+    walk = godrays.vtkGodRaysShadowMapIntegrator()
+    walk.SetBackend(walk.GRAPHICS)
+    return walk
+
+
 KINDS = {  # how the light is summed
     "look": (None, None),
     "taps": (None, godrays.vtkGodRaysTapsIntegrator),
     "medium": ("fog", None),
-    "shadow map": ("fog", godrays.vtkGodRaysShadowMapIntegrator),
+    "medium in shaders": ("fog", make_walk),
 }
 try:
     OPENGL = ctypes.CDLL("libGL.so.1")
@@ -65,7 +73,6 @@ class Stage:
             self.rays = godrays.enable(self.renderer, light=(0.3, 0.2, -1), preset=preset)
             if integrator:
                 self.rays.SetIntegrator(integrator())
-                self.rays.GetIntegrator().SetBackend(godrays.vtkGodRaysShadowMapIntegrator.GRAPHICS)
 
     def shown(self):
         self.window.Render()
