@@ -51,11 +51,10 @@ public:
    * How many faces there are; 0 if nothing blocks.
    */
   int GetNumberOfFaces() const { return this->Faces.Count; }
-  int GetSize() const { return this->Faces.Size; }
   const vtkGodRaysShadowFaces& GetFaces() const { return this->Faces; }
 
   /**
-   * Whether something lets a part of the light through: how much, only the grids have.
+   * Returns whether something lets a part of the light through. Only the grids have how much.
    */
   bool HasLayers() const { return this->Layers.GetNumberOfLayers() > 0; }
 

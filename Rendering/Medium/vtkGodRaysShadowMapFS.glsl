@@ -145,7 +145,7 @@ vec3 GetSum(float place)
   return sum;
 }
 
-// From a place on there is light, or none.
+// Notes that from a place on there is light, or none.
 void Turn(float place, bool isDark)
 {
   if (isDark != dark)
@@ -170,7 +170,7 @@ void Clip(inout Part part, float start, float change)
   }
 }
 
-// What of a ray a face can tell; start and change are in its coordinates.
+// Finds the part of a ray that is within a face; start and change are in its coordinates.
 Part GetPart(vec4 start, vec4 change)
 {
   Part part = Part(lit.x, lit.y);
@@ -195,12 +195,7 @@ void WalkFace(int face, vec4 start, vec4 change, Part part)
   vec3 from = a.xyz / a.w;
   vec3 to = b.xyz / b.w;
   ivec2 corner = GetCorner(face, 0);
-  int top = 0;
-  while (GetSize(top) > 1)
-  {
-    ++top;
-  }
-  MapWalk walk = BeginWalk(from.x, from.y, to.x, to.y, mapSize, mapSize, top);
+  MapWalk walk = BeginWalk(from.x, from.y, to.x, to.y, mapSize, mapSize, mapTop);
   // Each turn goes down a level or on by a cell: the bound is never reached, but NaN could.
   for (int guard = 32 * mapSize + 64; guard > 0; --guard)
   {

@@ -246,16 +246,16 @@ std::string vtkGodRaysShadowMapIntegrator::Describe(vtkGodRaysModel*)
 {
   std::ostringstream text;
   const vtkGodRaysShadowMap& map = this->Internal->GetMap();
-  text << "shadow map: " << map.GetNumberOfFaces() << " of " << map.GetSize() << " x "
-       << map.GetSize() << " pixels for the last light"
+  text << "shadow map: " << map.GetNumberOfFaces() << " of " << map.GetFaces().Size << " x "
+       << map.GetFaces().Size << " pixels for the last light"
        << (map.WasKept() ? ", kept, " : ", drawn, ");
   if (map.GetNumberOfChanged() > 0)
   {
     text << "only " << map.GetNumberOfChanged() << " of " << map.GetNumberOfProps() << " props, ";
   }
   text << this->Internal->Done
-       << (this->Internal->OnProcessor ? this->Internal->GetLight().Walked.Walk.Describe() : "");
-  text << map.DescribeLayers();
+       << (this->Internal->OnProcessor ? this->Internal->GetLight().Walked.Walk.Describe() : "")
+       << map.DescribeLayers();
   return text.str();
 }
 

@@ -1,4 +1,4 @@
-// What shaders read of a light's shadow map and of its pyramid. Set by vtkGodRaysShadowTextures.
+// Reads a light's shadow map and its pyramid. vtkGodRaysShadowTextures sets the numbers.
 //
 // Heights of texels are 1 - window depth, towards the light: affine in the distance of a directional light,
 // and in 1/distance of a point light. Nodes have the least and the greatest of 2^level x 2^level texels.
@@ -13,12 +13,13 @@ uniform sampler2D evenLevels;
 uniform int mapSize;    // of a face [texels]
 uniform int mapColumns; // of faces
 uniform int mapRows;
+uniform int mapTop;         // the last level, of one node
 uniform int mapOffsets[16]; // where levels begin in their textures
 
 // Height of a texel without occluder, or of one beyond the face.
 const float nothing = -1e30;
 
-// Of a face at a level.
+// Returns how wide a face is at a level.
 int GetSize(int level)
 {
   return (mapSize + (1 << level) - 1) >> level;
@@ -34,8 +35,8 @@ float GetHeight(ivec2 corner, ivec2 texel)
   return depth < 1.0 ? 1.0 - depth : nothing;
 }
 
-// Of a texel's plane in x and y, for each texel. A slope towards nothing is larger than any other, and where
-// there is nothing to both sides, they do not agree.
+// Returns the slopes of a texel's plane in x and y, for each texel. A slope towards nothing is larger than
+// any other, and where there is nothing to both sides, they do not agree.
 vec2 GetSlopes(ivec2 corner, ivec2 texel, float height)
 {
   return vec2(TexelSlope(GetHeight(corner, texel - ivec2(1, 0)), height,
@@ -44,7 +45,7 @@ vec2 GetSlopes(ivec2 corner, ivec2 texel, float height)
       GetHeight(corner, texel + ivec2(0, 1))));
 }
 
-// The corner of a face at a level.
+// Returns the corner of a face at a level.
 ivec2 GetCorner(int face, int level)
 {
   return GetSize(level) * ivec2(face % mapColumns, face / mapColumns);

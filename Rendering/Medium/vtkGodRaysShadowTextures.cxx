@@ -12,6 +12,24 @@
 
 namespace
 {
+/// Returns how wide a face is at a level.
+int GetSize(const vtkGodRaysShadowFaces& faces, int level)
+{
+  return (faces.Size + (1 << level) - 1) >> level;
+}
+
+/// Finds where levels begin in their textures. Returns the last level, of one node.
+int FindLevels(const vtkGodRaysShadowFaces& faces, int offsets[16])
+{
+  int top = 0;
+  for (; GetSize(faces, top) > 1; ++top)
+  {
+    const int below = top - 1; // of the next level, in the same texture
+    offsets[top + 1] = below > 0 ? offsets[below] + faces.GetRows() * GetSize(faces, below) : 0;
+  }
+  return top;
+}
+
 void Bind(vtkGodRaysQuad& quad, vtkShaderProgram* program, const vtkGodRaysShadowMap& map,
   const vtkGodRaysTarget& even, const vtkGodRaysTarget& odd)
 {
@@ -20,11 +38,7 @@ void Bind(vtkGodRaysQuad& quad, vtkShaderProgram* program, const vtkGodRaysShado
   program->SetUniformi("mapColumns", faces.GetColumns());
   program->SetUniformi("mapRows", faces.GetRows());
   int offsets[16] = {};
-  for (int level = 3; level < 16; ++level)
-  {
-    const int below = level - 2;
-    offsets[level] = offsets[below] + faces.GetRows() * ((faces.Size + (1 << below) - 1) >> below);
-  }
+  program->SetUniformi("mapTop", FindLevels(faces, offsets));
   program->SetUniform1iv("mapOffsets", 16, offsets);
   quad.SetTexture("map", map.GetDepth());
   quad.SetTexture("evenLevels", even.GetColor());
@@ -53,22 +67,15 @@ bool vtkGodRaysShadowTextures::Draw(vtkOpenGLRenderWindow* window, const vtkGodR
     return true;
   }
   this->Version = 0;
-  const auto getSize = [&](int level) { return (faces.Size + (1 << level) - 1) >> level; };
-  int top = 0;
-  int heights[2] = { 0, 0 }; // of the textures
-  while (getSize(top) > 1)
+  int offsets[16] = {};
+  const int top = FindLevels(faces, offsets);
+  for (const int last : { top - 1, top })
   {
-    ++top;
-    heights[top & 1] += faces.GetRows() * getSize(top);
-  }
-  for (int odd = 0; odd < 2; ++odd)
-  {
-    this->Levels[odd].Prepare(
-      window, faces.GetColumns() * getSize(2 - odd), heights[odd], { GL_RG32F, 0 });
+    this->Levels[last & 1].Prepare(window, faces.GetColumns() * GetSize(faces, 2 - (last & 1)),
+      offsets[last] + faces.GetRows() * GetSize(faces, last), { GL_RG32F, 0 });
   }
   vtkOpenGLState* state = window->GetState();
   state->vtkglDisable(GL_BLEND);
-  int offsets[2] = { 0, 0 };
   for (int level = 1; level <= top; ++level)
   {
     vtkGodRaysTarget& target = this->Levels[level & 1];
@@ -78,11 +85,10 @@ bool vtkGodRaysShadowTextures::Draw(vtkOpenGLRenderWindow* window, const vtkGodR
     {
       return false;
     }
-    const int corner[2] = { 0, offsets[level & 1] };
-    const int size[2] = { faces.GetColumns() * getSize(level), faces.GetRows() * getSize(level) };
-    offsets[level & 1] += size[1];
-    state->vtkglViewport(corner[0], corner[1], size[0], size[1]);
-    state->vtkglScissor(corner[0], corner[1], size[0], size[1]);
+    const int width = faces.GetColumns() * GetSize(faces, level);
+    const int height = faces.GetRows() * GetSize(faces, level);
+    state->vtkglViewport(0, offsets[level], width, height);
+    state->vtkglScissor(0, offsets[level], width, height);
     program->SetUniformi("level", level);
     const vtkGodRaysTarget& below = this->Levels[1 - (level & 1)];
     Bind(this->Quad, program, map, below, below); // what is drawn into is no texture meanwhile

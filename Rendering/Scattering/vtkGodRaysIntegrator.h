@@ -99,7 +99,7 @@ protected:
   vtkGodRaysIntegrator() = default;
   ~vtkGodRaysIntegrator() override = default;
 
-  /// Whether light is summed on the processor, in the context that is current.
+  /// Returns whether light is summed on the processor, in the context that is current.
   bool UsesProcessor() const;
 
   int Backend = AUTOMATIC;
