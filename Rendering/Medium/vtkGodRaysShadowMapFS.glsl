@@ -55,7 +55,7 @@ const int steps = 32;
 
 LitRay ray;
 vec3 strength = vec3(0.0);            // what is scattered of a directional light, if airlight is closed
-vec2 lit;                             // from where to where light can come
+vec2 lit = vec2(0.0);                 // from where to where light can come
 float sums[channels * (steps + 1)];   // airlight up to the ends of steps
 vec3 airlight = vec3(0.0);            // up to where the walk is
 bool dark = false;

@@ -83,10 +83,24 @@ std::ostream& operator<<(std::ostream& os, const Counts& c)
 Counts Now;
 GLint RefusedFormat = 0; // of textures that are not made
 
+/// A compiler's warnings reach users' screens: where OpenGL has a debug output, VTK prints it.
+void ExpectNoWarning(GLuint program)
+{
+  GLuint shaders[4];
+  GLsizei count = 0;
+  glGetAttachedShaders(program, 4, &count, shaders);
+  for (int i = 0; i < count; ++i)
+  {
+    char log[4096] = "";
+    glGetShaderInfoLog(shaders[i], sizeof(log), nullptr, log);
+    EXPECT_EQ(std::string(log).find("warning"), std::string::npos) << log;
+  }
+}
+
 }
 
 COUNT_CALLS(CompileShader, (GLuint s), (s), ++Now.Shaders)
-COUNT_CALLS(LinkProgram, (GLuint p), (p), ++Now.Programs)
+COUNT_CALLS(LinkProgram, (GLuint p), (p), (++Now.Programs, ExpectNoWarning(p)))
 COUNT_CALLS(
   BufferData, (GLenum t, GLsizeiptr s, const void* d, GLenum u), (t, s, d, u), ++Now.Buffers)
 COUNT_CALLS(
