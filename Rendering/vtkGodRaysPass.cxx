@@ -4,6 +4,7 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
+#include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysPassInternals.h"
 #include "vtkGodRaysPresets.h"
 #include "vtkGodRaysRadialModel.h"
@@ -32,6 +33,18 @@ const double PaleSun[3] = { 1.0, 0.93, 0.82 }; // of media: warm light in haze i
 bool IsColor(vtkLight* light, const double color[3])
 {
   return std::equal(color, color + 3, light->GetDiffuseColor());
+}
+
+// A lamp behind the props: its shafts spread in the air, as those of the sun do in a look. The sun's own are
+// parallel, and in front of the props there is nothing that they are told from.
+bool IsLampInAir(vtkGodRaysModel* model)
+{
+  return vtkGodRaysHomogeneousModel::SafeDownCast(model) != nullptr;
+}
+
+bool IsSunLamp(vtkGodRaysModel* model, vtkRenderer* renderer)
+{
+  return IsLampInAir(model) || renderer->GetActiveCamera()->GetParallelProjection();
 }
 }
 
@@ -107,16 +120,17 @@ vtkLight* vtkGodRaysPass::PlaceSun(vtkRenderer* renderer)
 
 vtkLight* vtkGodRaysPass::PlaceSun(vtkRenderer* renderer, double x, double y)
 {
-  const bool isLamp = renderer && renderer->GetActiveCamera()->GetParallelProjection();
+  Internals& self = *this->Internal;
+  const bool isLamp = renderer && IsSunLamp(self.Model, renderer);
   double place[3];
-  if (!(isLamp ? vtkGodRaysSunPlacer::GetPosition(renderer, x, y, place)
+  double distance2;
+  if (!(isLamp ? vtkGodRaysSunPlacer::GetPosition(renderer, x, y, place, distance2)
                : vtkGodRaysSunPlacer::GetDirection(renderer, x, y, place)))
   {
     vtkErrorMacro(
       "PlaceSun needs a vtkRenderer with a camera that sees something; nothing is changed.");
     return nullptr;
   }
-  Internals& self = *this->Internal;
   if (!self.PlacedSun)
   {
     self.PlacedSun = vtkSmartPointer<vtkLight>::New();
@@ -125,6 +139,10 @@ vtkLight* vtkGodRaysPass::PlaceSun(vtkRenderer* renderer, double x, double y)
     self.PlacedSun->SetFocalPoint(0.0, 0.0, 0.0);
     self.PlacedSun->SetDiffuseColor(WarmSun[0], WarmSun[1], WarmSun[2]);
   }
+  // A lamp in the air is to light the props as a sun does; users' factors on that are kept.
+  const double strength = IsLampInAir(self.Model) ? distance2 : 1.0;
+  self.PlacedSun->SetIntensity(self.PlacedSun->GetIntensity() * strength / self.SunStrength);
+  self.SunStrength = strength;
   self.PlacedSun->SetPositional(isLamp);
   self.PlacedSun->SetPosition(place);
   self.SunIsKept = true;
@@ -218,7 +236,8 @@ void vtkGodRaysPass::MoveSun(vtkRenderer* renderer, bool isBlue)
   if (!this->IsSunMissing())
   {
     double now[2];
-    if (vtkGodRaysSunPlacer::FindPlace(renderer, self.PlacedSun, now) &&
+    if (IsSunLamp(self.Model, renderer) == (self.PlacedSun->GetPositional() != 0) &&
+      vtkGodRaysSunPlacer::FindPlace(renderer, self.PlacedSun, now) &&
       self.Placer->GetScoreAt(now[0], now[1]) >= goodPart * self.Placer->GetScore())
     {
       return;

@@ -107,7 +107,13 @@ bool vtkGodRaysPass::Internals::FindExposure(
     this->Surround = {};
     if (pass.DarkenLightBackground)
     {
-      this->Surround = this->Meter.FindSurround(pass.GetExposure());
+      double place[2] = { 0.5, 0.5 };
+      if (!this->Lights.empty())
+      {
+        vtkGodRaysSunPlacer::FindPlace(renderer, this->Lights.front(), place);
+      }
+      this->Surround =
+        this->Meter.FindSurround(pass.GetExposure(), place, renderer->GetTiledAspectRatio());
       this->Exposure.OverData *= this->Surround.Rays; // before white, light over data is a veil
       this->Exposure.OverDark *= this->Surround.Rays;
     }
@@ -118,9 +124,7 @@ bool vtkGodRaysPass::Internals::FindExposure(
   request.DarkExposure = this->Exposure.OverDark;
   request.DataGain = this->Exposure.DataGain;
   request.CapsData = pass.AutomaticExposure && request.SparesData; // shafts in a room are over data
-  request.SurroundPart = this->Surround.Part;
-  request.SurroundLight = this->Surround.Light;
-  request.SurroundRays = this->Surround.Rays;
+  request.Around = this->Surround.Part > 0.0 ? &this->Surround : nullptr;
   if (pass.DataFirst)
   {
     request.MostLightness = pass.MostDataLightness;

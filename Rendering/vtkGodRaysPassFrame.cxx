@@ -479,6 +479,7 @@ bool vtkGodRaysPass::DrawOutput(
     FindBeyond(s->GetRenderer(), 0.0, beyond);
     request.Tile[0] = beyond[0];
     request.Tile[1] = beyond[2];
+    request.PictureHeight = viewport[3] + beyond[2] + beyond[3];
     request.Scene = self.Scene.GetColor();
     request.Backdrop = self.HasBackdrop ? self.Backdrop.GetColor() : nullptr;
     request.Rays = light->GetTexture();

@@ -48,6 +48,7 @@ struct vtkGodRaysPass::Internals
   vtkGodRaysLightFinder Finder;
   std::vector<vtkGodRaysLight> FormerLights; // empty: memory for those of a frame
   vtkSmartPointer<vtkLight> PlacedSun;       // by PlaceSun()
+  double SunStrength = 1.0;                  // intensity that it has of PlaceSun()
   bool SunIsKept = false;                    // it has a place that was found or given
   vtkGodRaysDataLights DataLights;
   vtkNew<vtkGodRaysSunPlacer> Placer;
@@ -73,7 +74,7 @@ struct vtkGodRaysPass::Internals
   vtkGodRaysSum Scattering;             // light of all layers
   vtkGodRaysLightMeter Meter;
   vtkGodRaysLightMeter::Exposure Exposure;
-  vtkGodRaysLightMeter::Surround Surround;
+  vtkGodRaysBlendPass::Surround Surround;
   bool IsMetered = false; // the last frame was
   vtkGodRaysTimers Timers;
 

@@ -151,14 +151,22 @@ FUNCTION Real OrderedNoise(IN(Vec2) pixel)
   return 0.98 * (fract(52.9829189 * fract(dot(pixel, Vec2(0.06711056, 0.00583715)))) - 0.5);
 }
 
+// Luminance of what is lit at a distance from a light, by a fit to that of a picture.
+// Formula: exp(a + b u + c u^2), u = log(r + 0.05). [r: heights of the picture]
+FUNCTION Real RingLight(IN(Vec3) fit, IN(Real) r)
+{
+  GODRAYS_EXPECT(r >= 0.0);
+  Real u = log(r + 0.05);
+  return exp(fit.x + u * (fit.y + u * fit.z));
+}
+
 // A light background, which rays cannot make lighter. It keeps its colour where rays are as bright as a
-// reference, and becomes a cool grey in their shadows: white becomes sRGB's (178, 189, 208). The power makes
-// up for rays that are weaker far from their light.
-// Formula: a (1 - s (1 - g) (1 - min(Y/Y_ref, 1)^0.45)), g = (0.445, 0.509, 0.631). [linear light]
+// reference, and becomes a cool grey in their shadows: white becomes sRGB's (178, 189, 208).
+// Formula: a (1 - s (1 - g) (1 - min(Y/Y_ref, 1))), g = (0.445, 0.509, 0.631). [linear light]
 FUNCTION Vec3 BlendSurround(IN(Vec3) scene, IN(Vec3) rays, IN(Real) reference, IN(Real) part)
 {
   GODRAYS_EXPECT(reference > 0.0 && part >= 0.0 && part <= 1.0);
-  Real dark = part * (1.0 - pow(min(Luminance(rays) / reference, 1.0), 0.45));
+  Real dark = part * (1.0 - min(Luminance(rays) / reference, 1.0));
   return scene * (Vec3(1.0) - dark * Vec3(0.555, 0.491, 0.369));
 }
 
@@ -271,15 +279,4 @@ FUNCTION Vec4 EncodeSharedExponent(IN(int) variant, IN(Vec3) colour)
   Real scale = (variant == 1 ? 256.0 : 255.0) * exp2(-exponent);
   return Vec4(floor(light.x * scale + 0.5), floor(light.y * scale + 0.5),
     floor(light.z * scale + 0.5), exponent + 128.0);
-}
-
-// The inverse, for bytes. Formula: 2^(e - 128) mantissa. [the colour's unit]
-FUNCTION Vec3 DecodeSharedExponent(IN(int) variant, IN(Vec4) bytes)
-{
-  if (bytes.w == 0.0)
-  {
-    return Vec3(0.0);
-  }
-  return Vec3(bytes.x, bytes.y, bytes.z) *
-    (exp2(bytes.w - 128.0) / (variant == 1 ? 256.0 : 255.0));
 }

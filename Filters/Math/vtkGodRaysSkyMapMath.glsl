@@ -33,26 +33,6 @@ FUNCTION Vec3 SkyMapDirection(IN(int) kind, IN(Vec2) position)
   return Vec3(scale * position.x, scale * position.y, cos(angle));
 }
 
-// The inverse of SkyMapDirection. The nadir has no position in kind 0, and gets one far away.
-// Formula: kind 0 (x, y)/(1 + z). [no unit]
-FUNCTION Vec2 SkyMapPosition(IN(int) kind, IN(Vec3) direction)
-{
-  GODRAYS_EXPECT(kind >= 0 && kind <= 2 && abs(dot(direction, direction) - 1.0) < 1e-4);
-  Vec2 level = Vec2(direction.x, direction.y);
-  Real reach = length(level);
-  if (kind == 0)
-  {
-    return level / max(1.0 + direction.z, 1e-12);
-  }
-  if (kind == 1)
-  {
-    Real turn = reach > 0.0 ? atan(direction.x, direction.y) / 3.14159265358979324 : 0.0;
-    return Vec2(turn < 0.0 ? turn + 1.0 : turn - 1.0,
-      atan(direction.z, reach) / 1.57079632679489662);
-  }
-  return level * (atan(reach, direction.z) / 1.57079632679489662 / max(reach, 1e-12));
-}
-
 // The solid angle of a unit of a picture's area about a position.
 // Formula: kind 0 4/(1 + r^2)^2, kind 1 pi^2/2 cos(elevation), kind 2 pi/2 sin(angle)/r. [sr]
 FUNCTION Real SkyMapSolidAngle(IN(int) kind, IN(Vec2) position)

@@ -309,11 +309,3 @@ FUNCTION Vec3 SunLimb(IN(Real) part)
   return (1.0 + 0.5 * a) *
     Vec3(pow(square, 0.5 * a.x), pow(square, 0.5 * a.y), pow(square, 0.5 * a.z));
 }
-
-// What a march of the first order makes of a homogeneous step of optical depth tau, of what it is.
-// Formula: 1/MeanExponential(tau). [no unit]
-FUNCTION Real FirstOrderStepBias(IN(Real) tau)
-{
-  GODRAYS_EXPECT(tau >= 0.0);
-  return 1.0 / MeanExponential(tau);
-}

@@ -11,7 +11,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 
@@ -37,7 +36,6 @@ vtkGodRaysGridFilter::~vtkGodRaysGridFilter() = default;
 void vtkGodRaysGridFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Size: " << this->Size[0] << " " << this->Size[1] << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
 }
 
@@ -49,41 +47,11 @@ int vtkGodRaysGridFilter::FillInputPortInformation(int port, vtkInformation* inf
   return 1;
 }
 
-int vtkGodRaysGridFilter::RequestInformation(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
-{
-  vtkInformation* info = output->GetInformationObject(0);
-  const int extent[6] = { 0, this->Size[0] - 1, 0, this->Size[1] - 1, 0, 0 };
-  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 3);
-  return 1;
-}
-
-int vtkGodRaysGridFilter::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
-{
-  for (int port = 0; port < 2; ++port)
-  {
-    for (int i = 0; i < input[port]->GetNumberOfInformationObjects(); ++i)
-    {
-      vtkInformation* info = input[port]->GetInformationObject(i);
-      int extent[6];
-      info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
-    }
-  }
-  return 1;
-}
-
 int vtkGodRaysGridFilter::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
   vtkImageData* result = vtkImageData::GetData(output);
   std::string fault = this->FindFault();
-  if (this->Size[0] < 1 || this->Size[1] < 1 || this->Size[0] > 32768 || this->Size[1] > 32768)
-  {
-    fault = "the picture has no size. Set Size to two numbers in [1, 32768].";
-  }
   std::vector<vtkGodRaysGrid> grids;
   if (fault.empty())
   {

@@ -44,14 +44,6 @@ public:
 
   ///@{
   /**
-   * Set/Get the picture's width and height [pixels]. Valid range: [1, 32768]. Default is 256 and 256.
-   */
-  vtkSetVector2Macro(Size, int);
-  vtkGetVector2Macro(Size, int);
-  ///@}
-
-  ///@{
-  /**
    * Set/Get the accepted error [fraction of the picture's largest radiance]. Valid range: [1e-5, 0.1].
    * Default is 1/255.
    */
@@ -64,10 +56,6 @@ protected:
   ~vtkGodRaysGridFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestInformation(
-    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
-  int RequestUpdateExtent(
-    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
@@ -75,7 +63,6 @@ private:
   vtkGodRaysGridFilter(const vtkGodRaysGridFilter&) = delete;
   void operator=(const vtkGodRaysGridFilter&) = delete;
 
-  int Size[2] = { 256, 256 };
   double ErrorTolerance = 1.0 / 255.0;
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -36,6 +36,14 @@ public:
 
   ///@{
   /**
+   * Set/Get the picture's width and height [pixels]. Valid range: [1, 32768]. Default is 256 and 256.
+   */
+  vtkSetVector2Macro(Size, int);
+  vtkGetVector2Macro(Size, int);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get what the scalars of data are times, to be an extinction coefficient [1/scene unit for each of
    * their units]: say, a mass density's extinction for each unit of mass and area. Valid range: [0, 1e9].
    * Default is 1.
@@ -69,11 +77,19 @@ protected:
   vtkGodRaysGridMediumFilter() = default;
   ~vtkGodRaysGridMediumFilter() override = default;
 
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
   /**
-   * The images of a port as numbers. Returns which one cannot be used, and what to do; empty if all can.
+   * The images of a port as numbers. Returns what is wrong with Size, or which image cannot be used, and what
+   * to do; empty if all is well.
    */
   std::string ReadGrids(vtkInformationVector* input, std::vector<vtkGodRaysGrid>& grids) const;
 
+  int ScalarType = VTK_FLOAT; // of the output
+  int Size[2] = { 256, 256 };
   double DataScale = 1.0;
   double DataAlbedo[3] = { 1.0, 1.0, 1.0 };
   int DataPhaseFunction = HENYEY_GREENSTEIN;

@@ -14,7 +14,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <limits>
@@ -31,12 +30,12 @@ const double Infinity = std::numeric_limits<double>::infinity();
 vtkGodRaysSingleScatteringReference::vtkGodRaysSingleScatteringReference()
 {
   this->SetNumberOfInputPorts(3);
+  this->ScalarType = VTK_DOUBLE;
 }
 
 void vtkGodRaysSingleScatteringReference::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Size: " << this->Size[0] << " " << this->Size[1] << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
 }
 
@@ -48,38 +47,11 @@ int vtkGodRaysSingleScatteringReference::FillInputPortInformation(int port, vtkI
   return 1;
 }
 
-int vtkGodRaysSingleScatteringReference::RequestInformation(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
-{
-  vtkInformation* info = output->GetInformationObject(0);
-  const int extent[6] = { 0, this->Size[0] - 1, 0, this->Size[1] - 1, 0, 0 };
-  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_DOUBLE, 3);
-  return 1;
-}
-
-int vtkGodRaysSingleScatteringReference::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
-{
-  for (int i = 0; i < input[2]->GetNumberOfInformationObjects(); ++i)
-  {
-    vtkInformation* info = input[2]->GetInformationObject(i);
-    int extent[6];
-    info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
-  }
-  return 1; // and all of the occluders
-}
-
 int vtkGodRaysSingleScatteringReference::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
   vtkImageData* result = vtkImageData::GetData(output);
   std::string fault = this->FindFault();
-  if (this->Size[0] < 1 || this->Size[1] < 1 || this->Size[0] > 32768 || this->Size[1] > 32768)
-  {
-    fault = "the picture has no size. Set Size to two numbers in [1, 32768].";
-  }
   std::vector<vtkGodRaysGrid> grids;
   if (fault.empty())
   {

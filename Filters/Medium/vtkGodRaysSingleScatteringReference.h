@@ -50,14 +50,6 @@ public:
 
   ///@{
   /**
-   * Set/Get the picture's width and height [pixels]. Valid range: [1, 32768]. Default is 256 and 256.
-   */
-  vtkSetVector2Macro(Size, int);
-  vtkGetVector2Macro(Size, int);
-  ///@}
-
-  ///@{
-  /**
    * Set/Get the accepted error of each lit part's quadrature [fraction of the pixel without
    * occluders]. Valid range: [1e-12, 1e-2]. Default is 1e-9.
    */
@@ -70,10 +62,6 @@ protected:
   ~vtkGodRaysSingleScatteringReference() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestInformation(
-    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
-  int RequestUpdateExtent(
-    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
@@ -81,7 +69,6 @@ private:
   vtkGodRaysSingleScatteringReference(const vtkGodRaysSingleScatteringReference&) = delete;
   void operator=(const vtkGodRaysSingleScatteringReference&) = delete;
 
-  int Size[2] = { 256, 256 };
   double Tolerance = 1e-9;
 };
 

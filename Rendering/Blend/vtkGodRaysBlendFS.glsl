@@ -35,7 +35,8 @@ uniform float farLimit;
 uniform float dataExposure;  // of the rays over data that are seen, as a part of that elsewhere
 uniform float darkExposure;  // the same over data that are dark
 uniform float dataGain;      // on data, at most as much as the medium takes of their light
-uniform float surroundLight; // of rays before a light background where they leave it as it is
+uniform vec3 surroundLight;  // of rays before a light background where they leave it as it is, by distance
+uniform vec3 surroundPlace;  // from this place of the whole picture, and the size of a pixel [heights]
 uniform float surroundPart;  // by which it is darker where there are none
 uniform float surroundRays;  // part of the rays that is added to it
 uniform float mostLightness; // by which data change, if only their lightness does
@@ -234,7 +235,9 @@ void main()
   if (surround)
   {
     vec3 ground = dimmed ? mix(base, before, surroundPart) : base; // a medium's own light makes up for it
-    vec3 darker = BlendSurround(ground, light, surroundLight, surroundPart);
+    vec2 place = surroundPlace.z * (vec2(pixel + tile) + 0.5);
+    float lit = RingLight(surroundLight, distance(place, surroundPlace.xy));
+    vec3 darker = BlendSurround(ground, light, lit, surroundPart);
     sum = mix(Join(darker, surroundRays * light), sum, DataPart(pixel, shownOver.a));
   }
   if (lightnessAlone)

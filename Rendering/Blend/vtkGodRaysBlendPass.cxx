@@ -6,7 +6,6 @@
 #include "vtkGodRaysMedium.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysQuad.h"
-#include "vtkGodRaysResponse.h"
 #include "vtkGodRaysView.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -83,7 +82,7 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
     (request.CapsData || std::min(request.DataExposure, request.DarkExposure) < 1.0) &&
     !request.ShowRays && !metered;
   const bool gainsData = request.Medium && request.DataGain > 1.0 && !request.ShowRays && !metered;
-  const bool surround = request.SurroundPart > 0.0 && !request.ShowRays && !metered;
+  const bool surround = request.Around && !request.ShowRays && !metered;
   const bool lightnessAlone = request.MostLightness >= 0.0 && !request.ShowRays && !metered;
   const bool showsData = metered || surround || sparesData || gainsData || lightnessAlone;
   const bool hasOpacity = request.Opacity && showsData;
@@ -135,9 +134,7 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
   program->SetUniform2i("tile", request.Tile);
   if (request.Tint)
   {
-    const float tint[3] = { static_cast<float>(request.Tint[0]),
-      static_cast<float>(request.Tint[1]), static_cast<float>(request.Tint[2]) };
-    program->SetUniform3f("tint", tint);
+    vtkGodRaysQuad::SetVector(program, "tint", request.Tint);
   }
   if (request.Rays)
   {
@@ -145,7 +142,7 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
   }
   if (request.Rays && request.Response)
   {
-    const vtkGodRaysResponse& response = *request.Response;
+    const LightResponse& response = *request.Response;
     const float place[4] = { static_cast<float>(response.Light[0]),
       static_cast<float>(response.Light[1]), static_cast<float>(response.Heights[0]),
       static_cast<float>(response.Heights[1]) };
@@ -167,14 +164,20 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
   }
   if (surround || sparesData || gainsData || lightnessAlone)
   {
-    program->SetUniformf("surroundLight", static_cast<float>(request.SurroundLight));
-    program->SetUniformf("surroundPart", static_cast<float>(request.SurroundPart));
-    program->SetUniformf("surroundRays", static_cast<float>(request.SurroundRays));
     program->SetUniformf("dataExposure", static_cast<float>(request.DataExposure));
     program->SetUniformf("darkExposure", static_cast<float>(request.DarkExposure));
     program->SetUniformf("dataGain", static_cast<float>(request.DataGain));
     program->SetUniformf("mostLightness", static_cast<float>(request.MostLightness));
     program->SetUniformi("alphaShowsData", request.AlphaShowsData ? 1 : 0);
+  }
+  if (surround)
+  {
+    const Surround& about = *request.Around;
+    const double place[3] = { about.Place[0], about.Place[1], 1.0 / request.PictureHeight };
+    vtkGodRaysQuad::SetVector(program, "surroundPlace", place);
+    vtkGodRaysQuad::SetVector(program, "surroundLight", about.Light);
+    program->SetUniformf("surroundPart", static_cast<float>(about.Part));
+    program->SetUniformf("surroundRays", static_cast<float>(about.Rays));
   }
   if (request.Depth)
   {

@@ -26,7 +26,6 @@ class vtkOpenGLRenderWindow;
 class vtkTextureObject;
 class vtkWindow;
 struct vtkGodRaysMedium;
-struct vtkGodRaysResponse;
 struct vtkGodRaysView;
 
 class VTKGODRAYSRENDERING_EXPORT vtkGodRaysBlendPass : public vtkObject
@@ -35,6 +34,29 @@ public:
   static vtkGodRaysBlendPass* New();
   vtkTypeMacro(vtkGodRaysBlendPass, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// How rays darken a light background, see BlendSurround() and RingLight() in the formulas. Lengths are
+  /// heights of the whole picture.
+  struct Surround
+  {
+    double Part = 0.0; ///< of the way to grey; 0: the background is not light
+    double Rays = 1.0; ///< part of the rays that is added, too
+    double Light[3] = { 0.0, 0.0,
+      0.0 };                        ///< of RingLight(): luminance of rays that leave it as it is
+    double Place[2] = { 0.0, 0.0 }; ///< about which the rings are
+  };
+
+  /// How the sum of one light of a look is shown, see RadialResponse() in the formulas. Lengths are as above.
+  struct LightResponse
+  {
+    double Light[2] = { 0.5, 0.5 };   ///< its place in the picture of the sum, from 0 to 1
+    double Heights[2] = { 1.0, 1.0 }; ///< width and height of that picture
+    double Nearest = 0.0;             ///< distance from the light to the picture
+    double Reach = 0.0;               ///< over which rays fade to 1/e; 0: they do not
+    double Streaks = 0.0;             ///< amplitude
+
+    bool IsLinear() const { return this->Reach <= 0.0 && this->Streaks <= 0.0; }
+  };
 
   /// What to join, and how.
   struct Request
@@ -45,7 +67,7 @@ public:
     vtkTextureObject* Scene = nullptr; ///< colours of the viewport; not read when ShowRays
     vtkTextureObject* Rays = nullptr;  ///< null for none, with a Medium only
     const double* Tint = nullptr;      ///< if the rays have one channel: their colour where it is 1
-    const vtkGodRaysResponse* Response = nullptr; ///< of the rays; null for none
+    const LightResponse* Response = nullptr; ///< of the rays; null for none
     double ViewScale = 1.0; ///< fraction of the rays' size that is shown; 1 unless ShowRays
     vtkTextureObject* Backdrop = nullptr; ///< background that is put under the result later
     double Intensity = 1.0;
@@ -54,14 +76,13 @@ public:
     bool SparesData = true;       ///< it weakens them over data alone, if data ask for it
     vtkGodRaysTransfer Transfer = vtkGodRaysTransfer::SRGB;
     bool Screen = false;
-    bool Bytes = false;          ///< whether the scene's and the framebuffer's values are of 8 bits
-    bool Shoulder = false;       ///< keep sums below white, unless Screen
-    double SurroundPart = 0.0;   ///< of the way to grey that a light background goes without rays
-    double SurroundLight = 1.0;  ///< luminance of rays that leave it as it is
-    double SurroundRays = 1.0;   ///< part of the rays that is added before it, too
-    double DataExposure = 1.0;   ///< factor on rays over data that are seen
-    double DarkExposure = 1.0;   ///< factor on rays over data that are dark
-    bool CapsData = false;       ///< rays over data have a cap, see CapLight() in the formulas
+    bool Bytes = false;    ///< whether the scene's and the framebuffer's values are of 8 bits
+    bool Shoulder = false; ///< keep sums below white, unless Screen
+    const Surround* Around = nullptr; ///< null: rays darken no background
+    double PictureHeight = 0.0;       ///< of the whole picture, if there are tiles [pixels]
+    double DataExposure = 1.0;        ///< factor on rays over data that are seen
+    double DarkExposure = 1.0;        ///< factor on rays over data that are dark
+    bool CapsData = false;            ///< rays over data have a cap, see CapLight() in the formulas
     double DataGain = 1.0;       ///< on data, at most as much as the medium takes of their light
     double MostLightness = -1.0; ///< by which data change, in L*, if only that may; else below 0
     bool AlphaShowsData = false; ///< it is 0 where nothing is drawn

@@ -12,6 +12,9 @@
 #include "vtkRenderer.h"
 #include "vtkTextureObject.h"
 
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -431,30 +434,56 @@ vtkGodRaysLightMeter::Exposure vtkGodRaysLightMeter::FindExposure(
   return result;
 }
 
-vtkGodRaysLightMeter::Surround vtkGodRaysLightMeter::FindSurround(double exposure)
+vtkGodRaysBlendPass::Surround vtkGodRaysLightMeter::FindSurround(
+  double exposure, const double place[2], double aspect)
 {
-  Surround result;
-  std::vector<double>& light = this->Ranked;
-  light.clear();
-  double lightness = 0.0;
-  for (const Sample& sample : this->Samples)
+  vtkGodRaysBlendPass::Surround result;
+  result.Place[0] = place[0] * aspect;
+  result.Place[1] = place[1];
+  for (auto& ring : this->Rings)
   {
+    ring.clear();
+  }
+  double lightness = 0.0;
+  double open = 0.0;
+  for (std::size_t i = 0; i < this->Samples.size(); ++i)
+  {
+    const Sample& sample = this->Samples[i];
     if (sample.DataPart < 0.5)
     {
       lightness += ToLab(ToVector(sample.Scene)).x;
-      light.push_back(exposure * vtkGodRays::Luminance(ToVector(sample.Rays)));
+      open += 1.0;
+      const double distance =
+        std::hypot((0.5 + static_cast<double>(i % Columns)) / Columns * aspect - result.Place[0],
+          (0.5 + static_cast<double>(i / Columns)) / Rows - result.Place[1]);
+      const double ring = std::min(distance * RingsInHeight, NumberOfRings - 1.0);
+      this->Rings[static_cast<std::size_t>(ring)].push_back(
+        exposure * vtkGodRays::Luminance(ToVector(sample.Rays)));
     }
   }
-  if (light.empty())
+  // least squares: the rings' 90th percentiles, each as often as it has samples
+  glm::dmat3 squares(0.0);
+  Vec3 sums(0.0);
+  for (int k = 0; k < NumberOfRings; ++k)
   {
-    return result;
+    std::vector<double>& ring = this->Rings[k];
+    const auto rank = ring.begin() + static_cast<std::ptrdiff_t>(0.9 * ring.size());
+    if (rank != ring.end())
+    {
+      std::nth_element(ring.begin(), rank, ring.end());
+      const double u = std::log((k + 0.5) / RingsInHeight + 0.05);
+      const Vec3 terms(1.0, u, u * u);
+      const double weight = *rank > 0.0 ? static_cast<double>(ring.size()) : 0.0;
+      squares += weight * glm::outerProduct(terms, terms);
+      sums += weight * std::log(std::max(*rank, 1e-30)) * terms;
+    }
   }
-  const auto rank = light.begin() + static_cast<std::ptrdiff_t>(0.9 * (light.size() - 1));
-  std::nth_element(light.begin(), rank, light.end());
-  if (*rank > 0.0)
+  if (squares[0][0] > 0.0)
   {
-    lightness /= static_cast<double>(light.size());
-    result.Light = *rank;
+    squares += 1e-6 * squares[0][0] * glm::dmat3(1.0); // few rings
+    const Vec3 fit = glm::inverse(squares) * sums;
+    std::copy_n(&fit.x, 3, result.Light);
+    lightness /= open;
     result.Part = glm::smoothstep(55.0, 78.0, lightness);
     result.Rays = 1.0 - glm::smoothstep(75.0, 90.0, lightness);
   }

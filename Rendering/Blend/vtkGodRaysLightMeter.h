@@ -101,20 +101,14 @@ public:
     double DataGain = 1.0; ///< on data behind a medium, see DataGain() in the formulas
   };
 
-  /// How rays darken a light background, see BlendSurround() in the formulas.
-  struct Surround
-  {
-    double Part = 0.0; ///< 0: it is not light, or has room for rays
-    double Light = 1.0;
-    double Rays = 1.0; ///< part of the rays that is added, too
-  };
-
   /**
    * The surround for the samples, whose rays have this factor: from none, where the lightness of the
-   * background is 60 [L*] on average, to all of it, from 80 on. Rays leave it as it is from the 90th
-   * percentile of theirs before it. All of them are added up to a lightness of 75, none from 90 on.
+   * background is 55 [L*] on average, to all of it, from 78 on. Rays leave it as it is from the 90th
+   * percentile of theirs before it, of the rings about a place of the picture, the light's, so that shafts
+   * are told from what a light loses with distance. All rays are added up to a lightness of 75, none from
+   * 90 on. Aspect is the picture's width over its height.
    */
-  Surround FindSurround(double exposure);
+  vtkGodRaysBlendPass::Surround FindSurround(double exposure, const double place[2], double aspect);
 
   /**
    * The exposure for the samples: the largest, at most largest, with which the mean of the rays is MostMean
@@ -137,9 +131,12 @@ private:
 
   vtkGodRaysTarget Target;
   std::vector<Sample> Samples;
-  std::vector<float> Pixels;      // as read; kept for its memory, as the next two
-  std::vector<double> Ranked;     // to find a percentile of
-  std::unique_ptr<Fidelity> Data; // of the samples that show data
+  std::vector<float> Pixels;               // as read; kept for its memory, as the next two
+  std::vector<double> Ranked;              // to find a percentile of
+  static constexpr int NumberOfRings = 24; // about a light; the last is all that is beyond
+  static constexpr double RingsInHeight = 12.0;
+  std::array<std::vector<double>, NumberOfRings> Rings; // the same
+  std::unique_ptr<Fidelity> Data;                       // of the samples that show data
   bool HasAlpha = true;
 };
 

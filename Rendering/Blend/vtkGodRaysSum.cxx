@@ -86,7 +86,7 @@ bool vtkGodRaysSum::Add(vtkGodRaysTarget& colors, const double tint[3], double v
 }
 
 bool vtkGodRaysSum::Draw(vtkGodRaysTarget& colors, const double tint[3], double viewScale,
-  const vtkGodRaysResponse& response)
+  const vtkGodRaysBlendPass::LightResponse& response)
 {
   vtkGodRaysBlendPass::Request request;
   request.Accumulate = this->Drawn;
@@ -123,7 +123,7 @@ const double* vtkGodRaysSum::GetTint() const
   return this->Lent && this->Lent->HasOneChannel() ? this->Tint : nullptr;
 }
 
-const vtkGodRaysResponse* vtkGodRaysSum::GetResponse() const
+const vtkGodRaysBlendPass::LightResponse* vtkGodRaysSum::GetResponse() const
 {
   return this->Lent && !this->LentResponse.IsLinear() ? &this->LentResponse : nullptr;
 }

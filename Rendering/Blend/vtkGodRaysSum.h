@@ -14,10 +14,9 @@
 #ifndef vtkGodRaysSum_h
 #define vtkGodRaysSum_h
 
-#include "vtkGodRaysResponse.h"
+#include "vtkGodRaysBlendPass.h" // For LightResponse
 #include "vtkGodRaysTarget.h"
 
-class vtkGodRaysBlendPass;
 class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkWindow;
@@ -38,7 +37,10 @@ public:
   /**
    * Set the response of the lights that are added from now on, until Begin(). Default is a linear one.
    */
-  void SetResponse(const vtkGodRaysResponse& response) { this->Response = response; }
+  void SetResponse(const vtkGodRaysBlendPass::LightResponse& response)
+  {
+    this->Response = response;
+  }
   bool IsLinear() const { return this->Response.IsLinear(); }
 
   /**
@@ -82,7 +84,7 @@ public:
   /**
    * The response with which the texture is to be shown; null if there is none.
    */
-  const vtkGodRaysResponse* GetResponse() const;
+  const vtkGodRaysBlendPass::LightResponse* GetResponse() const;
 
   ///@{
   /**
@@ -99,7 +101,7 @@ public:
 private:
   bool BindTarget();
   bool Draw(vtkGodRaysTarget& colors, const double tint[3], double viewScale,
-    const vtkGodRaysResponse& response);
+    const vtkGodRaysBlendPass::LightResponse& response);
 
   vtkGodRaysTarget Target;
   vtkSmartPointer<vtkGodRaysBlendPass> Adding;
@@ -109,8 +111,8 @@ private:
   unsigned int Format = 0;
   bool Drawn = false;
   vtkGodRaysTarget Staging; // of one light with a response, which is drawn rather than lent
-  vtkGodRaysResponse Response;
-  vtkGodRaysResponse LentResponse;
+  vtkGodRaysBlendPass::LightResponse Response;
+  vtkGodRaysBlendPass::LightResponse LentResponse;
   vtkGodRaysTarget* Lent = nullptr;
   unsigned int LentVersion = 0;
   double Tint[3] = { 1.0, 1.0, 1.0 };

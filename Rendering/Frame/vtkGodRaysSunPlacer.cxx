@@ -619,8 +619,10 @@ bool vtkGodRaysSunPlacer::GetDirection(
   return true;
 }
 
-bool vtkGodRaysSunPlacer::GetPosition(vtkRenderer* renderer, double x, double y, double position[3])
+bool vtkGodRaysSunPlacer::GetPosition(
+  vtkRenderer* renderer, double x, double y, double position[3], double& distance2)
 {
+  constexpr double beyond = 0.05; // diagonals of the box: near it, shafts in the air are strongest
   double direction[3];
   double ends[2][4];
   if (!GetDirection(renderer, x, y, direction) ||
@@ -650,8 +652,11 @@ bool vtkGodRaysSunPlacer::GetPosition(vtkRenderer* renderer, double x, double y,
   }
   for (int i = 0; i < 3; ++i)
   {
-    position[i] = start[i] + (farthest + box.GetDiagonalLength()) * direction[i];
+    position[i] = start[i] + (farthest + beyond * box.GetDiagonalLength()) * direction[i];
   }
+  double center[3];
+  box.GetCenter(center);
+  distance2 = vtkMath::Distance2BetweenPoints(center, position);
   return true;
 }
 

@@ -41,6 +41,17 @@ vtkStandardNewMacro(vtkGodRaysOcclusionPass);
 
 namespace
 {
+void SetUpDrawing(vtkOpenGLState* state)
+{
+  state->vtkglClearDepth(1.0);
+  state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(
+    GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
 /// While it lives, the renderer looks through a camera whose picture includes the margin, if any.
 void IncludeMargin(vtkRenderer* renderer, const vtkGodRaysView& view,
   vtkSmartPointer<vtkCamera>& wide, std::optional<vtkGodRaysProjection>& projection)
@@ -229,13 +240,7 @@ bool vtkGodRaysOcclusionPass::Begin(const Request& request)
   const int height = self.Height = enlarged(request.SceneDepth->GetHeight());
 
   vtkOpenGLState* state = request.Window->GetState();
-  state->vtkglClearDepth(1.0);
-  state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthMask(GL_TRUE);
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFuncSeparate(
-    GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  SetUpDrawing(state);
   std::optional<vtkGodRaysProjection> camera;
   IncludeMargin(request.Renderer, *request.View, self.WideCamera, camera);
 
@@ -377,14 +382,8 @@ bool vtkGodRaysOcclusionPass::Compose(const vtkGodRaysLight& light)
     {
       return false;
     }
-    state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-    state->vtkglClearDepth(1.0);
-    state->vtkglDepthMask(GL_TRUE);
+    SetUpDrawing(state);
     state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    state->vtkglEnable(GL_DEPTH_TEST);
-    state->vtkglEnable(GL_BLEND);
-    state->vtkglBlendFuncSeparate(
-      GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     std::optional<vtkGodRaysProjection> camera;
     IncludeMargin(frame.Renderer, *frame.View, self.WideCamera, camera);
     light.Prop->RenderOpaqueGeometry(frame.Renderer);

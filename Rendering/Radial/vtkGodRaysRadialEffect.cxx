@@ -102,11 +102,11 @@ bool vtkGodRaysRadialEffect::DrawLight(const Frame& frame, const vtkGodRaysLight
  * The response of a light. Streaks are as strong as the model has them where the data make at most 3 shafts,
  * and fade where the data make more of their own, up to 8.
  */
-vtkGodRaysResponse vtkGodRaysRadialEffect::GetResponse(
+vtkGodRaysBlendPass::LightResponse vtkGodRaysRadialEffect::GetResponse(
   const Frame& frame, const vtkGodRaysLight& light)
 {
   constexpr double farthest = 1e3; // [heights] as good as infinitely far
-  vtkGodRaysResponse response;
+  vtkGodRaysBlendPass::LightResponse response;
   const double* picture = frame.Picture;
   response.Heights[1] = 1.0 / picture[3];
   response.Heights[0] = response.Heights[1] * frame.View->Aspect;

@@ -10,7 +10,6 @@
 
 #include "vtkGodRaysEffect.h"
 #include "vtkGodRaysRadialIntegrator.h" // For Request
-#include "vtkGodRaysResponse.h"
 #include "vtkGodRaysSum.h"
 
 #include <vector>
@@ -43,7 +42,7 @@ public:
 
 private:
   bool ComposeLayer(const Frame& frame, const vtkGodRaysLight& light);
-  vtkGodRaysResponse GetResponse(const Frame& frame, const vtkGodRaysLight& light);
+  vtkGodRaysBlendPass::LightResponse GetResponse(const Frame& frame, const vtkGodRaysLight& light);
   void Verify(
     const vtkGodRaysRadialIntegrator::Request& request, vtkGodRaysVerification& verification) const;
 

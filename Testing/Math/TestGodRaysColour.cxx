@@ -168,3 +168,29 @@ TEST(SeenPart, GrowsFromTheDark)
   EXPECT_EQ(SeenPart(LightOfLab(Vec3(20.1, 0.0, 0.0))), 1.0);
   EXPECT_EQ(SeenPart(Vec3(1.0)), 1.0);
 }
+
+//------------------------------------------------------------------------------
+TEST(BlendSurround, KeepsWhatIsLitAndDarkensShadows)
+{
+  const Vec3 white(1.0);
+  const Vec3 rays(0.3, 0.2, 0.1);
+  EXPECT_EQ(BlendSurround(white, rays, Luminance(rays), 1.0), white);
+  EXPECT_EQ(BlendSurround(white, 2.0 * rays, Luminance(rays), 1.0), white);
+  EXPECT_EQ(BlendSurround(white, Vec3(0.0), 1.0, 0.0), white);
+  const Vec3 shadow = 255.0 * EncodeDisplay(BlendSurround(white, Vec3(0.0), 1.0, 1.0));
+  EXPECT_NEAR(length(shadow - Vec3(178.0, 189.0, 208.0)), 0.0, 0.5);
+  const Vec3 half = BlendSurround(white, 0.5 * rays, Luminance(rays), 1.0);
+  EXPECT_NEAR(half.x, 0.5 * (1.0 + 0.445), 1e-12);
+}
+
+//------------------------------------------------------------------------------
+TEST(RingLight, IsTheFit)
+{
+  for (const double r : { 0.0, 0.1, 0.95, 3.0 })
+  {
+    EXPECT_NEAR(RingLight(Vec3(std::log(2.0), 0.0, 0.0), r), 2.0, 1e-12);
+    EXPECT_NEAR(RingLight(Vec3(0.0, -1.0, 0.0), r) * (r + 0.05), 1.0, 1e-12);
+    EXPECT_NEAR(
+      std::log(RingLight(Vec3(0.0, 0.0, -1.0), r)), -std::pow(std::log(r + 0.05), 2.0), 1e-9);
+  }
+}

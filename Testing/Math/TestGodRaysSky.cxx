@@ -63,6 +63,35 @@ double Slope(double zenithAngle)
 {
   return zenithAngle == 90.0 ? 0.0 : std::cos(zenithAngle * pi / 180.0);
 }
+
+/// The inverse of EncodeSharedExponent(), for bytes. Formula: 2^(e - 128) mantissa. [the colour's unit]
+Vec3 DecodeSharedExponent(int variant, const Vec4& bytes)
+{
+  if (bytes.w == 0.0)
+  {
+    return Vec3(0.0);
+  }
+  return Vec3(bytes.x, bytes.y, bytes.z) *
+    (std::exp2(bytes.w - 128.0) / (variant == 1 ? 256.0 : 255.0));
+}
+
+/// The inverse of SkyMapDirection(). The nadir has no position in kind 0, and gets one far away.
+/// Formula: kind 0 (x, y)/(1 + z). [no unit]
+Vec2 SkyMapPosition(int kind, const Vec3& direction)
+{
+  const Vec2 level = Vec2(direction.x, direction.y);
+  const double reach = length(level);
+  if (kind == 0)
+  {
+    return level / std::max(1.0 + direction.z, 1e-12);
+  }
+  if (kind == 1)
+  {
+    const double turn = reach > 0.0 ? std::atan2(direction.x, direction.y) / pi : 0.0;
+    return Vec2(turn < 0.0 ? turn + 1.0 : turn - 1.0, std::atan2(direction.z, reach) / (0.5 * pi));
+  }
+  return level * (std::atan2(reach, direction.z) / (0.5 * pi) / std::max(reach, 1e-12));
+}
 }
 
 //------------------------------------------------------------------------------
@@ -309,14 +338,6 @@ TEST(Sky, CubeMapsCoverAllDirections)
   }
   EXPECT_NEAR(sum, 4.0 * pi, 1e-4);
   EXPECT_NEAR(length(mean), 0.0, 1e-9);
-}
-
-//------------------------------------------------------------------------------
-TEST(Sky, FirstOrderStepsAreTooBright)
-{
-  EXPECT_NEAR(FirstOrderStepBias(1.0), 1.0 / (1.0 - std::exp(-1.0)), 1e-14);
-  EXPECT_NEAR(FirstOrderStepBias(0.01), 1.005008, 1e-6);
-  EXPECT_EQ(FirstOrderStepBias(0.0), 1.0);
 }
 
 //------------------------------------------------------------------------------
