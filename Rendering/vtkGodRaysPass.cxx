@@ -37,14 +37,9 @@ bool IsColor(vtkLight* light, const double color[3])
 
 // A lamp behind the props: its shafts spread in the air, as those of the sun do in a look. The sun's own are
 // parallel, and in front of the props there is nothing that they are told from.
-bool IsLampInAir(vtkGodRaysModel* model)
+bool IsLampInAir(vtkGodRaysModel* model, vtkGodRaysSunPlacer* placer)
 {
-  return vtkGodRaysHomogeneousModel::SafeDownCast(model) != nullptr;
-}
-
-bool IsSunLamp(vtkGodRaysModel* model, vtkRenderer* renderer)
-{
-  return IsLampInAir(model) || renderer->GetActiveCamera()->GetParallelProjection();
+  return vtkGodRaysHomogeneousModel::SafeDownCast(model) && placer->GetCoverage() > 0.0;
 }
 }
 
@@ -121,7 +116,8 @@ vtkLight* vtkGodRaysPass::PlaceSun(vtkRenderer* renderer)
 vtkLight* vtkGodRaysPass::PlaceSun(vtkRenderer* renderer, double x, double y)
 {
   Internals& self = *this->Internal;
-  const bool isLamp = renderer && IsSunLamp(self.Model, renderer);
+  const bool isLamp =
+    renderer && (self.PlacesLamp || renderer->GetActiveCamera()->GetParallelProjection());
   double place[3];
   double distance2;
   if (!(isLamp ? vtkGodRaysSunPlacer::GetPosition(renderer, x, y, place, distance2)
@@ -140,7 +136,7 @@ vtkLight* vtkGodRaysPass::PlaceSun(vtkRenderer* renderer, double x, double y)
     self.PlacedSun->SetDiffuseColor(WarmSun[0], WarmSun[1], WarmSun[2]);
   }
   // A lamp in the air is to light the props as a sun does; users' factors on that are kept.
-  const double strength = IsLampInAir(self.Model) ? distance2 : 1.0;
+  const double strength = self.PlacesLamp ? distance2 : 1.0;
   self.PlacedSun->SetIntensity(self.PlacedSun->GetIntensity() * strength / self.SunStrength);
   self.SunStrength = strength;
   self.PlacedSun->SetPositional(isLamp);
@@ -233,10 +229,12 @@ void vtkGodRaysPass::MoveSun(vtkRenderer* renderer, bool isBlue)
   Internals& self = *this->Internal;
   self.Placer->Find(renderer);
   const double* place = self.Placer->GetPlace();
+  const bool isLampInAir = IsLampInAir(self.Model, self.Placer);
+  const bool isLamp = isLampInAir || renderer->GetActiveCamera()->GetParallelProjection();
   if (!this->IsSunMissing())
   {
     double now[2];
-    if (IsSunLamp(self.Model, renderer) == (self.PlacedSun->GetPositional() != 0) &&
+    if (isLamp == (self.PlacedSun->GetPositional() != 0) &&
       vtkGodRaysSunPlacer::FindPlace(renderer, self.PlacedSun, now) &&
       self.Placer->GetScoreAt(now[0], now[1]) >= goodPart * self.Placer->GetScore())
     {
@@ -245,7 +243,10 @@ void vtkGodRaysPass::MoveSun(vtkRenderer* renderer, bool isBlue)
   }
   const bool hasOwnColor = self.PlacedSun && !IsColor(self.PlacedSun, WarmSun) &&
     !IsColor(self.PlacedSun, CoolSun) && !IsColor(self.PlacedSun, PaleSun);
-  if (this->PlaceSun(renderer, place[0], place[1]))
+  self.PlacesLamp = isLampInAir;
+  const bool isPlaced = this->PlaceSun(renderer, place[0], place[1]) != nullptr;
+  self.PlacesLamp = false;
+  if (isPlaced)
   {
     self.SunIsKept = self.Placer->GetCoverage() > 0.0;
     const double* color = self.Effect->DimsScene() ? PaleSun : isBlue ? CoolSun : WarmSun;

@@ -132,14 +132,14 @@ public:
    * Put a sun behind the scene: where it makes the most shafts, see vtkGodRaysSunPlacer, or at a place of
    * the picture, from (0, 0) at the lower left to (1, 1). The former is found in the next frame, by what
    * that covers of the picture; until then the sun stands at (0.35, 0.75). The sun is a directional
-   * vtkLight; in a parallel projection, which sees no sun but straight ahead, and in a
-   * vtkGodRaysHomogeneousModel's air, in which shafts of a lamp spread and those of a sun do not, a lamp
-   * closely behind the scene, there with the squared distance to its middle as its intensity, so that props
-   * get 1. The light's diffuse colour is warm, (1, 0.85, 0.62), before a blue background that is not dark a
-   * cool (0.81, 0.91, 1), in a medium a pale (1, 0.93, 0.82); a colour that is set by hand stays. It is this
-   * pass's alone: the renderer keeps the lights by which it shades the scene. It stays where it is in the
-   * world while the camera moves; a further call moves it. Returns the light; null, after an error, without
-   * a renderer.
+   * vtkLight; in a parallel projection, which sees no sun but straight ahead, a lamp closely behind the
+   * scene. It is one, too, where a place is found in the air of a vtkGodRaysHomogeneousModel, in which a
+   * lamp's shafts spread and a sun's do not; its intensity is the squared distance to the scene's middle
+   * there, so that props get 1. The light's diffuse colour is warm, (1, 0.85, 0.62), before a blue
+   * background that is not dark a cool (0.81, 0.91, 1), in a medium a pale (1, 0.93, 0.82); a colour that is
+   * set by hand stays. It is this pass's alone: the renderer keeps the lights by which it shades the scene.
+   * It stays where it is in the world while the camera moves; a further call moves it. Returns the light;
+   * null, after an error, without a renderer.
    */
   vtkLight* PlaceSun(vtkRenderer* renderer);
   vtkLight* PlaceSun(vtkRenderer* renderer, double x, double y);
