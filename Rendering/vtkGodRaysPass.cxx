@@ -136,7 +136,7 @@ vtkLight* vtkGodRaysPass::PlaceSun(vtkRenderer* renderer, double x, double y)
     self.PlacedSun->SetDiffuseColor(WarmSun[0], WarmSun[1], WarmSun[2]);
   }
   // A lamp in the air is to light the props as a sun does; users' factors on that are kept.
-  const double strength = self.PlacesLamp ? distance2 : 1.0;
+  const double strength = self.PlacesLamp && distance2 > 0.0 ? distance2 : 1.0; // 0: a single point
   self.PlacedSun->SetIntensity(self.PlacedSun->GetIntensity() * strength / self.SunStrength);
   self.SunStrength = strength;
   self.PlacedSun->SetPositional(isLamp);

@@ -412,7 +412,7 @@ TEST(LightBackground, IsDarkerInShadows)
   {
     std::sort(ring.second.begin(), ring.second.end());
   }
-  // What is lit stays white and full shadow is a cool grey, sRGB's (178, 189, 208), at each distance.
+  // Lit places stay white, and full shadow becomes a cool grey, sRGB's (178, 189, 208), at each distance.
   int darker = 0;
   const auto compare = [&](bool byRing)
   {
