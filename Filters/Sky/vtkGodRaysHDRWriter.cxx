@@ -10,9 +10,7 @@
 #include "vtkPointData.h"
 #include "vtksys/FStream.hxx"
 
-#include <algorithm>
 #include <string>
-#include <vector>
 
 vtkStandardNewMacro(vtkGodRaysHDRWriter);
 
@@ -44,75 +42,21 @@ std::string FindFault(vtkImageData* image, const char* fileName)
   return {};
 }
 
-// Radiance's run lengths: a count above 128 repeats the byte that follows, one below goes before as many.
-void AppendRuns(const std::vector<unsigned char>& bytes, std::string& to)
-{
-  constexpr std::size_t shortestRun = 3;
-  std::size_t start = 0;
-  while (start < bytes.size())
-  {
-    // From start, the next run that is worth while.
-    std::size_t run = start;
-    std::size_t length = 0;
-    for (; run < bytes.size(); run += length)
-    {
-      length = 1;
-      while (run + length < bytes.size() && length < 127 && bytes[run + length] == bytes[run])
-      {
-        ++length;
-      }
-      if (length >= shortestRun)
-      {
-        break;
-      }
-    }
-    while (start < run)
-    {
-      const std::size_t count = std::min<std::size_t>(run - start, 128);
-      to += static_cast<char>(count);
-      to.append(reinterpret_cast<const char*>(bytes.data() + start), count);
-      start += count;
-    }
-    if (run < bytes.size())
-    {
-      to += static_cast<char>(128 + length);
-      to += static_cast<char>(bytes[run]);
-      start = run + length;
-    }
-  }
-}
-
-// A row of the file.
+// A row of the file, without run lengths: light is hardly ever the same in two pixels. The format tells rows
+// with and without by their first bytes, which light has not: of its mantissas, one is 128 at least.
 std::string EncodeRow(vtkDataArray* scalars, vtkIdType first, int width)
 {
   const int green = scalars->GetNumberOfComponents() > 1 ? 1 : 0;
-  std::vector<unsigned char> channels[4];
-  for (int x = 0; x < width; ++x)
+  std::string row;
+  for (vtkIdType i = first; i < first + width; ++i)
   {
-    const vtkGodRays::Vec3 light(scalars->GetComponent(first + x, 0),
-      scalars->GetComponent(first + x, green), scalars->GetComponent(first + x, 2 * green));
+    const vtkGodRays::Vec3 light(scalars->GetComponent(i, 0), scalars->GetComponent(i, green),
+      scalars->GetComponent(i, 2 * green));
     const vtkGodRays::Vec4 bytes = vtkGodRays::EncodeSharedExponent(1, light);
     for (int c = 0; c < 4; ++c)
     {
-      channels[c].push_back(static_cast<unsigned char>(bytes[c]));
+      row += static_cast<char>(static_cast<unsigned char>(bytes[c]));
     }
-  }
-  std::string row;
-  if (width < 8 || width > 32767)
-  {
-    for (int x = 0; x < width; ++x)
-    {
-      for (const std::vector<unsigned char>& channel : channels)
-      {
-        row += static_cast<char>(channel[x]);
-      }
-    }
-    return row;
-  }
-  row = { 2, 2, static_cast<char>(width / 256), static_cast<char>(width % 256) };
-  for (const std::vector<unsigned char>& channel : channels)
-  {
-    AppendRuns(channel, row);
   }
   return row;
 }

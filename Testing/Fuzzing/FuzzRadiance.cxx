@@ -20,40 +20,18 @@
 
 namespace
 {
-/// The bytes of a row, run lengths undone, a channel after the other; moves at.
+/// The bytes of a row, a channel after the other; moves at.
 std::vector<std::uint8_t> ReadRow(const std::string& file, std::size_t& at, int width)
 {
-  const auto next = [&]
-  {
-    Require(at < file.size(), "a row ends within the file");
-    return static_cast<std::uint8_t>(file[at++]);
-  };
   std::vector<std::uint8_t> row(4 * static_cast<std::size_t>(width));
-  if (width < 8)
+  Require(at + row.size() <= file.size(), "a row ends within the file");
+  Require(width < 8 || file[at] != 2 || file[at + 1] != 2 || (file[at + 2] & 0x80),
+    "a row does not look like one of run lengths");
+  for (int x = 0; x < width; ++x)
   {
-    for (int x = 0; x < width; ++x)
+    for (int c = 0; c < 4; ++c)
     {
-      for (int c = 0; c < 4; ++c)
-      {
-        row[static_cast<std::size_t>(c * width + x)] = next();
-      }
-    }
-    return row;
-  }
-  Require(next() == 2 && next() == 2 && next() == width / 256 && next() == width % 256,
-    "a row says its width");
-  for (int c = 0; c < 4; ++c)
-  {
-    for (int x = 0; x < width;)
-    {
-      const int count = next();
-      const int length = count > 128 ? count - 128 : count;
-      Require(length > 0 && x + length <= width, "a run stays within its row");
-      const std::uint8_t value = count > 128 ? next() : 0;
-      for (int i = 0; i < length; ++i, ++x)
-      {
-        row[static_cast<std::size_t>(c * width + x)] = count > 128 ? value : next();
-      }
+      row[static_cast<std::size_t>(c * width + x)] = static_cast<std::uint8_t>(file[at++]);
     }
   }
   return row;
