@@ -47,15 +47,6 @@ FUNCTION Real KoschmiederContrast(IN(Real) inherent, IN(Real) tau)
   return inherent * exp(-tau);
 }
 
-// The same where the light on the way is known: airlight from before the target, and all from its direction
-// if it were not there. 0 in the dark.
-// Formula: inherent (all - airlight)/all. [no unit] [Duntley1948]
-FUNCTION Real AirlightContrast(IN(Real) inherent, IN(Real) airlight, IN(Real) all)
-{
-  GODRAYS_EXPECT(inherent >= 0.0 && airlight >= 0.0);
-  return all > 0.0 ? inherent * clamp((all - airlight) / all, 0.0, 1.0) : 0.0;
-}
-
 // How far a black target can be seen against the horizon where the extinction is everywhere the mean of a
 // way: the distance at which the contrast has fallen to threshold, 3.912/extinction for 0.02. Without
 // extinction there is none.

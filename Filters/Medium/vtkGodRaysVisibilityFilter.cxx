@@ -10,7 +10,6 @@
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysMedium.h"
 #include "vtkGodRaysSetGet.h"
-#include "vtkGodRaysSingleScattering.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
@@ -34,7 +33,6 @@ vtkStandardNewMacro(vtkGodRaysVisibilityFilter);
 vtkGodRaysSetFiniteMacro(vtkGodRaysVisibilityFilter, WorldUnitInMeters, 1e-12, 1e12);
 vtkGodRaysSetFiniteMacro(vtkGodRaysVisibilityFilter, InherentContrast, 0.0, 1e6);
 vtkGodRaysSetFiniteMacro(vtkGodRaysVisibilityFilter, ContrastThreshold, 1e-6, 0.999);
-vtkGodRaysSetModeMacro(vtkGodRaysVisibilityFilter, ContrastLaw, AIRLIGHT);
 
 namespace
 {
@@ -43,8 +41,7 @@ using vtkGodRays::Vec3;
 // Bounds that Testing/Filters/TestGodRaysVisibilityFilter.cxx holds.
 constexpr double PlaneError = 1e-9; // of an optical depth, relative; of a planet, next
 constexpr double PlanetError = 1e-4;
-constexpr double AirlightError = 1e-6; // of what the medium scatters without shadows
-constexpr double Nearness = 1e-6;      // of the size of everything: nearer, nothing is in the way
+constexpr double Nearness = 1e-6; // of the size of everything: nearer, nothing is in the way
 
 Vec3 ToVector(const double* v)
 {
@@ -261,73 +258,6 @@ public:
     return irradiance;
   }
 
-  // Airlight towards the observer from before each target, and, if asked for, from there to FarLimit, too.
-  // View rays are those of six cameras that look along the world's axes.
-  void FindAirlight(
-    vtkPointSet* targets, vtkPolyData* occluders, vtkDoubleArray* before, vtkDoubleArray* all) const
-  {
-    vtkGodRaysSingleScattering scattering;
-    scattering.SetOccluders(occluders);
-    double color[3];
-    const double unit = this->Infinite ? 1.0 : this->Self->WorldUnitInMeters;
-    for (int c = 0; c < 3; ++c)
-    {
-      color[c] = this->LightColor[c] / (unit * unit);
-    }
-    const double farLimit = std::max(this->Self->FarLimit, 2.0 * this->Size);
-    for (int side = 0; side < 6; ++side)
-    {
-      const int axis = side / 2;
-      const double sign = side % 2 == 0 ? 1.0 : -1.0;
-      View view{};
-      view.Forward[axis] = sign;
-      view.Right[(axis + 1) % 3] = 1.0;
-      view.Up[(axis + 2) % 3] = 1.0;
-      std::copy_n(this->Self->CameraPosition, 3, view.Position);
-      vtkGodRaysSingleScattering::Parameters parameters;
-      std::copy_n(view.Position, 3, parameters.Position);
-      std::copy_n(view.Right, 3, parameters.Right);
-      std::copy_n(view.Up, 3, parameters.Up);
-      std::copy_n(view.Forward, 3, parameters.Forward);
-      std::copy_n(this->Self->Light, 4, parameters.Light);
-      std::copy_n(color, 3, parameters.LightColor);
-      parameters.Spot = this->Self->GetSpot(view);
-      parameters.Medium = this->Self->GetMedium(view);
-      parameters.Medium.FarLimit = farLimit;
-      parameters.Tolerance = AirlightError;
-      scattering.SetParameters(parameters);
-      vtkSMPTools::For(0, targets->GetNumberOfPoints(),
-        [&](vtkIdType begin, vtkIdType end)
-        {
-          vtkGodRaysSingleScattering::Result ray;
-          for (vtkIdType i = begin; i < end; ++i)
-          {
-            double point[3];
-            targets->GetPoint(i, point);
-            const Vec3 way = ToVector(point) - this->Observer;
-            const Vec3 size = vtkGodRays::abs(way);
-            const int longest =
-              size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
-            const double depth = sign * way[axis];
-            if (longest != axis || !(depth > 0.0))
-            {
-              continue;
-            }
-            const double x = way[(axis + 1) % 3] / depth;
-            const double y = way[(axis + 2) % 3] / depth;
-            scattering.Evaluate(x, y, ray, depth);
-            before->SetTypedTuple(i, ray.Radiance);
-            if (all)
-            {
-              const double limit = this->Self->FarLimit / std::sqrt(1.0 + x * x + y * y);
-              scattering.Evaluate(x, y, ray, std::max(limit, depth));
-              all->SetTypedTuple(i, ray.Radiance);
-            }
-          }
-        });
-    }
-  }
-
 private:
   bool IsInShadow(const Vec3& target, vtkGenericCell* cell) const
   {
@@ -355,11 +285,6 @@ private:
 vtkGodRaysVisibilityFilter::vtkGodRaysVisibilityFilter()
 {
   this->SetNumberOfInputPorts(2);
-}
-
-void vtkGodRaysVisibilityFilter::SetOccludersConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(1, output);
 }
 
 void vtkGodRaysVisibilityFilter::SetOccludersData(vtkPolyData* occluders)
@@ -468,40 +393,9 @@ int vtkGodRaysVisibilityFilter::RequestData(
     AddError(
       result, "Irradiance", error * std::exp(-1.0), "fraction of the irradiance without a medium");
   }
-  const bool byAirlight = this->ContrastLaw == AIRLIGHT;
-  vtkSmartPointer<vtkDoubleArray> airlights;
-  vtkSmartPointer<vtkDoubleArray> wholes;
-  const auto makeAirlight = [count](vtkSmartPointer<vtkDoubleArray>& array)
-  {
-    array = vtkSmartPointer<vtkDoubleArray>::New();
-    array->SetNumberOfComponents(3);
-    array->SetNumberOfTuples(count);
-    array->Fill(0.0);
-  };
-  if (this->ComputeRadiance)
-  {
-    airlights = AddArray<vtkDoubleArray>(result, "Radiance", 3, "W m-2 sr-1");
-    airlights->Fill(0.0);
-    AddError(result, "Radiance", std::max(error, AirlightError),
-      "fraction of the radiance without occluders");
-  }
-  else if (byAirlight)
-  {
-    makeAirlight(airlights);
-  }
-  if (byAirlight)
-  {
-    makeAirlight(wholes);
-  }
-  AddError(result, "Contrast",
-    this->InherentContrast * (byAirlight ? 2.0 * AirlightError + error : error * std::exp(-1.0)),
-    "1");
+  AddError(result, "Contrast", this->InherentContrast * error * std::exp(-1.0), "1");
 
   const vtkInternals ways(this, targets, occluders);
-  if (airlights)
-  {
-    ways.FindAirlight(targets, occluders, airlights, wholes);
-  }
   vtkSMPThreadLocalObject<vtkGenericCell> cells;
   const auto evaluate = [&](vtkIdType i, vtkGenericCell* cell)
   {
@@ -515,10 +409,8 @@ int vtkGodRaysVisibilityFilter::RequestData(
       transmittances->SetTypedComponent(i, c, std::exp(-sight.Depth[c]));
     }
     constexpr int green = 1;
-    const double contrast = byAirlight
-      ? vtkGodRays::AirlightContrast(this->InherentContrast, airlights->GetTypedComponent(i, green),
-          wholes->GetTypedComponent(i, green))
-      : vtkGodRays::KoschmiederContrast(this->InherentContrast, sight.Depth[green]);
+    const double contrast =
+      vtkGodRays::KoschmiederContrast(this->InherentContrast, sight.Depth[green]);
     contrasts->SetValue(i, contrast);
     ranges->SetValue(i,
       sight.Depth[green] > 0.0 ? vtkGodRays::MeteorologicalRange(this->ContrastThreshold,
@@ -557,9 +449,7 @@ void vtkGodRaysVisibilityFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "WorldUnitInMeters: " << this->WorldUnitInMeters << "\n";
-  os << indent << "ContrastLaw: " << this->ContrastLaw << "\n";
   os << indent << "InherentContrast: " << this->InherentContrast << "\n";
   os << indent << "ContrastThreshold: " << this->ContrastThreshold << "\n";
   os << indent << "ComputeIrradiance: " << (this->ComputeIrradiance ? "on" : "off") << "\n";
-  os << indent << "ComputeRadiance: " << (this->ComputeRadiance ? "on" : "off") << "\n";
 }

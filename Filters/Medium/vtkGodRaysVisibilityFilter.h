@@ -14,19 +14,18 @@
  * | Distance_m            | m                   | from the observer                                          |
  * | OpticalDepth          | 1                   | tau of the way, three components                           |
  * | Transmittance         | 1                   | e^-tau, three components                                   |
- * | Contrast              | 1                   | of the target against the horizon: see ContrastLaw         |
+ * | Contrast              | 1                   | of the target against the horizon, by Koschmieder's law    |
  * | MeteorologicalRange_m | m                   | -ln(ContrastThreshold) distance/tau; infinite for tau = 0   |
  * | Hidden                | 1                   | 1: an occluder or the planet's ground is before the target |
  * | Visible               | 1                   | 1: not Hidden, and Contrast is at least ContrastThreshold  |
  * | Irradiance            | W m-2, see LightColor | of the light after the medium, across it, three components |
- * | Radiance              | W m-2 sr-1, alike   | scattered towards the observer from before the target      |
  *
  * Units are in the arrays' information, under vtkDataArray::UNITS_LABEL(). The field data have, for each of
  * them but the flags, <name>_Error: a bound of the error of the method, whose UNITS_LABEL says of what it is
  * a part. The arrays of the input keep their names; one of the same name is replaced.
  *
- * LightColor is in W m^-2 for a directional light and in W sr^-1 for a point light; Irradiance and Radiance
- * are in other units if it is. With LightColor 1, they are those of a light of 1: relative.
+ * LightColor is in W m^-2 for a directional light and in W sr^-1 for a point light; Irradiance is in
+ * other units if it is. With LightColor 1, it is that of a light of 1: relative.
  * WorldUnitInMeters is for Distance_m, the range, and the square of the distance from a point light.
  * Coefficients and scale heights are in scene units, as those of all filters of a medium.
  *
@@ -36,8 +35,7 @@
  *
  * Bytes do not depend on the number of threads. A parameter that cannot be used is one error that says what
  * to do, and the output is empty. CameraFocalPoint, CameraViewUp, ViewAngle, ParallelProjection and
- * ParallelScale are not read. The medium goes on beyond FarLimit, which is how far the horizon is, for
- * ContrastLaw AIRLIGHT alone.
+ * ParallelScale are not read. The medium goes on beyond FarLimit.
  *
  * @sa vtkGodRaysSingleScatteringReference
  */
@@ -66,23 +64,6 @@ public:
   vtkGetMacro(WorldUnitInMeters, double);
   ///@}
 
-  /// How a contrast falls with the distance.
-  enum ContrastLawType
-  {
-    KOSCHMIEDER = 0, ///< by the transmittance: the horizon is as bright at both ends
-    AIRLIGHT = 1     ///< by the light scattered before the target, and from there to FarLimit
-  };
-
-  ///@{
-  /**
-   * Set/Get how Contrast is computed, one of ContrastLawType. KOSCHMIEDER is Koschmieder's law, and needs no
-   * light. AIRLIGHT is Duntley's, with the airlight of Light, which occluders shadow; in an even medium with
-   * an even light and a far FarLimit both are the same. Default is KOSCHMIEDER.
-   */
-  void SetContrastLaw(int law);
-  vtkGetMacro(ContrastLaw, int);
-  ///@}
-
   ///@{
   /**
    * Set/Get the contrast of a target with the horizon from near by, without its sign [no unit]. 1 is that of
@@ -103,22 +84,18 @@ public:
 
   ///@{
   /**
-   * Set/Get whether there are the arrays Irradiance and Radiance. Among 100 000 triangles the second costs of
-   * the order of 100 us a point, all else 10 us. Defaults are on and off.
+   * Set/Get whether there is the array Irradiance. Default is on.
    */
   vtkSetMacro(ComputeIrradiance, bool);
   vtkGetMacro(ComputeIrradiance, bool);
   vtkBooleanMacro(ComputeIrradiance, bool);
-  vtkSetMacro(ComputeRadiance, bool);
-  vtkGetMacro(ComputeRadiance, bool);
-  vtkBooleanMacro(ComputeRadiance, bool);
   ///@}
 
   ///@{
   /**
    * Set what hides targets and casts shadows: the second input.
    */
-  void SetOccludersConnection(vtkAlgorithmOutput* output);
+  void SetOccludersConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetOccludersData(vtkPolyData* occluders);
   ///@}
 
@@ -152,11 +129,9 @@ private:
   std::string FindFaultOfAll() const;
 
   double WorldUnitInMeters = 1.0;
-  int ContrastLaw = KOSCHMIEDER;
   double InherentContrast = 1.0;
   double ContrastThreshold = 0.02;
   bool ComputeIrradiance = true;
-  bool ComputeRadiance = false;
 };
 
 #endif

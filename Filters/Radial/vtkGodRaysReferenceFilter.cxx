@@ -377,16 +377,6 @@ void vtkGodRaysReferenceFilter::SetOutputScalarType(int type)
   }
 }
 
-void vtkGodRaysReferenceFilter::SetOutputScalarTypeToDouble()
-{
-  this->SetOutputScalarType(VTK_DOUBLE);
-}
-
-void vtkGodRaysReferenceFilter::SetOutputScalarTypeToFloat()
-{
-  this->SetOutputScalarType(VTK_FLOAT);
-}
-
 int vtkGodRaysReferenceFilter::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {

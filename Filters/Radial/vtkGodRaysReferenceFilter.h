@@ -63,8 +63,8 @@ public:
    */
   void SetOutputScalarType(int type);
   vtkGetMacro(OutputScalarType, int);
-  void SetOutputScalarTypeToDouble();
-  void SetOutputScalarTypeToFloat();
+  void SetOutputScalarTypeToDouble() { this->SetOutputScalarType(VTK_DOUBLE); }
+  void SetOutputScalarTypeToFloat() { this->SetOutputScalarType(VTK_FLOAT); }
   ///@}
 
 protected:

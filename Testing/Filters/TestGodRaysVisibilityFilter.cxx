@@ -418,66 +418,6 @@ TEST(VisibilityFilter, IrradianceOfALamp)
 }
 
 //------------------------------------------------------------------------------
-// Airlight in all directions, and the contrast by it.
-TEST(VisibilityFilter, RadianceAndTheContrastByIt)
-{
-  const double scattering = 2e-3;
-  const double extinction = 2.5e-3;
-  std::vector<Vec3> places;
-  for (int x = -1; x <= 1; ++x)
-  {
-    for (int y = -1; y <= 1; ++y)
-    {
-      for (int z = -1; z <= 1; ++z)
-      {
-        places.emplace_back(400.0 * x, 500.0 * y, 600.0 * z);
-      }
-    }
-  }
-  vtkNew<Filter> filter;
-  filter->SetInputData(MakePoints(places));
-  SetMedium(filter, scattering, extinction - scattering);
-  filter->SetPhaseFunction(Filter::HENYEY_GREENSTEIN);
-  filter->SetAsymmetry(0.6);
-  const Vec3 sun(0.36, 0.48, 0.8);
-  filter->SetLight(sun.x, sun.y, sun.z, 0.0);
-  filter->SetLightColor(1000.0, 500.0, 250.0);
-  filter->ComputeRadianceOn();
-  filter->SetContrastLaw(Filter::AIRLIGHT);
-  filter->SetFarLimit(20.0 / extinction); // as good as infinite: e^-20
-  for (std::size_t i = 0; i < places.size(); ++i)
-  {
-    const double distance = vtkGodRays::length(places[i]);
-    if (distance == 0.0)
-    {
-      EXPECT_EQ(Get(filter, "Radiance", static_cast<vtkIdType>(i), 0), 0.0);
-      continue;
-    }
-    const double phase =
-      vtkGodRays::PhaseHenyeyGreenstein(vtkGodRays::dot(places[i] / distance, sun), 0.6);
-    const double expected =
-      1000.0 * scattering * phase * (1.0 - std::exp(-extinction * distance)) / extinction;
-    const auto point = static_cast<vtkIdType>(i);
-    EXPECT_NEAR(Get(filter, "Radiance", point, 0) / expected, 1.0, 1e-9) << i;
-    EXPECT_NEAR(Get(filter, "Radiance", point, 1) / expected, 0.5, 1e-9) << i;
-    EXPECT_NEAR(Get(filter, "Contrast", point), std::exp(-extinction * distance), 3e-8) << i;
-  }
-  // A wall overhead that shades the way alone: less airlight, more contrast.
-  const auto roof = MakeSquare({ Vec3(-100.0, -100.0, 30.0), Vec3(400.0, -100.0, 30.0),
-    Vec3(400.0, 100.0, 30.0), Vec3(-100.0, 100.0, 30.0) });
-  filter->SetInputData(MakePoints({ { 400.0, 0.0, 0.0 } }));
-  filter->SetLight(0.0, 0.0, 1.0, 0.0);
-  const double without = Get(filter, "Contrast");
-  filter->SetOccludersData(roof);
-  EXPECT_EQ(Get(filter, "Radiance"), 0.0);
-  EXPECT_NEAR(Get(filter, "Contrast"), 1.0, 1e-12);
-  EXPECT_NEAR(without, std::exp(-1.0), 1e-6);
-  filter->SetLightColor(0.0, 0.0, 0.0); // in the dark nothing is seen
-  EXPECT_EQ(Get(filter, "Contrast"), 0.0);
-  EXPECT_EQ(Get(filter, "Visible"), 0.0);
-}
-
-//------------------------------------------------------------------------------
 TEST(VisibilityFilter, ArraysHaveUnitsAndErrors)
 {
   vtkNew<Filter> filter;
@@ -493,12 +433,9 @@ TEST(VisibilityFilter, ArraysHaveUnitsAndErrors)
   EXPECT_EQ(grid->GetPointData()->GetNumberOfArrays(), 1);
   EXPECT_EQ(grid->GetFieldData()->GetNumberOfArrays(), 0);
   EXPECT_TRUE(output->GetPointData()->GetArray("Own"));
-  EXPECT_FALSE(output->GetPointData()->GetArray("Radiance")); // not asked for
-  filter->ComputeRadianceOn();
-  filter->Update();
   const std::pair<const char*, const char*> units[] = { { "Distance_m", "m" },
     { "OpticalDepth", "1" }, { "Transmittance", "1" }, { "Contrast", "1" },
-    { "MeteorologicalRange_m", "m" }, { "Irradiance", "W m-2" }, { "Radiance", "W m-2 sr-1" } };
+    { "MeteorologicalRange_m", "m" }, { "Irradiance", "W m-2" } };
   for (const auto& [name, unit] : units)
   {
     vtkDataArray* array = output->GetPointData()->GetArray(name);
