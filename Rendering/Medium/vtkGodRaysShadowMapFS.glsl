@@ -3,8 +3,6 @@
 
 // The airlight of the parts of a view ray that its walk through the light's shadow map finds lit.
 
-in vec2 texCoord; // of the picture, as well as it is interpolated
-
 //VTK::GodRays::Terms
 // parallel: whether view rays are
 // infinite: whether the light is infinitely far
@@ -303,9 +301,9 @@ void Walk(vec3 origin, vec3 direction)
   }
 }
 
-void main()
+vec4 GetColor(ivec2 pixel)
 {
-  vec2 uv = (floor(texCoord * pictureSize) + 0.5) / pictureSize;
+  vec2 uv = (vec2(pixel) + 0.5) / pictureSize;
   vec2 place = (0.5 + (uv - 0.5) * viewScale) * layerSize; // of the pixel in the layer
   vec2 xy = (place - viewCenter) * pixelSize; // of the view ray at depth 1, or of its start
   float perDepth = parallel ? 1.0 : length(vec3(xy, 1.0));
@@ -328,6 +326,7 @@ void main()
     Walk(origin, direction);
   }
   Turn(lit.y, true);
-  gl_FragData[0] =
-    vec4(Sanitize(lightColor * (grey ? vec3(airlight.x) : airlight), maximum), 1.0);
+  return vec4(Sanitize(lightColor * (grey ? vec3(airlight.x) : airlight), maximum), 1.0);
 }
+
+//VTK::GodRays::Main

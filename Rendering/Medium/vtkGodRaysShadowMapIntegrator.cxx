@@ -71,6 +71,7 @@ struct vtkGodRaysShadowMapIntegrator::Internals
   unsigned int CorrectedFrame = 0; // in which that was looked at
   unsigned int EndsFrame = 0;      // whose ends of view rays the walk of its first light has
   const float* Ends = nullptr;
+  vtkGodRaysTarget Computed; // light of the last request that compute shaders summed
 
   Light& GetLight() { return this->Lights[this->Last]; }
   vtkGodRaysShadowMap& GetMap() { return this->GetLight().Map; }
@@ -78,7 +79,8 @@ struct vtkGodRaysShadowMapIntegrator::Internals
   void CountLight(const Request& request);
   bool ReadEnds(const Request& request, const int size[2]);
   bool WalkOnProcessor(const Request& request);
-  bool WalkInShaders(const Request& request);
+  bool BindComputed(const Request& request);
+  bool WalkInShaders(const Request& request, bool computes);
 };
 
 // Once a frame, however many lights it has.
@@ -143,21 +145,32 @@ bool vtkGodRaysShadowMapIntegrator::Internals::WalkOnProcessor(const Request& re
   return this->ReadEnds(request, size) && this->GetLight().Walked.Add(request, parameters, size);
 }
 
-bool vtkGodRaysShadowMapIntegrator::Internals::WalkInShaders(const Request& request)
+bool vtkGodRaysShadowMapIntegrator::Internals::BindComputed(const Request& request)
+{
+  const vtkGodRaysSum& result = *request.Result;
+  this->Computed.Prepare(
+    request.Window, result.GetWidth(), result.GetHeight(), { result.GetFormat(), 0 });
+  return this->Computed.Bind();
+}
+
+bool vtkGodRaysShadowMapIntegrator::Internals::WalkInShaders(const Request& request, bool computes)
 {
   Light& light = this->GetLight();
   vtkGodRaysTarget* const ends = request.Depths->GetEnds();
   const bool hasMap = light.Map.GetNumberOfFaces() > 0;
+  vtkGodRaysSum& result = *request.Result;
   if (!ends || (hasMap && !light.Textures.Draw(request.Window, light.Map)) ||
-    !request.Result->BindToAdd())
+    !(computes ? result.Settle() && this->BindComputed(request) : result.BindToAdd()))
   {
     return false;
   }
   const int size[2] = { ends->GetWidth(), ends->GetHeight() };
   const vtkGodRaysMediumRays rays(request, size);
-  vtkShaderProgram* program = this->Quad.Begin(request.Window,
-    { { "parallel", rays.IsParallel() }, { "infinite", rays.IsInfinite() },
-      { "closed", rays.IsClosed() }, { "grey", rays.IsGrey() }, { "shadowed", hasMap } });
+  const std::initializer_list<vtkGodRaysQuad::Term> terms = { { "parallel", rays.IsParallel() },
+    { "infinite", rays.IsInfinite() }, { "closed", rays.IsClosed() }, { "grey", rays.IsGrey() },
+    { "shadowed", hasMap } };
+  vtkShaderProgram* program = computes ? this->Quad.BeginCompute(request.Window, terms)
+                                       : this->Quad.Begin(request.Window, terms);
   if (!program)
   {
     return false;
@@ -169,8 +182,13 @@ bool vtkGodRaysShadowMapIntegrator::Internals::WalkInShaders(const Request& requ
     light.Map.GetFaces().Set(program);
     light.Textures.Set(this->Quad, program, light.Map);
   }
-  this->Quad.End();
-  return true;
+  if (!computes)
+  {
+    this->Quad.End();
+    return true;
+  }
+  this->Quad.EndCompute(this->Computed);
+  return result.Lend(this->Computed, request.Light->Color, 1.0);
 }
 
 vtkGodRaysShadowMapIntegrator::vtkGodRaysShadowMapIntegrator()
@@ -214,8 +232,12 @@ bool vtkGodRaysShadowMapIntegrator::Integrate(const Request& request)
   }
   Internals& self = *this->Internal;
   self.OnProcessor = this->UsesProcessor() || self.GetMap().HasLayers();
-  self.Done = self.OnProcessor ? "walked on the processor: " : "walked in shaders";
-  return self.OnProcessor ? self.WalkOnProcessor(corrected) : self.WalkInShaders(corrected);
+  const bool computes = this->Backend != FRAGMENTS && vtkGodRaysQuad::CanCompute();
+  self.Done = self.OnProcessor ? "walked on the processor: "
+    : computes                 ? "walked in compute shaders"
+                               : "walked in fragment shaders";
+  return self.OnProcessor ? self.WalkOnProcessor(corrected)
+                          : self.WalkInShaders(corrected, computes);
 }
 
 bool vtkGodRaysShadowMapIntegrator::DrawMap(const Request& request)
@@ -263,6 +285,7 @@ void vtkGodRaysShadowMapIntegrator::ReleaseGraphicsResources(vtkWindow* window)
 {
   Internals& self = *this->Internal;
   self.Quad.Release();
+  self.Computed.Release(window);
   for (Internals::Light& light : self.Lights)
   {
     light.Release(window);

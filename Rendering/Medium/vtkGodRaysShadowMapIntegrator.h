@@ -46,7 +46,7 @@ public:
   /**
    * Set/Get where light is summed, one of BackendType. Default is AUTOMATIC.
    */
-  vtkSetClampMacro(Backend, int, AUTOMATIC, GRAPHICS);
+  vtkSetClampMacro(Backend, int, AUTOMATIC, FRAGMENTS);
   vtkGetMacro(Backend, int);
   ///@}
 

@@ -13,17 +13,20 @@
 #include "vtkGodRaysPlanetMath.h"
 #include "vtkGodRaysRadialMath.h"
 #include "vtkGodRaysSkyMath.h"
+#include "vtkGodRaysTarget.h"
 #include "vtkGodRaysTypes.h"
 #include "vtkGodRaysWalkMath.h"
-#include "vtkObject.h"
+#include "vtkObjectFactory.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <cstring>
 #include <set>
 #include <sstream>
 
@@ -32,6 +35,50 @@ namespace
 int NumberOfFailures = 0;
 
 const std::string TopicMark = "//VTK::GodRays::";
+
+const char* const SystemTag = "//VTK::System::Dec";
+const char* const MainTag = "//VTK::GodRays::Main";
+
+const char* const FragmentEnding = R"(in vec2 texCoord; // which VTK's quad must have
+void main()
+{
+  gl_FragData[0] = GetColor(ivec2(texCoord * pictureSize));
+}
+)";
+
+const char* const ComputeVersion = "#version 430\n";
+
+// Of OpenGL before 4.3, which VTK's EGL windows ask for.
+const char* const ComputeExtensions = R"(#version 150
+#extension GL_ARB_compute_shader : require
+#extension GL_ARB_shader_image_load_store : require
+#extension GL_ARB_shader_image_size : require
+)";
+
+const char* const ComputeHeading = R"(
+layout(local_size_x = 8, local_size_y = 8) in;
+uniform writeonly image2D result; // number 0
+)";
+
+const char* const ComputeEnding = R"(void main()
+{
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (all(lessThan(pixel, imageSize(result))))
+  {
+    imageStore(result, pixel, GetColor(pixel));
+  }
+}
+)";
+
+unsigned int MakeKey(std::initializer_list<vtkGodRaysQuad::Term> terms)
+{
+  unsigned int key = 1;
+  for (const vtkGodRaysQuad::Term& term : terms)
+  {
+    key = 2 * key + (term.Value ? 1 : 0);
+  }
+  return key;
+}
 
 /// What shaders have of vtkGodRaysPhaseFunction.h: a constant for each, and which have an asymmetry.
 std::string MakePhaseFunctions()
@@ -89,6 +136,60 @@ std::string IncludeTopics(const std::string& text, std::set<std::string>& includ
 }
 }
 
+/**
+ * A program of one compute shader, which VTK has in later versions alone.
+ */
+class vtkGodRaysQuad::Kernel : public vtkShaderProgram
+{
+public:
+  static Kernel* New();
+  vtkTypeMacro(Kernel, vtkShaderProgram);
+
+  std::string Source;
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  vtkMTimeType ContextTime = 0;
+
+  bool IsOf(vtkOpenGLRenderWindow* window) const
+  {
+    return window && this->ContextTime == window->GetContextCreationTime();
+  }
+
+protected:
+  // In its own context alone: in another one, its number may be that of another program. A context takes with
+  // it what is left.
+  ~Kernel() override
+  {
+    if (this->IsOf(this->Window) && this->Window->IsCurrent())
+    {
+      this->ReleaseGraphicsResources(this->Window);
+    }
+  }
+
+  int CompileShader() override
+  {
+    const unsigned int shader = glCreateShader(GL_COMPUTE_SHADER);
+    const char* const text = this->Source.c_str();
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    this->Handle = static_cast<int>(glCreateProgram());
+    glAttachShader(this->Handle, shader);
+    glLinkProgram(this->Handle);
+    int linked = GL_FALSE;
+    glGetProgramiv(this->Handle, GL_LINK_STATUS, &linked);
+    this->Linked = this->Compiled = linked == GL_TRUE;
+    if (!this->Linked)
+    {
+      char log[4096] = "";
+      glGetShaderInfoLog(shader, sizeof(log), nullptr, log);
+      vtkErrorMacro(<< log);
+    }
+    glDeleteShader(shader);
+    return linked;
+  }
+};
+
+vtkStandardNewMacro(vtkGodRaysQuad::Kernel);
+
 vtkGodRaysQuad::vtkGodRaysQuad(const char* name, const std::string& source)
   : Name(name)
   , Source(source)
@@ -97,45 +198,40 @@ vtkGodRaysQuad::vtkGodRaysQuad(const char* name, const std::string& source)
 
 vtkGodRaysQuad::~vtkGodRaysQuad() = default;
 
-vtkShaderProgram* vtkGodRaysQuad::Begin(
-  vtkOpenGLRenderWindow* window, std::initializer_list<Term> terms)
+// False, after the first failure; shaders of another window are of another context.
+bool vtkGodRaysQuad::IsReady(vtkOpenGLRenderWindow* window)
 {
-  if (this->Window && this->Window != window) // whose shaders are of another context
+  if (this->Window && this->Window != window)
   {
     this->Release();
     window->MakeCurrent(); // see vtkGodRaysPass::Render()
   }
-  if (this->Failed)
-  {
-    ++NumberOfFailures;
-    return nullptr;
-  }
+  NumberOfFailures += this->Failed ? 1 : 0;
   this->Window = window;
-  unsigned int key = 1;
+  return !this->Failed;
+}
+
+std::string vtkGodRaysQuad::Complete(
+  std::initializer_list<Term> terms, const std::string& heading, const char* ending)
+{
+  std::string constants;
   for (const Term& term : terms)
   {
-    key = 2 * key + (term.Value ? 1 : 0);
+    constants +=
+      std::string("const bool ") + term.Name + (term.Value ? " = true;\n" : " = false;\n");
   }
-  auto& helper = this->Helpers[key];
-  if (!helper)
-  {
-    std::string constants;
-    for (const Term& term : terms)
-    {
-      constants +=
-        std::string("const bool ") + term.Name + (term.Value ? " = true;\n" : " = false;\n");
-    }
-    std::set<std::string> included;
-    std::string source = IncludeTopics(this->Source, included);
-    vtkShaderProgram::Substitute(source, TopicMark + "Terms", constants);
-    helper = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, source.c_str(), nullptr);
-  }
-  else if (helper->Program)
-  {
-    window->GetShaderCache()->ReadyShaderProgram(helper->Program);
-  }
-  this->Helper = helper.get();
-  if (!this->Helper->Program || !this->Helper->Program->GetCompiled())
+  std::set<std::string> included;
+  std::string source = IncludeTopics(this->Source, included);
+  vtkShaderProgram::Substitute(source, TopicMark + "Terms", constants);
+  vtkShaderProgram::Substitute(source, SystemTag, heading);
+  vtkShaderProgram::Substitute(source, MainTag, ending);
+  return source;
+}
+
+// As the program that is current; null, after an error, if it did not compile.
+vtkShaderProgram* vtkGodRaysQuad::Take(vtkShaderProgram* program)
+{
+  if (!program || !program->GetCompiled())
   {
     this->Release();
     this->Failed = true;
@@ -147,7 +243,73 @@ vtkShaderProgram* vtkGodRaysQuad::Begin(
                                             "above.");
     return nullptr;
   }
-  return this->Helper->Program;
+  this->Program = program;
+  return program;
+}
+
+vtkShaderProgram* vtkGodRaysQuad::Begin(
+  vtkOpenGLRenderWindow* window, std::initializer_list<Term> terms)
+{
+  if (!this->IsReady(window))
+  {
+    return nullptr;
+  }
+  auto& helper = this->Helpers[MakeKey(terms)];
+  if (!helper)
+  {
+    const std::string source = this->Complete(terms, SystemTag, FragmentEnding);
+    helper = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, source.c_str(), nullptr);
+  }
+  else if (helper->Program)
+  {
+    window->GetShaderCache()->ReadyShaderProgram(helper->Program);
+  }
+  this->Helper = helper.get();
+  return this->Take(helper->Program);
+}
+
+bool vtkGodRaysQuad::CanCompute()
+{
+  int count = 0;
+  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+  bool found = false;
+  for (int i = 0; i < count && !found; ++i)
+  {
+    const auto name = reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, i));
+    found = name && std::strcmp(name, "GL_ARB_compute_shader") == 0;
+  }
+  return found;
+}
+
+vtkShaderProgram* vtkGodRaysQuad::BeginCompute(
+  vtkOpenGLRenderWindow* window, std::initializer_list<Term> terms)
+{
+  if (!this->IsReady(window))
+  {
+    return nullptr;
+  }
+  auto& kernel = this->Kernels[MakeKey(terms)];
+  if (!kernel || !kernel->IsOf(window))
+  {
+    kernel = vtkSmartPointer<Kernel>::New();
+    kernel->Window = window;
+    kernel->ContextTime = window->GetContextCreationTime();
+    int major = 0;
+    int minor = 0;
+    window->GetOpenGLVersion(major, minor);
+    const char* version = 10 * major + minor >= 43 ? ComputeVersion : ComputeExtensions;
+    kernel->Source = this->Complete(terms, std::string(version) + ComputeHeading, ComputeEnding);
+  }
+  return this->Take(window->GetShaderCache()->ReadyShaderProgram(kernel));
+}
+
+void vtkGodRaysQuad::EndCompute(vtkGodRaysTarget& result)
+{
+  result.BindImage(0);
+  glDispatchCompute((result.GetWidth() + 7) / 8, (result.GetHeight() + 7) / 8, 1);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+  this->Window->GetShaderCache()->ReleaseCurrentShader(); // the cache must not keep what is ours
+  this->FreeTextures();
 }
 
 int vtkGodRaysQuad::GetNumberOfFailures()
@@ -170,7 +332,7 @@ void vtkGodRaysQuad::SetTexture(const char* sampler, vtkTextureObject* texture)
     texture->Activate();
     this->Textures.emplace_back(texture);
   }
-  this->Helper->Program->SetUniformi(sampler, texture->GetTextureUnit());
+  this->Program->SetUniformi(sampler, texture->GetTextureUnit());
 }
 
 void vtkGodRaysQuad::End(Place place)
@@ -193,6 +355,11 @@ void vtkGodRaysQuad::End(Place place)
     this->Helper->Render();
     glDepthRange(range[0], range[1]);
   }
+  this->FreeTextures();
+}
+
+void vtkGodRaysQuad::FreeTextures()
+{
   for (const auto& texture : this->Textures)
   {
     texture->Deactivate();
@@ -202,8 +369,10 @@ void vtkGodRaysQuad::End(Place place)
 
 void vtkGodRaysQuad::Release()
 {
+  this->Program = nullptr;
   this->Helper = nullptr;
   this->Helpers.clear();
+  this->Kernels.clear();
   this->Failed = false;
   this->Window = nullptr;
 }

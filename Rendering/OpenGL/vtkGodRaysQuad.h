@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGodRaysQuad
- * @brief   a fragment shader over the shared mathematics, drawn as a quad; private to this module
+ * @brief   a shader over the shared mathematics for each pixel of a picture; private to this module
  *
  * A line //VTK::GodRays::<Topic> of the shader's text becomes the formulas of vtkGodRays<Topic>Math.glsl,
  * with those that they need. The tag //VTK::GodRays::Terms becomes a constant
  * bool for each term that a frame needs or does not, so that what is not needed costs nothing. A shader is
  * built at the first Begin() with its terms and kept until Release(): numbers are uniforms, never text.
+ *
+ * It is a fragment shader, which is drawn as a quad. One that ends with the tag //VTK::GodRays::Main, and has
+ * vec4 GetColor(ivec2 pixel) and vec2 pictureSize in the place of main(), can be a compute shader, too: see
+ * BeginCompute().
  */
 
 #ifndef vtkGodRaysQuad_h
@@ -21,6 +25,7 @@
 #include <string>
 #include <vector>
 
+class vtkGodRaysTarget;
 class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
@@ -50,6 +55,17 @@ public:
    * Always give all terms, in one order.
    */
   vtkShaderProgram* Begin(vtkOpenGLRenderWindow* window, std::initializer_list<Term> terms = {});
+
+  ///@{
+  /**
+   * The same as a compute shader, where OpenGL has such; and run it for each pixel of a target that is bound,
+   * whose colours it writes. The result can be read as a texture and from its framebuffer.
+   */
+  static bool CanCompute();
+  vtkShaderProgram* BeginCompute(
+    vtkOpenGLRenderWindow* window, std::initializer_list<Term> terms = {});
+  void EndCompute(vtkGodRaysTarget& result);
+  ///@}
 
   /**
    * How often Begin() has returned null, of all shaders: what fails in between was told of already.
@@ -82,12 +98,22 @@ public:
   void Release();
 
 private:
+  class Kernel;
+
+  bool IsReady(vtkOpenGLRenderWindow* window);
+  std::string Complete(
+    std::initializer_list<Term> terms, const std::string& heading, const char* ending);
+  vtkShaderProgram* Take(vtkShaderProgram* program);
+  void FreeTextures();
+
   const char* Name;
   std::string Source;
   bool Failed = false;
   vtkOpenGLRenderWindow* Window = nullptr;
   std::map<unsigned int, std::unique_ptr<vtkOpenGLQuadHelper>> Helpers; // by values of the terms
-  vtkOpenGLQuadHelper* Helper = nullptr;                                // that Begin() chose
+  std::map<unsigned int, vtkSmartPointer<Kernel>> Kernels;
+  vtkOpenGLQuadHelper* Helper = nullptr; // that Begin() chose
+  vtkShaderProgram* Program = nullptr;   // that is current
   std::vector<vtkSmartPointer<vtkTextureObject>> Textures;
 };
 

@@ -155,6 +155,12 @@ bool vtkGodRaysTarget::Bind()
     vtkOpenGLFramebufferObject::GetDrawMode(), description);
 }
 
+void vtkGodRaysTarget::BindImage(unsigned int number)
+{
+  glBindImageTexture(
+    number, this->Color->GetHandle(), 0, GL_FALSE, 0, GL_WRITE_ONLY, this->Formats.Color);
+}
+
 void vtkGodRaysTarget::Release(vtkWindow* window)
 {
   ++this->Version;

@@ -56,6 +56,11 @@ public:
    */
   bool Bind();
 
+  /**
+   * Make the colours of what is bound the image of this number, which compute shaders write.
+   */
+  void BindImage(unsigned int number);
+
   void Release(vtkWindow* window);
 
   int GetWidth() const { return this->Width; }

@@ -33,7 +33,9 @@ public:
   {
     AUTOMATIC = 0, ///< PROCESSOR where OpenGL is software, GRAPHICS elsewhere
     PROCESSOR = 1, ///< by vtkSMPTools
-    GRAPHICS = 2   ///< in fragment shaders
+    GRAPHICS =
+      2, ///< in shaders: where there is a choice, in compute shaders if OpenGL has them (4.3)
+    FRAGMENTS = 3 ///< in fragment shaders
   };
 
   ///@{

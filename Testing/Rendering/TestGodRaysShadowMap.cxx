@@ -6,6 +6,7 @@
 
 #include "GodRaysLonelyCompositor.h"
 #include "GodRaysMediumTesting.h"
+#include "GodRaysOcclusionTesting.h"
 
 #include "vtkGodRaysShadowMapIntegrator.h"
 
@@ -169,6 +170,43 @@ TEST_F(GodRaysShadowMap, IsTheSameInAParallelProjection)
   const double error = this->GetError({ 0.5, 0.3, -1.0, 0.0 });
   std::cout << "error " << error << "\n";
   EXPECT_LT(error, 0.001); // the sides that the view does not show cast shadows, too
+}
+
+// One text runs in both; a lamp beside a sun is added to what the sun gave. The control is a coarser map.
+TEST_F(GodRaysShadowMap, IsTheSameInComputeShadersAndInFragments)
+{
+  this->AddPillars();
+  const std::vector<std::array<double, 4>> lights[] = { { { 0.15, 0.1, -1.0, 0.0 } },
+    { { 6.0, 1.0, 0.5, 1.0 } }, { { 0.5, 0.2, -1.0, 0.0 }, { 0.0, 0.5, -2.0, 1.0 } } };
+  for (const bool parallel : { false, true })
+  {
+    this->Renderer->GetActiveCamera()->SetParallelProjection(parallel);
+    this->Model->SetScatteringCoefficient(0.05, 0.05, parallel ? 0.1 : 0.05);
+    for (const auto& some : lights)
+    {
+      this->Rays->RemoveAllLights();
+      for (const auto& light : some)
+      {
+        this->Rays->AddLight(light[3] == 0.0 ? MakeSun({ light[0], light[1], light[2] })
+                                             : MakeLamplight({ light[0], light[1], light[2] }));
+      }
+      const auto draw = [this](int backend, int size, const char* plan)
+      {
+        this->Integrator->SetBackend(backend);
+        this->Integrator->SetMapSize(size);
+        auto image = this->GetScattering();
+        EXPECT_TRUE(Says(this->Rays->GetPlan(), plan)) << this->Rays->GetPlan();
+        return image;
+      };
+      const auto computed = draw(vtkGodRaysIntegrator::GRAPHICS, 1024, "walked in compute shaders");
+      const auto drawn = draw(vtkGodRaysIntegrator::FRAGMENTS, 1024, "walked in fragment shaders");
+      const auto coarse = draw(vtkGodRaysIntegrator::GRAPHICS, 256, "walked in compute shaders");
+      const double mean = GetMean(computed);
+      EXPECT_GT(mean, 0.0);
+      EXPECT_LT(GetLargestDifference(computed, drawn), 1e-6 * mean);
+      EXPECT_GT(GetLargestDifference(computed, coarse), 1e-4 * mean);
+    }
+  }
 }
 
 TEST_F(GodRaysShadowMap, KeepsTheMapWhileNothingInItChanges)
