@@ -28,18 +28,13 @@ namespace
 // Linear (1, 0.69, 0.34) and (0.62, 0.80, 1): warm light over blue passes grey, which looks like mud.
 const double WarmSun[3] = { 1.0, 0.85, 0.62 };
 const double CoolSun[3] = { 0.81, 0.91, 1.0 };
-const double PaleSun[3] = { 1.0, 0.93, 0.82 }; // of media: warm light in haze is brown
+const double PaleSun[3] = { 1.0, 0.88,
+  0.7 };                              // of media: warmer light in haze is brown, paler one grey
+constexpr double LampStrength = 24.0; // in air; 12 at least to be exposed as a sun is
 
 bool IsColor(vtkLight* light, const double color[3])
 {
   return std::equal(color, color + 3, light->GetDiffuseColor());
-}
-
-// A lamp behind the props: its shafts spread in the air, as those of the sun do in a look. The sun's own are
-// parallel, and in front of the props there is nothing that they are told from.
-bool IsLampInAir(vtkGodRaysModel* model, vtkGodRaysSunPlacer* placer)
-{
-  return vtkGodRaysHomogeneousModel::SafeDownCast(model) && placer->GetCoverage() > 0.0;
 }
 }
 
@@ -115,12 +110,16 @@ vtkLight* vtkGodRaysPass::PlaceSun(vtkRenderer* renderer)
 
 vtkLight* vtkGodRaysPass::PlaceSun(vtkRenderer* renderer, double x, double y)
 {
+  return this->PlaceSunOrLamp(renderer, x, y, false);
+}
+
+// Places a lamp in air and in a parallel projection, else a sun; see PlaceSun() in the header.
+vtkLight* vtkGodRaysPass::PlaceSunOrLamp(vtkRenderer* renderer, double x, double y, bool isInAir)
+{
   Internals& self = *this->Internal;
-  const bool isLamp =
-    renderer && (self.PlacesLamp || renderer->GetActiveCamera()->GetParallelProjection());
+  const bool isLamp = renderer && (isInAir || renderer->GetActiveCamera()->GetParallelProjection());
   double place[3];
-  double distance2;
-  if (!(isLamp ? vtkGodRaysSunPlacer::GetPosition(renderer, x, y, place, distance2)
+  if (!(isLamp ? vtkGodRaysSunPlacer::GetPosition(renderer, x, y, place)
                : vtkGodRaysSunPlacer::GetDirection(renderer, x, y, place)))
   {
     vtkErrorMacro(
@@ -135,8 +134,7 @@ vtkLight* vtkGodRaysPass::PlaceSun(vtkRenderer* renderer, double x, double y)
     self.PlacedSun->SetFocalPoint(0.0, 0.0, 0.0);
     self.PlacedSun->SetDiffuseColor(WarmSun[0], WarmSun[1], WarmSun[2]);
   }
-  // A lamp in the air is to light the props as a sun does; users' factors on that are kept.
-  const double strength = self.PlacesLamp && distance2 > 0.0 ? distance2 : 1.0; // 0: a single point
+  const double strength = isInAir ? LampStrength : 1.0; // users' factors on that are kept
   self.PlacedSun->SetIntensity(self.PlacedSun->GetIntensity() * strength / self.SunStrength);
   self.SunStrength = strength;
   self.PlacedSun->SetPositional(isLamp);
@@ -229,8 +227,11 @@ void vtkGodRaysPass::MoveSun(vtkRenderer* renderer, bool isBlue)
   Internals& self = *this->Internal;
   self.Placer->Find(renderer);
   const double* place = self.Placer->GetPlace();
-  const bool isLampInAir = IsLampInAir(self.Model, self.Placer);
-  const bool isLamp = isLampInAir || renderer->GetActiveCamera()->GetParallelProjection();
+  // The shafts of a lamp behind the props spread in the air, as those of a sun do in a look. A sun's own are
+  // parallel there, and in front of the props there is nothing that they are told from.
+  const bool isInAir =
+    vtkGodRaysHomogeneousModel::SafeDownCast(self.Model) && self.Placer->GetCoverage() > 0.0;
+  const bool isLamp = isInAir || renderer->GetActiveCamera()->GetParallelProjection();
   if (!this->IsSunMissing())
   {
     double now[2];
@@ -243,10 +244,7 @@ void vtkGodRaysPass::MoveSun(vtkRenderer* renderer, bool isBlue)
   }
   const bool hasOwnColor = self.PlacedSun && !IsColor(self.PlacedSun, WarmSun) &&
     !IsColor(self.PlacedSun, CoolSun) && !IsColor(self.PlacedSun, PaleSun);
-  self.PlacesLamp = isLampInAir;
-  const bool isPlaced = this->PlaceSun(renderer, place[0], place[1]) != nullptr;
-  self.PlacesLamp = false;
-  if (isPlaced)
+  if (this->PlaceSunOrLamp(renderer, place[0], place[1], isInAir))
   {
     self.SunIsKept = self.Placer->GetCoverage() > 0.0;
     const double* color = self.Effect->DimsScene() ? PaleSun : isBlue ? CoolSun : WarmSun;

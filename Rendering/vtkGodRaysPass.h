@@ -134,12 +134,12 @@ public:
    * that covers of the picture; until then the sun stands at (0.35, 0.75). The sun is a directional
    * vtkLight; in a parallel projection, which sees no sun but straight ahead, a lamp closely behind the
    * scene. It is one, too, where a place is found in the air of a vtkGodRaysHomogeneousModel, in which a
-   * lamp's shafts spread and a sun's do not; its intensity is the squared distance to the scene's middle
-   * there, so that props get 1. The light's diffuse colour is warm, (1, 0.85, 0.62), before a blue
-   * background that is not dark a cool (0.81, 0.91, 1), in a medium a pale (1, 0.93, 0.82); a colour that is
-   * set by hand stays. It is this pass's alone: the renderer keeps the lights by which it shades the scene.
-   * It stays where it is in the world while the camera moves; a further call moves it. Returns the light;
-   * null, after an error, without a renderer.
+   * lamp's shafts spread and a sun's do not; its intensity is 24 there, as it lights less of the air. The
+   * light's diffuse colour is warm, (1, 0.85, 0.62), before a blue background that is not dark a cool (0.81,
+   * 0.91, 1), in a medium a pale (1, 0.88, 0.7); a colour that is set by hand stays. It is this pass's
+   * alone: the renderer keeps the lights by which it shades the scene. It stays where it is in the world
+   * while the camera moves; a further call moves it. Returns the light; null, after an error, without a
+   * renderer.
    */
   vtkLight* PlaceSun(vtkRenderer* renderer);
   vtkLight* PlaceSun(vtkRenderer* renderer, double x, double y);
@@ -594,6 +594,7 @@ private:
   void LightTheData(vtkRenderer* renderer);
   bool SeesNewPicture(vtkRenderer* renderer);
   void MoveSun(vtkRenderer* renderer, bool isBlue);
+  vtkLight* PlaceSunOrLamp(vtkRenderer* renderer, double x, double y, bool isInAir);
   void Complain(const std::string& complaint);
 
   struct Internals;

@@ -48,7 +48,6 @@ struct vtkGodRaysPass::Internals
   vtkGodRaysLightFinder Finder;
   std::vector<vtkGodRaysLight> FormerLights; // empty: memory for those of a frame
   vtkSmartPointer<vtkLight> PlacedSun;       // by PlaceSun()
-  bool PlacesLamp = false;                   // in air, at this moment
   double SunStrength = 1.0;                  // intensity that it has of PlaceSun()
   bool SunIsKept = false;                    // it has a place that was found or given
   vtkGodRaysDataLights DataLights;

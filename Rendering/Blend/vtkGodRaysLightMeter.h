@@ -50,8 +50,8 @@ public:
 
   ///@{
   /// Of the rays of a look, which is dark between its shafts, and of a medium [linear light, 1 is white].
-  static constexpr double MostBrightest[2] = { 1.2, 1.5 }; ///< 99th percentile
-  static constexpr double MostMean[2] = { 0.08, 0.18 };    ///< mean
+  static constexpr double MostBrightest[2] = { 1.2, 6.0 }; ///< 99th percentile
+  static constexpr double MostMean[2] = { 0.08, 0.5 };     ///< mean
   ///@}
 
   vtkGodRaysLightMeter();

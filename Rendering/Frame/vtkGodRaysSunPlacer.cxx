@@ -619,8 +619,7 @@ bool vtkGodRaysSunPlacer::GetDirection(
   return true;
 }
 
-bool vtkGodRaysSunPlacer::GetPosition(
-  vtkRenderer* renderer, double x, double y, double position[3], double& distance2)
+bool vtkGodRaysSunPlacer::GetPosition(vtkRenderer* renderer, double x, double y, double position[3])
 {
   constexpr double beyond = 0.05; // diagonals of the box: near it, shafts in the air are strongest
   double direction[3];
@@ -654,9 +653,6 @@ bool vtkGodRaysSunPlacer::GetPosition(
   {
     position[i] = start[i] + (farthest + beyond * box.GetDiagonalLength()) * direction[i];
   }
-  double center[3];
-  box.GetCenter(center);
-  distance2 = vtkMath::Distance2BetweenPoints(center, position);
   return true;
 }
 

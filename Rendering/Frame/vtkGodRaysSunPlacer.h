@@ -96,11 +96,9 @@ public:
 
   /**
    * A place behind a renderer's visible props that is seen at a place of the picture, for a lamp in the place
-   * of a sun: in a parallel projection, and in air; and the square of its distance from their middle. Returns
-   * false, and leaves these alone, as GetDirection().
+   * of a sun: in a parallel projection, and in air. Returns false, and leaves it alone, as GetDirection().
    */
-  static bool GetPosition(
-    vtkRenderer* renderer, double x, double y, double position[3], double& distance2);
+  static bool GetPosition(vtkRenderer* renderer, double x, double y, double position[3]);
 
   /**
    * Where a light that shines from afar, or a lamp, is seen in a renderer's picture. Returns false, and

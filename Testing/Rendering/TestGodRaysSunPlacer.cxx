@@ -6,9 +6,11 @@
 
 #include "GodRaysTesting.h"
 
+#include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysSunPlacer.h"
 
 #include "vtkActor.h"
+#include "vtkActorCollection.h"
 #include "vtkAssembly.h"
 #include "vtkCamera.h"
 #include "vtkCompositePolyDataMapper.h"
@@ -384,6 +386,39 @@ TEST_F(GodRaysSunPlacer, IsSeenAllAlongAnOrbit)
       EXPECT_TRUE(placement == vtkGodRaysPass::SUN_EVERY_VIEW ? hasRays : hasRays || isTold) << i;
     }
   }
+}
+
+// A lamp in air gives one picture of a scene at any scale. The control has no rays.
+TEST_F(GodRaysSunPlacer, LampInAir_AnyScale_LooksTheSame)
+{
+  this->Scene.Window->SetSize(128, 96);
+  vtkNew<vtkGodRaysHomogeneousModel> air;
+  ASSERT_TRUE(air->ApplyPreset("haze"));
+  this->Rays->SetModel(air);
+  this->AddBoxes();
+  vtkActorCollection* boxes = this->Renderer->GetActors();
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  double eye[3];
+  camera->GetPosition(eye);
+  std::vector<unsigned char> first;
+  for (const double scale : { 1.0, 0.01, 100.0, 0.5 })
+  {
+    for (int i = 0; i < boxes->GetNumberOfItems(); ++i)
+    {
+      vtkActor::SafeDownCast(boxes->GetItemAsObject(i))->SetScale(scale);
+    }
+    camera->SetPosition(scale * eye[0], scale * eye[1], scale * eye[2]);
+    this->Renderer->ResetCameraClippingRange();
+    this->Rays->PlaceSun(this->Renderer);
+    this->Scene.Window->Render();
+    vtkLight* lamp = this->Rays->GetLight(0);
+    ASSERT_TRUE(lamp && lamp->GetPositional());
+    const auto pixels = GetPixels(this->Scene.Window);
+    first = first.empty() ? pixels : first;
+    EXPECT_LE(GetLargestDifference(first, pixels), 3) << scale;
+  }
+  this->Rays->SetIntensity(0.0);
+  EXPECT_GT(GetLargestDifference(first, GetPixels(this->Scene.Window)), 60);
 }
 
 // As long as there is nothing to see, the sun is put again.
