@@ -26,7 +26,7 @@ using vtkGodRays::Vec3;
 constexpr int Columns = 72;
 constexpr int Rows = 48;
 
-constexpr double LeastPartOfMedium = 0.03; // that data leave of its light over them
+constexpr double LeastPartOfMedium = 0.015; // that data leave of its light over them
 constexpr double LeastPartBeside = 0.2;    // and beside them
 constexpr double MostDataGain = 2.0;       // a stop of a camera
 constexpr double LeastPartOverData = 0.5;  // of a medium's light beside them, a stop as well

@@ -50,8 +50,8 @@ public:
 
   ///@{
   /// Of the rays of a look, which is dark between its shafts, and of a medium [linear light, 1 is white].
-  static constexpr double MostBrightest[2] = { 1.2, 6.0 }; ///< 99th percentile
-  static constexpr double MostMean[2] = { 0.08, 0.5 };     ///< mean
+  static constexpr double MostBrightest[2] = { 1.2, 4.0 }; ///< 99th percentile
+  static constexpr double MostMean[2] = { 0.08, 0.35 };    ///< mean
   ///@}
 
   vtkGodRaysLightMeter();
@@ -117,7 +117,7 @@ public:
    * themselves, if they are to be spared. Else, in a medium, they first gain what it takes of their light on
    * average, twice as much at most; its light is lowered over them alone down to half, then everywhere, but
    * a fifth of it is left beside data, as a medium that only dims would be none; then over data alone, of
-   * which 3 % are left.
+   * which 1.5 % are left.
    */
   Exposure FindExposure(bool shoulder, double largest, bool sparesData);
 
