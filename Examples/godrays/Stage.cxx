@@ -38,7 +38,7 @@ constexpr double FillOfColors = 1.0;
 // as vtkGodRaysPass::PlaceSun() has them
 constexpr Vector3 WarmSun = { 1.0, 0.85, 0.62 };
 constexpr Vector3 PaleSun = { 1.0, 0.91, 0.77 }; // in a medium
-constexpr double LampInAir = 24.0;              // intensity
+constexpr double LampInAir = 24.0;               // intensity
 constexpr double AboveSun = 5.0; // [degrees] where the sky is not to be brighter than white
 
 //------------------------------------------------------------------------------

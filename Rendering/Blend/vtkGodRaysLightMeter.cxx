@@ -27,9 +27,9 @@ constexpr int Columns = 72;
 constexpr int Rows = 48;
 
 constexpr double LeastPartOfMedium = 0.015; // that data leave of its light over them
-constexpr double LeastPartBeside = 0.2;    // and beside them
-constexpr double MostDataGain = 2.0;       // a stop of a camera
-constexpr double LeastPartOverData = 0.5;  // of a medium's light beside them, a stop as well
+constexpr double LeastPartBeside = 0.2;     // and beside them
+constexpr double MostDataGain = 2.0;        // a stop of a camera
+constexpr double LeastPartOverData = 0.5;   // of a medium's light beside them, a stop as well
 
 // The opacity of volumes is in alpha, and that of surfaces whose depth is peeled. Without peeling VTK 9.1
 // leaves T (1 - T) of surfaces that let T through, 0.13 where they hide 15 % or 85 %, which is to count as
@@ -402,12 +402,16 @@ vtkGodRaysLightMeter::Exposure vtkGodRaysLightMeter::FindExposure(
   {
     return result;
   }
-  const auto rank = brightest.begin() + static_cast<std::ptrdiff_t>(0.99 * (brightest.size() - 1));
-  std::nth_element(brightest.begin(), rank, brightest.end());
+  const auto findRank = [&brightest](double part)
+  {
+    const auto rank =
+      brightest.begin() + static_cast<std::ptrdiff_t>(part * (brightest.size() - 1));
+    std::nth_element(brightest.begin(), rank, brightest.end());
+    return std::max(*rank, 1e-30);
+  };
   const int kind = sparesData ? 0 : 1;
-  result.Everywhere = std::min(largest, MostMean[kind] / mean);
-  result.Everywhere =
-    *rank > 0.0 ? std::min(result.Everywhere, MostBrightest[kind] / *rank) : result.Everywhere;
+  result.Everywhere = std::min({ largest, MostMean[kind] / mean,
+    MostBrightest[kind] / findRank(0.99), MostQuartile / findRank(0.75) });
 
   result.DataGain = sparesData ? 1.0 : FindDataGain(samples);
   Fidelity& fidelity = *this->Data;

@@ -52,6 +52,8 @@ public:
   /// Of the rays of a look, which is dark between its shafts, and of a medium [linear light, 1 is white].
   static constexpr double MostBrightest[2] = { 1.2, 4.0 }; ///< 99th percentile
   static constexpr double MostMean[2] = { 0.08, 0.35 };    ///< mean
+  static constexpr double MostQuartile =
+    0.3; ///< 75th percentile: a sky in smoke is bright all over
   ///@}
 
   vtkGodRaysLightMeter();
@@ -112,12 +114,12 @@ public:
 
   /**
    * The exposure for the samples: the largest, at most largest, with which the mean of the rays is MostMean
-   * or less, and their 99th percentile MostBrightest or less; largest, if there are no rays. Then it is
-   * lowered so far that data keep their colours: over data alone, those that are lit and dark ones each for
-   * themselves, if they are to be spared. Else, in a medium, they first gain what it takes of their light on
-   * average, twice as much at most; its light is lowered over them alone down to half, then everywhere, but
-   * a fifth of it is left beside data, as a medium that only dims would be none; then over data alone, of
-   * which 1.5 % are left.
+   * or less, their 75th percentile MostQuartile, and their 99th percentile MostBrightest; largest, if there
+   * are no rays. Then it is lowered so far that data keep their colours: over data alone, those that are
+   * lit and dark ones each for themselves, if they are to be spared. Else, in a medium, they first gain
+   * what it takes of their light on average, twice as much at most; its light is lowered over them alone
+   * down to half, then everywhere, but a fifth of it is left beside data, as a medium that only dims would
+   * be none; then over data alone, of which 1.5 % are left.
    */
   Exposure FindExposure(bool shoulder, double largest, bool sparesData);
 

@@ -79,7 +79,6 @@ struct vtkGodRaysShadowMapIntegrator::Internals
   void CountLight(const Request& request);
   bool ReadEnds(const Request& request, const int size[2]);
   bool WalkOnProcessor(const Request& request);
-  bool BindComputed(const Request& request);
   bool WalkInShaders(const Request& request, bool computes);
 };
 
@@ -145,22 +144,19 @@ bool vtkGodRaysShadowMapIntegrator::Internals::WalkOnProcessor(const Request& re
   return this->ReadEnds(request, size) && this->GetLight().Walked.Add(request, parameters, size);
 }
 
-bool vtkGodRaysShadowMapIntegrator::Internals::BindComputed(const Request& request)
-{
-  const vtkGodRaysSum& result = *request.Result;
-  this->Computed.Prepare(
-    request.Window, result.GetWidth(), result.GetHeight(), { result.GetFormat(), 0 });
-  return this->Computed.Bind();
-}
-
 bool vtkGodRaysShadowMapIntegrator::Internals::WalkInShaders(const Request& request, bool computes)
 {
   Light& light = this->GetLight();
   vtkGodRaysTarget* const ends = request.Depths->GetEnds();
   const bool hasMap = light.Map.GetNumberOfFaces() > 0;
   vtkGodRaysSum& result = *request.Result;
+  if (computes)
+  {
+    this->Computed.Prepare(
+      request.Window, result.GetWidth(), result.GetHeight(), { result.GetFormat(), 0 });
+  }
   if (!ends || (hasMap && !light.Textures.Draw(request.Window, light.Map)) ||
-    !(computes ? result.Settle() && this->BindComputed(request) : result.BindToAdd()))
+    !(computes ? result.Settle() && this->Computed.Bind() : result.BindToAdd()))
   {
     return false;
   }
