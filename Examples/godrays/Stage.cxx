@@ -35,10 +35,6 @@ constexpr double SkyExposure = 2.5; // a white wall in the sun is about as brigh
 constexpr double FillBesideSun = 0.5;
 constexpr double FillOfPlain = 0.85;
 constexpr double FillOfColors = 1.0;
-// as vtkGodRaysPass::PlaceSun() has them
-constexpr Vector3 WarmSun = { 1.0, 0.85, 0.62 };
-constexpr Vector3 PaleSun = { 1.0, 0.91, 0.77 }; // in a medium
-constexpr double LampInAir = 24.0;               // intensity
 constexpr double AboveSun = 5.0; // [degrees] where the sky is not to be brighter than white
 
 //------------------------------------------------------------------------------
@@ -250,7 +246,8 @@ Stage::Stage(Scene scene, const Viewpoint& view, const Options& options)
   {
     this->Renderer->AddViewProp(prop);
   }
-  this->SetUpLight();
+  PlaceLight(this->Light, view);
+  this->Light->SetColor(options.LightColor.data());
   if (SunLightsData(options))
   {
     this->Renderer->AddLight(this->Light);
@@ -315,22 +312,6 @@ void Stage::SetPreset(const ::Preset& preset)
   this->Look = preset;
   this->Settings.Preset = preset.Name;
   ::SetPreset(this->Rays, preset, this->Settings);
-  this->SetUpLight();
-}
-
-//------------------------------------------------------------------------------
-void Stage::SetUpLight()
-{
-  Viewpoint& view = this->View;
-  if (view.LightWasChosen)
-  {
-    view.LightIsLamp = this->Look.IsMedium ? view.IsLampInMedium : view.IsLampInLook;
-  }
-  PlaceLight(this->Light, view);
-  const bool isInAir = view.LightIsLamp && this->Look.IsMedium && !SunLightsData(this->Settings);
-  this->Light->SetIntensity(isInAir ? LampInAir : 1.0);
-  const Vector3 color = this->Settings.LightColor.value_or(this->Look.IsMedium ? PaleSun : WarmSun);
-  this->Light->SetColor(color.data());
 }
 
 //------------------------------------------------------------------------------
@@ -359,19 +340,6 @@ void Stage::SetBackground(const std::string& background)
     this->Renderer->SetBackground2(top.data());
   }
   else
-  {
-    this->MoveSkySun();
-  }
-}
-
-//------------------------------------------------------------------------------
-void Stage::TakeLight(const Viewpoint& view)
-{
-  auto camera = this->View.Camera;
-  this->View = view;
-  this->View.Camera = camera;
-  this->SetUpLight();
-  if (!this->Settings.Sky.empty())
   {
     this->MoveSkySun();
   }

@@ -51,11 +51,6 @@ public:
   void MoveLight(const Vector3& place);
 
   /**
-   * Have the light of another view.
-   */
-  void TakeLight(const Viewpoint& view);
-
-  /**
    * Factor on the physical sky's usual exposure. Without such a sky nothing changes.
    */
   void SetExposure(double factor);
@@ -89,7 +84,6 @@ public:
   std::string GetOptions() const;
 
 private:
-  void SetUpLight();
   void MoveSkySun();
 
   Scene Data;

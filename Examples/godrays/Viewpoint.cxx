@@ -4,7 +4,6 @@
 
 #include "CameraMaker.h"
 #include "Output.h"
-#include "Stage.h"
 
 #include "vtkCamera.h"
 #include "vtkGodRaysPass.h"
@@ -80,16 +79,6 @@ public:
     this->Rays->GetSunPlacer()->SetLowest(lowest);
     this->Window->Render();
     return this->Rays->GetSunPlacer();
-  }
-
-  /// A place closely behind the scene that is seen at a place of the picture, from (-1, -1) to (1, 1).
-  Vector3 GetPlaceBehind(vtkCamera* camera, double x, double y)
-  {
-    Vector3 place;
-    this->Renderer->SetActiveCamera(camera);
-    vtkGodRaysSunPlacer::GetPosition(
-      this->Renderer, 0.5 * (x + 1.0), 0.5 * (y + 1.0), place.data());
-    return place;
   }
 
 private:
@@ -517,30 +506,32 @@ private:
   //----------------------------------------------------------------------------
   /**
    * Put the sun behind a place in the picture. A parallel projection sees no sun that is not
-   * straight ahead, and who looks down sees none: there, put a lamp behind the scene, or with a
-   * physical sky, which has no lamps, a sun above the picture. In a medium, a lamp
-   * makes more shafts; over terrain and in a scene of a known size, light is the sun's.
+   * straight ahead, and who looks down sees none: there, put a lamp far behind the scene, or with a
+   * physical sky, which has no lamps, a sun above the picture.
    */
   void PlaceLight(vtkCamera* camera, double x, double y)
   {
-    Vector3 direction = this->Result.LightDirection;
-    vtkGodRaysSunPlacer::GetDirection(
-      camera, this->Cameras.Aspect, 0.5 * (x + 1.0), 0.5 * (y + 1.0), direction.data());
+    vtkNew<vtkMatrix4x4> toWorld;
+    vtkMatrix4x4::Invert(
+      camera->GetCompositeProjectionTransformMatrix(this->Cameras.Aspect, -1.0, 1.0), toWorld);
+    Vector3 ends[2];
+    for (int i = 0; i < 2; ++i)
+    {
+      double point[4] = { x, y, i == 0 ? -1.0 : 1.0, 1.0 };
+      toWorld->MultiplyPoint(point, point);
+      ends[i] = { point[0] / point[3], point[1] / point[3], point[2] / point[3] };
+    }
+    Vector3 direction = Subtract(ends[1], ends[0]);
+    vtkMath::Normalize(direction.data());
     this->Result.LightDirection = direction;
     double azimuth = 0.0;
     double elevation = 0.0;
     this->Data.GetAngles(direction, azimuth, elevation);
-    const bool hasSky = !this->Settings.Sky.empty();
-    const bool showsNoSun = camera->GetParallelProjection() != 0 || elevation < 0.0;
-    this->Result.IsLampInLook = showsNoSun && !hasSky;
-    this->Result.IsLampInMedium = this->Result.IsLampInLook ||
-      (!hasSky && !this->Settings.VolumeMedium && !this->Settings.WorldUnit &&
-        !this->Data.IsTerrain());
-    this->Result.LightIsLamp =
-      GetPreset(this->Settings).IsMedium ? this->Result.IsLampInMedium : this->Result.IsLampInLook;
-    this->Result.LightPosition = this->Pictures.GetPlaceBehind(camera, x, y);
-    if (showsNoSun && hasSky)
+    this->Result.LightIsLamp = camera->GetParallelProjection() != 0 || elevation < 0.0;
+    this->Result.LightPosition = AddScaled(ends[1], this->Cameras.Diagonal, direction);
+    if (this->Result.LightIsLamp && !this->Settings.Sky.empty())
     {
+      this->Result.LightIsLamp = false;
       this->Result.LightDirection = this->Data.GetDirection(azimuth, SunAbovePicture);
     }
   }

@@ -20,9 +20,7 @@ struct Viewpoint
   bool LightIsLamp = false;
   Vector3 LightPosition = { 0.0, 0.0, 1.0 };  ///< of a lamp
   Vector3 LightDirection = { 0.0, 0.0, 1.0 }; ///< unit vector from the scene to the light
-  bool LightWasChosen = false;                ///< then it is a lamp in some kinds of presets alone:
-  bool IsLampInLook = false;
-  bool IsLampInMedium = false;
+  bool LightWasChosen = false;
 };
 
 /**
