@@ -52,8 +52,7 @@ public:
   /// Of the rays of a look, which is dark between its shafts, and of a medium [linear light, 1 is white].
   static constexpr double MostBrightest[2] = { 1.2, 4.0 }; ///< 99th percentile
   static constexpr double MostMean[2] = { 0.08, 0.35 };    ///< mean
-  static constexpr double MostQuartile =
-    0.3; ///< 75th percentile: a sky in smoke is bright all over
+  static constexpr double MostQuartile = 0.3;              ///< 75th percentile, for a sky in smoke
   ///@}
 
   vtkGodRaysLightMeter();

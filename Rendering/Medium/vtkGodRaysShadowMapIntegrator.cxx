@@ -228,7 +228,7 @@ bool vtkGodRaysShadowMapIntegrator::Integrate(const Request& request)
   }
   Internals& self = *this->Internal;
   self.OnProcessor = this->UsesProcessor() || self.GetMap().HasLayers();
-  const bool computes = this->Backend != FRAGMENTS && vtkGodRaysQuad::CanCompute();
+  const bool computes = this->Backend != FRAGMENTS && self.Quad.CanCompute(request.Window);
   self.Done = self.OnProcessor ? "walked on the processor: "
     : computes                 ? "walked in compute shaders"
                                : "walked in fragment shaders";

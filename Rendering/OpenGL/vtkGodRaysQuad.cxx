@@ -46,9 +46,7 @@ void main()
 }
 )";
 
-const char* const ComputeVersion = "#version 430\n";
-
-// Of OpenGL before 4.3, which VTK's EGL windows ask for.
+// VTK's EGL windows ask for OpenGL before 4.3, which drivers may give these.
 const char* const ComputeExtensions = R"(#version 150
 #extension GL_ARB_compute_shader : require
 #extension GL_ARB_shader_image_load_store : require
@@ -136,9 +134,7 @@ std::string IncludeTopics(const std::string& text, std::set<std::string>& includ
 }
 }
 
-/**
- * A program of one compute shader, which VTK has in later versions alone.
- */
+/// A program of one compute shader, which VTK has in later versions alone.
 class vtkGodRaysQuad::Kernel : public vtkShaderProgram
 {
 public:
@@ -268,17 +264,21 @@ vtkShaderProgram* vtkGodRaysQuad::Begin(
   return this->Take(helper->Program);
 }
 
-bool vtkGodRaysQuad::CanCompute()
+bool vtkGodRaysQuad::CanCompute(vtkOpenGLRenderWindow* window)
 {
-  int count = 0;
-  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
-  bool found = false;
-  for (int i = 0; i < count && !found; ++i)
+  if (this->AskedTime != window->GetContextCreationTime()) // once a context
   {
-    const auto name = reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, i));
-    found = name && std::strcmp(name, "GL_ARB_compute_shader") == 0;
+    this->AskedTime = window->GetContextCreationTime();
+    this->Computes = false;
+    int count = 0;
+    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (int i = 0; i < count && !this->Computes; ++i)
+    {
+      const auto name = reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, i));
+      this->Computes = name && std::strcmp(name, "GL_ARB_compute_shader") == 0;
+    }
   }
-  return found;
+  return this->Computes;
 }
 
 vtkShaderProgram* vtkGodRaysQuad::BeginCompute(
@@ -297,7 +297,7 @@ vtkShaderProgram* vtkGodRaysQuad::BeginCompute(
     int major = 0;
     int minor = 0;
     window->GetOpenGLVersion(major, minor);
-    const char* version = 10 * major + minor >= 43 ? ComputeVersion : ComputeExtensions;
+    const char* version = 10 * major + minor >= 43 ? "#version 430\n" : ComputeExtensions;
     kernel->Source = this->Complete(terms, std::string(version) + ComputeHeading, ComputeEnding);
   }
   return this->Take(window->GetShaderCache()->ReadyShaderProgram(kernel));

@@ -58,10 +58,10 @@ public:
 
   ///@{
   /**
-   * The same as a compute shader, where OpenGL has such; and run it for each pixel of a target that is bound,
-   * whose colours it writes. The result can be read as a texture and from its framebuffer.
+   * Make it current as a compute shader, where OpenGL has such; and run it for each pixel of a target that
+   * is bound, whose colours it writes. The result can be read as a texture and from its framebuffer.
    */
-  static bool CanCompute();
+  bool CanCompute(vtkOpenGLRenderWindow* window);
   vtkShaderProgram* BeginCompute(
     vtkOpenGLRenderWindow* window, std::initializer_list<Term> terms = {});
   void EndCompute(vtkGodRaysTarget& result);
@@ -109,6 +109,8 @@ private:
   const char* Name;
   std::string Source;
   bool Failed = false;
+  bool Computes = false;
+  vtkMTimeType AskedTime = 0; // for which context that was found
   vtkOpenGLRenderWindow* Window = nullptr;
   std::map<unsigned int, std::unique_ptr<vtkOpenGLQuadHelper>> Helpers; // by values of the terms
   std::map<unsigned int, vtkSmartPointer<Kernel>> Kernels;

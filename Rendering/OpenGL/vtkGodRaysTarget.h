@@ -56,9 +56,7 @@ public:
    */
   bool Bind();
 
-  /**
-   * Make the colours of what is bound the image of this number, which compute shaders write.
-   */
+  /// Make the colours of what is bound the image of this number, which compute shaders write.
   void BindImage(unsigned int number);
 
   void Release(vtkWindow* window);
