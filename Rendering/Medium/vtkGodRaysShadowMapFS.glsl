@@ -48,15 +48,16 @@ struct Part // of a ray that a face has
   float End;
 };
 
-// Into which a ray is divided whose airlight has no closed form.
-const int steps = 32;
+// Into which a whole ray is divided whose airlight has no closed form.
+const float steps = 32.0;
 
 LitRay ray;
-vec3 strength = vec3(0.0);            // what is scattered of a directional light, if airlight is closed
-vec2 lit = vec2(0.0);                 // from where to where light can come
-float sums[channels * (steps + 1)];   // airlight up to the ends of steps
-vec3 airlight = vec3(0.0);            // up to where the walk is
-bool dark = false;
+vec3 strength = vec3(0.0); // what is scattered of a directional light, if airlight is closed
+vec2 lit = vec2(0.0);      // from where to where light can come
+vec3 airlight = vec3(0.0); // of the stretches so far
+vec2 stretch = vec2(0.0);  // from where to where light came last, where it is to be added
+float litFrom = 0.0;       // where the walk is, if it is
+bool dark = false;         // if not
 
 void SetRay(vec3 origin, vec3 direction)
 {
@@ -85,62 +86,29 @@ MediumComponent GetComponent(int number)
     PhaseFunction(int(phases.z), phases.w), amounts.w);
 }
 
-float GetAirlight(int channel, float begin, float end)
+// Adds the airlight of the last stretch, if one has ended that has no closed form.
+void AddStretch()
 {
-  return MediumAirlight(GetComponent(2 * channel), GetComponent(2 * channel + 1), ray, begin, end);
-}
-
-void SumSteps()
-{
-  for (int c = 0; c < channels; ++c)
+  float begin = stretch.x;
+  float end = min(stretch.y, lit.y);
+  stretch = vec2(0.0);
+  if (begin >= end)
   {
-    sums[c * (steps + 1)] = 0.0;
+    return;
   }
-  float begin = lit.x;
-  for (int i = 1; i <= steps; ++i)
+  float parts = ceil(steps *
+    (MediumFraction(ray, lit.x, lit.y, end) - MediumFraction(ray, lit.x, lit.y, begin)));
+  float last = begin;
+  for (float part = 1.0; part <= parts; ++part)
   {
-    float end = MediumPlace(ray, lit.x, lit.y, float(i) / float(steps));
+    float next = MediumPlace(ray, begin, end, part / parts);
     for (int c = 0; c < channels; ++c)
     {
-      int at = c * (steps + 1) + i;
-      sums[at] = sums[at - 1] + GetAirlight(c, begin, end);
+      airlight[c] +=
+        MediumAirlight(GetComponent(2 * c), GetComponent(2 * c + 1), ray, last, next);
     }
-    begin = end;
+    last = next;
   }
-}
-
-// Airlight up to a place, as if nothing were dark: between the ends of steps, a cubic through four of them.
-// It is in the innermost loop, in which pixels that are drawn together wait for each other.
-vec3 GetSum(float place)
-{
-  place = clamp(place, lit.x, lit.y);
-  vec3 sum = vec3(0.0);
-  if (closed)
-  {
-    for (int c = 0; c < channels; ++c)
-    {
-      float extinction = components[4 * c].y + components[4 * c + 2].y;
-      sum[c] = strength[c] * DirectionalAirlight(extinction, 0.0, place, 0.0, 0.0);
-    }
-    return sum;
-  }
-  float at = MediumFraction(ray, lit.x, lit.y, place) * float(steps);
-  int part = clamp(int(at), 0, steps - 1);
-  int first = clamp(part - 1, 0, steps - 3);
-  float x = at - float(first);
-  vec4 weights = vec4((1.0 - x) * (x - 2.0) * (x - 3.0) / 6.0, 0.5 * x * (x - 2.0) * (x - 3.0),
-    0.5 * x * (1.0 - x) * (x - 3.0), x * (x - 1.0) * (x - 2.0) / 6.0);
-  for (int c = 0; c < channels; ++c)
-  {
-    int from = c * (steps + 1);
-    float value = 0.0;
-    for (int k = 0; k < 4; ++k)
-    {
-      value += weights[k] * sums[from + first + k];
-    }
-    sum[c] = clamp(value, sums[from + part], sums[from + part + 1]);
-  }
-  return sum;
 }
 
 // Notes that from a place on there is light, or none.
@@ -148,8 +116,14 @@ void Turn(float place, bool isDark)
 {
   if (isDark != dark)
   {
-    vec3 sum = GetSum(isDark ? place : place * (1.0 + margin));
-    airlight += isDark ? sum : -sum;
+    for (int c = 0; closed && isDark && c < channels; ++c)
+    {
+      float extinction = components[4 * c].y + components[4 * c + 2].y;
+      airlight[c] +=
+        strength[c] * DirectionalAirlight(extinction, min(litFrom, place), place, 0.0, 0.0);
+    }
+    stretch = isDark && !closed ? vec2(litFrom, place) : stretch;
+    litFrom = place * (1.0 + margin);
     dark = isDark;
   }
 }
@@ -194,48 +168,52 @@ void WalkFace(int face, vec4 start, vec4 change, Part part)
   vec3 to = b.xyz / b.w;
   ivec2 corner = GetCorner(face, 0);
   MapWalk walk = BeginWalk(from.x, from.y, to.x, to.y, mapSize, mapSize, mapTop);
-  // Each turn goes down a level or on by a cell: the bound is never reached, but NaN could.
-  for (int guard = 32 * mapSize + 64; guard > 0; --guard)
+  // Pixels that are drawn together wait for each other: each goes on until a stretch has ended, and then all
+  // add their stretches at once. Each turn goes down a level or on by a cell: the bound is never reached, but
+  // NaN could.
+  int guard = 32 * mapSize + 64;
+  while (guard > 0)
   {
-    FindEnd(walk);
-    vec2 heights = from.z + vec2(walk.Begin, walk.End) * (to.z - from.z);
-    // Distances of the places where the cell, and perhaps a shadow within it, begin.
-    vec2 s = vec2(walk.Begin);
-    bool darkAtFirst;
-    bool changes = false;
-    if (walk.Level > 0)
+    for (; guard > 0 && stretch.y <= 0.0; --guard)
     {
-      vec2 node = GetNode(face, walk.Level, ivec2(walk.X, walk.Y) >> walk.Level);
-      bool above = min(heights.x, heights.y) >= node.y;
-      if (!above && max(heights.x, heights.y) >= node.x)
+      FindEnd(walk);
+      vec2 heights = from.z + vec2(walk.Begin, walk.End) * (to.z - from.z);
+      // Distances of the places where the cell, and perhaps a shadow within it, begin.
+      vec2 s = vec2(walk.Begin);
+      bool darkAtFirst;
+      bool changes = false;
+      if (walk.Level > 0)
       {
-        --walk.Level;
-        continue;
+        vec2 node = GetNode(face, walk.Level, ivec2(walk.X, walk.Y) >> walk.Level);
+        bool above = min(heights.x, heights.y) >= node.y;
+        if (!above && max(heights.x, heights.y) >= node.x)
+        {
+          --walk.Level;
+          continue;
+        }
+        darkAtFirst = !above;
       }
-      darkAtFirst = !above;
+      else
+      {
+        ivec2 texel = ivec2(walk.X, walk.Y);
+        float height = GetHeight(corner, texel);
+        vec2 slopes = height > nothing ? GetSlopes(corner, texel, height) : vec2(0.0);
+        vec2 x = walk.StartX + vec2(walk.Begin, walk.End) * walk.SlopeX - (float(walk.X) + 0.5);
+        vec2 y = walk.StartY + vec2(walk.Begin, walk.End) * walk.SlopeY - (float(walk.Y) + 0.5);
+        vec2 above = heights - (height + slopes.x * x + slopes.y * y);
+        darkAtFirst = above.x < 0.0;
+        changes = darkAtFirst != (above.y < 0.0);
+        s.y = mix(walk.Begin, walk.End, changes ? above.x / (above.x - above.y) : 0.0);
+      }
+      vec2 ends = vec2(b.w * (1.0 - s.x), a.w * s.x);
+      vec2 crossing = vec2(b.w * (1.0 - s.y), a.w * s.y);
+      vec2 at = vec2(dot(ends, vec2(part.Begin, part.End)) / (ends.x + ends.y),
+        dot(crossing, vec2(part.Begin, part.End)) / (crossing.x + crossing.y));
+      Turn(at.x, darkAtFirst); // one of the two ends a stretch, if any does
+      Turn(at.y, darkAtFirst != changes);
+      guard = GoOn(walk) ? guard : 0;
     }
-    else
-    {
-      ivec2 texel = ivec2(walk.X, walk.Y);
-      float height = GetHeight(corner, texel);
-      vec2 slopes = height > nothing ? GetSlopes(corner, texel, height) : vec2(0.0);
-      vec2 x = walk.StartX + vec2(walk.Begin, walk.End) * walk.SlopeX - (float(walk.X) + 0.5);
-      vec2 y = walk.StartY + vec2(walk.Begin, walk.End) * walk.SlopeY - (float(walk.Y) + 0.5);
-      vec2 above = heights - (height + slopes.x * x + slopes.y * y);
-      darkAtFirst = above.x < 0.0;
-      changes = darkAtFirst != (above.y < 0.0);
-      s.y = mix(walk.Begin, walk.End, changes ? above.x / (above.x - above.y) : 0.0);
-    }
-    vec2 ends = vec2(b.w * (1.0 - s.x), a.w * s.x);
-    vec2 crossing = vec2(b.w * (1.0 - s.y), a.w * s.y);
-    vec2 at = vec2(dot(ends, vec2(part.Begin, part.End)) / (ends.x + ends.y),
-      dot(crossing, vec2(part.Begin, part.End)) / (crossing.x + crossing.y));
-    Turn(at.x, darkAtFirst);
-    Turn(at.y, darkAtFirst != changes);
-    if (!GoOn(walk))
-    {
-      return;
-    }
+    AddStretch();
   }
 }
 
@@ -312,10 +290,7 @@ vec4 GetColor(ivec2 pixel)
   SetRay(origin, direction);
   float depth = texelFetch(ends, ivec2(place), 0).r;
   lit = SpotPart(ray, MediumEnd(ray, perDepth * min(depth, farLimit)));
-  if (!closed)
-  {
-    SumSteps();
-  }
+  litFrom = lit.x;
   for (int c = 0; closed && c < channels; ++c)
   {
     strength[c] = ScatteredPart(GetComponent(2 * c), 0.0, ray.Foot) +
@@ -326,6 +301,7 @@ vec4 GetColor(ivec2 pixel)
     Walk(origin, direction);
   }
   Turn(lit.y, true);
+  AddStretch();
   return vec4(Sanitize(lightColor * (grey ? vec3(airlight.x) : airlight), maximum), 1.0);
 }
 
