@@ -157,6 +157,8 @@ protected:
   {
     if (this->IsOf(this->Window) && this->Window->IsCurrent())
     {
+      // it leaves OpenGL without a program, which the cache must know
+      this->Window->GetShaderCache()->ReleaseCurrentShader();
       this->ReleaseGraphicsResources(this->Window);
     }
   }
