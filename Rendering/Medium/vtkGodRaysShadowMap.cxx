@@ -247,8 +247,7 @@ std::string vtkGodRaysShadowMap::DescribeLayers() const
   {
     text += "; " + std::to_string(this->LeftOut) +
       " volumes cast no shadow: they are no images, or have gradient opacity, a 2-D transfer "
-      "function or "
-      "another blend mode than composite";
+      "function or another blend mode than composite";
   }
   return text;
 }

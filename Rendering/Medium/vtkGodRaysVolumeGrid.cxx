@@ -6,6 +6,7 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkGodRaysGridBlocks.h"
+#include "vtkGodRaysVolumeHaze.h"
 #include "vtkGodRaysVolumeImage.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
@@ -190,12 +191,10 @@ bool IsComposite(vtkAbstractVolumeMapper* mapper)
 /// Why a property or a blend mode tells no medium; empty if it does.
 std::string FindFault(vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property)
 {
-  if (!IsComposite(mapper) || property->GetTransferFunctionMode() != vtkVolumeProperty::TF_1D ||
-    (property->HasGradientOpacity(0) && !property->GetDisableGradientOpacity(0)))
+  if (!IsComposite(mapper) || !vtkGodRaysVolumeHaze::HasScalarOpacityAlone(property))
   {
     return "has gradient opacity, a 2-D transfer function or another blend mode than composite. "
-           "Give it "
-           "a scalar opacity alone";
+           "Give it a scalar opacity alone";
   }
   const double unit = property->GetScalarOpacityUnitDistance(0);
   return unit > 1e-30 && std::isfinite(unit)

@@ -345,9 +345,24 @@ vtkVolume* vtkGodRaysVolumeHaze::GetVolume(vtkProp* prop)
     scalars->GetNumberOfTuples() ==
       (ofCells ? image->GetNumberOfCells() : image->GetNumberOfPoints()) &&
     property && mapper->GetBlendMode() == vtkVolumeMapper::COMPOSITE_BLEND &&
-    property->GetTransferFunctionMode() == vtkVolumeProperty::TF_1D &&
-    (!property->HasGradientOpacity(0) || property->GetDisableGradientOpacity(0));
+    HasScalarOpacityAlone(property);
   return fits ? volume : nullptr;
+}
+
+bool vtkGodRaysVolumeHaze::HasScalarOpacityAlone(vtkVolumeProperty* property)
+{
+  const bool isPlain = property->GetTransferFunctionMode() == vtkVolumeProperty::TF_1D;
+  if (!isPlain || !property->HasGradientOpacity(0) || property->GetDisableGradientOpacity(0))
+  {
+    return isPlain;
+  }
+  vtkPiecewiseFunction* factors = property->GetGradientOpacity(0);
+  bool areOne = factors->GetSize() > 0 && factors->GetClamping() != 0;
+  for (int i = 0; i < factors->GetSize(); ++i)
+  {
+    areOne = areOne && factors->GetDataPointer()[2 * i + 1] == 1.0; // of pairs
+  }
+  return areOne;
 }
 
 void vtkGodRaysVolumeHaze::AddState(

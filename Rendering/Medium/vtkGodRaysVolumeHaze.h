@@ -20,6 +20,7 @@
 
 class vtkProp;
 class vtkVolume;
+class vtkVolumeProperty;
 
 class vtkGodRaysVolumeHaze
 {
@@ -28,6 +29,12 @@ public:
    * A prop as a volume that it can be computed for; null for others.
    */
   static vtkVolume* GetVolume(vtkProp* prop);
+
+  /**
+   * Whether the opacity depends on scalars alone. Some of VTK's mappers ask a property for its gradient
+   * opacity, which makes one that is 1 everywhere: that is none.
+   */
+  static bool HasScalarOpacityAlone(vtkVolumeProperty* property);
 
   /**
    * Add what the volume's light depends on.

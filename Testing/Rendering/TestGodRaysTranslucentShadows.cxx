@@ -308,6 +308,14 @@ TEST_F(GodRaysTranslucentShadows, OfVolumes)
   EXPECT_TRUE(Says(this->Rays->GetPlan(), ", kept")) << this->Rays->GetPlan();
   slab->GetProperty()->SetScalarOpacityUnitDistance(0.5);
   EXPECT_NEAR(this->GetLeft(), std::pow(0.9, 4.0 * slant), 1e-3);
+  vtkPiecewiseFunction* factors =
+    slab->GetProperty()->GetGradientOpacity(0); // made now, 1 everywhere
+  EXPECT_NEAR(this->GetLeft(), std::pow(0.9, 4.0 * slant), 1e-3);
+  factors->AddPoint(0.0, 0.5);
+  EXPECT_NEAR(this->GetLeft(), 1.0, 1e-3);
+  EXPECT_TRUE(Says(this->Rays->GetPlan(), "1 volumes cast no shadow")) << this->Rays->GetPlan();
+  slab->GetProperty()->DisableGradientOpacityOn();
+  EXPECT_NEAR(this->GetLeft(), std::pow(0.9, 4.0 * slant), 1e-3);
   auto pane = this->AddRoof(13.0, 0.5);
   EXPECT_NEAR(this->GetLeft(), 0.5 * std::pow(0.9, 4.0 * slant), 1e-3) << "a pane in it";
   pane->VisibilityOff();
