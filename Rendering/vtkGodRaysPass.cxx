@@ -28,8 +28,8 @@ namespace
 // Linear (1, 0.69, 0.34) and (0.62, 0.80, 1): warm light over blue passes grey, which looks like mud.
 const double WarmSun[3] = { 1.0, 0.85, 0.62 };
 const double CoolSun[3] = { 0.81, 0.91, 1.0 };
-const double PaleSun[3] = { 1.0, 0.91,
-  0.77 };                             // of media: warmer light is brown in haze, paler is grey
+// of media: warmer light is brown in haze, paler is grey
+const double PaleSun[3] = { 1.0, 0.905, 0.76 };
 constexpr double LampStrength = 24.0; // in air; 12 at least to be exposed as a sun is
 
 bool IsColor(vtkLight* light, const double color[3])

@@ -136,7 +136,7 @@ public:
    * scene. It is one, too, where a place is found in the air of a vtkGodRaysHomogeneousModel, in which a
    * lamp's shafts spread and a sun's do not; its intensity is 24 there, as it lights less of the air. The
    * light's diffuse colour is warm, (1, 0.85, 0.62), before a blue background that is not dark a cool (0.81,
-   * 0.91, 1), in a medium a pale (1, 0.91, 0.77); a colour that is set by hand stays. It is this pass's
+   * 0.91, 1), in a medium a pale (1, 0.905, 0.76); a colour that is set by hand stays. It is this pass's
    * alone: the renderer keeps the lights by which it shades the scene. It stays where it is in the world
    * while the camera moves; a further call moves it. Returns the light; null, after an error, without a
    * renderer.

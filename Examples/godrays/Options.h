@@ -24,7 +24,7 @@ struct Options
   std::optional<std::array<double, 2>> Place;
   std::optional<std::array<double, 2>> SunAt; ///< place in the picture
   std::optional<Vector3> Light;
-  Vector3 LightColor = { 1.0, 0.85, 0.62 };
+  std::optional<Vector3> LightColor;
   std::optional<double> LightSize;
   std::optional<double> Fill;
 

@@ -35,23 +35,11 @@ constexpr double SkyExposure = 2.5; // a white wall in the sun is about as brigh
 constexpr double FillBesideSun = 0.5;
 constexpr double FillOfPlain = 0.85;
 constexpr double FillOfColors = 1.0;
+// as vtkGodRaysPass::PlaceSun() has them
+constexpr Vector3 WarmSun = { 1.0, 0.85, 0.62 };
+constexpr Vector3 PaleSun = { 1.0, 0.905, 0.76 }; // in a medium
+constexpr double LampInAir = 24.0;                // intensity
 constexpr double AboveSun = 5.0; // [degrees] where the sky is not to be brighter than white
-
-//------------------------------------------------------------------------------
-void PlaceLight(vtkLight* light, const Viewpoint& view)
-{
-  light->SetPositional(view.LightIsLamp);
-  if (view.LightIsLamp)
-  {
-    light->SetConeAngle(180.0);
-    light->SetPosition(view.LightPosition.data());
-  }
-  else
-  {
-    light->SetPosition(view.LightDirection.data());
-    light->SetFocalPoint(0.0, 0.0, 0.0);
-  }
-}
 
 //------------------------------------------------------------------------------
 /**
@@ -236,7 +224,7 @@ void SetRays(vtkGodRaysPass* rays, const Viewpoint& view, const Options& options
 //------------------------------------------------------------------------------
 Stage::Stage(Scene scene, const Viewpoint& view, const Options& options)
   : Data(std::move(scene))
-  , View(view)
+  , Original(view)
   , Settings(options)
   , Look(GetPreset(options))
 {
@@ -246,8 +234,7 @@ Stage::Stage(Scene scene, const Viewpoint& view, const Options& options)
   {
     this->Renderer->AddViewProp(prop);
   }
-  PlaceLight(this->Light, view);
-  this->Light->SetColor(options.LightColor.data());
+  this->PlaceLight();
   if (SunLightsData(options))
   {
     this->Renderer->AddLight(this->Light);
@@ -273,7 +260,7 @@ Stage::Stage(Scene scene, const Viewpoint& view, const Options& options)
     AddSky(this->Renderer, this->Data, options);
   }
   this->SetBackground(options.Background);
-  ::SetRays(this->Rays, view, options);
+  ::SetRays(this->Rays, this->View, options);
   this->Rays->AddLight(this->Light);
   this->Rays->SetLightData(!SunLightsData(options));
   this->Rays->SetMeasureTimes(options.Stats);
@@ -312,6 +299,7 @@ void Stage::SetPreset(const ::Preset& preset)
   this->Look = preset;
   this->Settings.Preset = preset.Name;
   ::SetPreset(this->Rays, preset, this->Settings);
+  this->PlaceLight();
 }
 
 //------------------------------------------------------------------------------
@@ -346,15 +334,45 @@ void Stage::SetBackground(const std::string& background)
 }
 
 //------------------------------------------------------------------------------
-void Stage::MoveLight(const Vector3& place)
+void Stage::PlaceLight()
 {
-  (this->View.LightIsLamp ? this->View.LightPosition : this->View.LightDirection) = place;
-  this->View.LightWasChosen = false;
-  PlaceLight(this->Light, this->View);
-  if (!this->Settings.Sky.empty())
+  const bool inMedium = this->Look.IsMedium;
+  this->View = this->Original;
+  if (inMedium && this->View.LampInMedium)
+  {
+    this->View.LightIsLamp = true;
+    this->View.LightPosition = *this->View.LampInMedium;
+  }
+  const bool isLamp = this->View.LightIsLamp;
+  const bool isInAir = isLamp && inMedium && !SunLightsData(this->Settings);
+  const Vector3& place = isLamp ? this->View.LightPosition : this->View.LightDirection;
+  this->Light->SetPositional(isLamp);
+  this->Light->SetConeAngle(180.0);
+  this->Light->SetPosition(place.data());
+  this->Light->SetFocalPoint(0.0, 0.0, 0.0);
+  this->Light->SetIntensity(isInAir ? LampInAir : 1.0);
+  this->Light->SetColor(this->Settings.LightColor.value_or(inMedium ? PaleSun : WarmSun).data());
+  if (vtkGodRaysSkyPass::Find(this->Renderer))
   {
     this->MoveSkySun();
   }
+}
+
+//------------------------------------------------------------------------------
+void Stage::MoveLight(const Vector3& place)
+{
+  Viewpoint moved = this->View;
+  (moved.LightIsLamp ? moved.LightPosition : moved.LightDirection) = place;
+  moved.LightWasChosen = false;
+  moved.LampInMedium.reset();
+  this->TakeLight(moved);
+}
+
+//------------------------------------------------------------------------------
+void Stage::TakeLight(const Viewpoint& view)
+{
+  this->Original = view;
+  this->PlaceLight();
 }
 
 //------------------------------------------------------------------------------

@@ -33,6 +33,7 @@ public:
   vtkGodRaysPass* GetRays() const { return this->Rays; }
   const Scene& GetScene() const { return this->Data; }
   const Viewpoint& GetView() const { return this->View; }
+  const Viewpoint& GetOriginalView() const { return this->Original; } ///< light for any preset
   const Preset& GetLook() const { return this->Look; }
   const std::string& GetBackground() const { return this->Settings.Background; }
   bool AreRaysOn() const { return this->HasRays; }
@@ -49,6 +50,11 @@ public:
    * Have the lamp at another point, or the sun in another direction, a unit vector.
    */
   void MoveLight(const Vector3& place);
+
+  /**
+   * Have the light of another view.
+   */
+  void TakeLight(const Viewpoint& view);
 
   /**
    * Factor on the physical sky's usual exposure. Without such a sky nothing changes.
@@ -84,10 +90,12 @@ public:
   std::string GetOptions() const;
 
 private:
+  void PlaceLight();
   void MoveSkySun();
 
   Scene Data;
-  Viewpoint View;
+  Viewpoint Original;
+  Viewpoint View; ///< with the light that suits the preset
   Options Settings;
   Preset Look;
   vtkNew<vtkRenderer> Renderer;

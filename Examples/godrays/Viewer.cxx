@@ -54,7 +54,7 @@ Viewer::Viewer(
   , Shown(stage)
   , List(list)
   , Settings(options)
-  , Home(stage->GetView())
+  , Home(stage->GetOriginalView())
   , Step(list.GetStep())
 {
   this->Interactor->SetRenderWindow(window);
@@ -212,7 +212,7 @@ void Viewer::TakeDrop(const std::vector<std::string>& files)
  */
 bool Viewer::Open(std::size_t item, std::size_t step, bool keepView)
 {
-  Viewpoint view = this->Shown->GetView();
+  Viewpoint view = this->Shown->GetOriginalView();
   std::unique_ptr<Stage> next;
   try
   {
@@ -236,7 +236,7 @@ bool Viewer::Open(std::size_t item, std::size_t step, bool keepView)
     keepView ? this->Shown->GetRenderer()->GetActiveCamera() : next->GetView().Camera.Get());
   if (!keepView)
   {
-    this->Home = next->GetView();
+    this->Home = next->GetOriginalView();
   }
   this->Window->RemoveRenderer(this->Shown->GetRenderer());
   this->Window->AddRenderer(next->GetRenderer());

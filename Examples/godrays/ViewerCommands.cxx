@@ -134,7 +134,7 @@ void Viewer::GoHome()
 {
   const Viewpoint& home = this->Home;
   SetCamera(this->Shown->GetRenderer(), home.Camera);
-  this->Shown->MoveLight(home.LightIsLamp ? home.LightPosition : home.LightDirection);
+  this->Shown->TakeLight(home);
 }
 
 //------------------------------------------------------------------------------

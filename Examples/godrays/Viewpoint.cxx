@@ -81,6 +81,16 @@ public:
     return this->Rays->GetSunPlacer();
   }
 
+  /// Closely behind the scene, seen at a place of the picture from (-1, -1) to (1, 1).
+  Vector3 GetPlaceBehind(vtkCamera* camera, double x, double y)
+  {
+    Vector3 place;
+    this->Renderer->SetActiveCamera(camera);
+    vtkGodRaysSunPlacer::GetPosition(
+      this->Renderer, 0.5 * (x + 1.0), 0.5 * (y + 1.0), place.data());
+    return place;
+  }
+
 private:
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
@@ -507,7 +517,8 @@ private:
   /**
    * Put the sun behind a place in the picture. A parallel projection sees no sun that is not
    * straight ahead, and who looks down sees none: there, put a lamp far behind the scene, or with a
-   * physical sky, which has no lamps, a sun above the picture.
+   * physical sky, which has no lamps, a sun above the picture. A lamp closely behind the data makes more
+   * shafts in a medium, but over terrain and in a scene of a known size the light is the sun's.
    */
   void PlaceLight(vtkCamera* camera, double x, double y)
   {
@@ -529,6 +540,13 @@ private:
     this->Data.GetAngles(direction, azimuth, elevation);
     this->Result.LightIsLamp = camera->GetParallelProjection() != 0 || elevation < 0.0;
     this->Result.LightPosition = AddScaled(ends[1], this->Cameras.Diagonal, direction);
+    const Options& options = this->Settings;
+    if (options.Sky.empty() && options.Hdri.empty() && !options.VolumeMedium &&
+      !options.WorldUnit && !options.LightSize && options.Numbers.empty() &&
+      !this->Data.IsTerrain())
+    {
+      this->Result.LampInMedium = this->Pictures.GetPlaceBehind(camera, x, y);
+    }
     if (this->Result.LightIsLamp && !this->Settings.Sky.empty())
     {
       this->Result.LightIsLamp = false;

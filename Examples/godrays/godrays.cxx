@@ -366,7 +366,7 @@ bool DrawAll(const Options& options)
         {
           window = MakeWindow(options);
         }
-        view = stage->GetView();
+        view = stage->GetOriginalView();
       }
       if (options.Animate)
       {
