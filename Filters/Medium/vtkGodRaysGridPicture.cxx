@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace
 {
@@ -93,9 +94,10 @@ void vtkGodRaysGridPicture::Draw(
           std::abs(result.Radiance.z) });
       }
     });
-  const double peak = *std::max_element(peaks.begin(), peaks.end());
-  const double accepted = self.Tolerance;
-  const double brightest = std::max(peak, 1e-300);
+  const double peak =
+    std::min(*std::max_element(peaks.begin(), peaks.end()), // see vtkGodRaysInScattering
+      10.0 * std::accumulate(peaks.begin(), peaks.end(), 0.0) / peaks.size());
+  const double accepted = self.Tolerance * std::max(peak, 1e-300);
   const double color = std::max({ self.LightColor.x, self.LightColor.y, self.LightColor.z });
   self.Brightest = color > 0.0 ? peak / color : 0.0;
 
@@ -157,8 +159,8 @@ void vtkGodRaysGridPicture::Draw(
         vtkGodRays::abs(middle.Radiance - mean(a.Radiance, b.Radiance, c.Radiance, d.Radiance));
       const Vec3 left3 = vtkGodRays::abs(middle.Transmittance -
         mean(a.Transmittance, b.Transmittance, c.Transmittance, d.Transmittance));
-      if (!(std::max({ light.x, light.y, light.z }) <= accepted * brightest) ||
-        !(std::max({ left3.x, left3.y, left3.z }) <= accepted))
+      if (!(std::max({ light.x, light.y, light.z }) <= accepted) ||
+        !(std::max({ left3.x, left3.y, left3.z }) <= self.Tolerance))
       {
         return false;
       }
@@ -166,7 +168,7 @@ void vtkGodRaysGridPicture::Draw(
       const auto differ = [&](const Result& p, const Result& q)
       {
         const Vec3 difference = vtkGodRays::abs(p.Radiance - q.Radiance);
-        return std::max({ difference.x, difference.y, difference.z }) > accepted * brightest;
+        return std::max({ difference.x, difference.y, difference.z }) > accepted;
       };
       if (x1 - x0 < 2 || y1 - y0 < 2)
       {

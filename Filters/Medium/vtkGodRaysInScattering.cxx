@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace
@@ -26,6 +27,7 @@ constexpr int MaximumPlanes = vtkGodRaysAirlight::MaximumPlanes;
 // A cell is filled where its rays differ by no more than so many tolerances of a pixel: measured on the
 // scenes of ModelError.
 constexpr double CellTolerance = 3.0;
+constexpr double MostOfMean = 10.0; // near a lamp are rays 1000 times as bright as the others
 
 // Cells of one task.
 constexpr int Cells = 32;
@@ -344,8 +346,7 @@ void vtkGodRaysInScattering::vtkInternals::WalkCoarsest()
   this->Lists.Walk(this->Places, this->Ends);
 }
 
-// The tolerance is a fraction of the brightest ray of the coarsest grid, but of 1 in 1000 about a point
-// light.
+// The tolerance is a fraction of the brightest ray of the coarsest grid, but of 1 in 1000.
 double vtkGodRaysInScattering::vtkInternals::FindLimit()
 {
   const Grid& grid = this->Grids[Levels];
@@ -376,10 +377,10 @@ double vtkGodRaysInScattering::vtkInternals::FindLimit()
       bright.push_back(static_cast<float>(sum));
     }
   }
-  const std::size_t rank = static_cast<std::size_t>(0.999 * static_cast<double>(bright.size() - 1));
-  std::nth_element(
-    bright.begin(), bright.begin() + static_cast<std::ptrdiff_t>(rank), bright.end());
-  return CellTolerance * this->Airlight.GetScene().Tolerance * bright[rank];
+  const auto rank = bright.begin() + static_cast<std::ptrdiff_t>(0.999 * (bright.size() - 1));
+  std::nth_element(bright.begin(), rank, bright.end());
+  double most = MostOfMean * std::accumulate(bright.begin(), bright.end(), 0.0) / bright.size();
+  return CellTolerance * this->Airlight.GetScene().Tolerance * std::min<double>(*rank, most);
 }
 
 template <int Side>
