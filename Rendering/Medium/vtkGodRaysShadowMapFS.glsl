@@ -92,12 +92,9 @@ void AddStretch()
   float begin = stretch.x;
   float end = min(stretch.y, lit.y);
   stretch = vec2(0.0);
-  if (begin >= end)
-  {
-    return;
-  }
-  float parts = ceil(steps *
-    (MediumFraction(ray, lit.x, lit.y, end) - MediumFraction(ray, lit.x, lit.y, begin)));
+  float fraction =
+    MediumFraction(ray, lit.x, lit.y, end) - MediumFraction(ray, lit.x, lit.y, begin);
+  float parts = begin < end ? ceil(steps * fraction) : 0.0;
   float last = begin;
   for (float part = 1.0; part <= parts; ++part)
   {
