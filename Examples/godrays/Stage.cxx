@@ -209,13 +209,10 @@ void SetRays(vtkGodRaysPass* rays, const Viewpoint& view, const Options& options
   rays->SetOutput(options.Show == "occlusion" ? vtkGodRaysPass::OCCLUSION
       : options.Show == "rays"                ? vtkGodRaysPass::SCATTERING
                                               : vtkGodRaysPass::COMPOSITE);
+  rays->SetSunAngularRadius(view.LightIsLamp ? SunRadius : options.LightSize.value_or(SunRadius));
   if (view.LightIsLamp)
   {
     rays->SetSourceRadius(options.LightSize.value_or(rays->GetSourceRadius()));
-  }
-  else
-  {
-    rays->SetSunAngularRadius(options.LightSize.value_or(SunRadius));
   }
 }
 
@@ -338,7 +335,7 @@ void Stage::PlaceLight()
 {
   const bool inMedium = this->Look.IsMedium;
   this->View = this->Original;
-  if (inMedium && this->View.LampInMedium)
+  if (inMedium && this->View.LightWasChosen && this->View.LampInMedium)
   {
     this->View.LightIsLamp = true;
     this->View.LightPosition = *this->View.LampInMedium;
@@ -364,7 +361,6 @@ void Stage::MoveLight(const Vector3& place)
   Viewpoint moved = this->View;
   (moved.LightIsLamp ? moved.LightPosition : moved.LightDirection) = place;
   moved.LightWasChosen = false;
-  moved.LampInMedium.reset();
   this->TakeLight(moved);
 }
 

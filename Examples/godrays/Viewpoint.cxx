@@ -543,7 +543,7 @@ private:
     const Options& options = this->Settings;
     if (options.Sky.empty() && options.Hdri.empty() && !options.VolumeMedium &&
       !options.WorldUnit && !options.LightSize && options.Numbers.empty() &&
-      !this->Data.IsTerrain())
+      options.Turntable == 0 && !this->Data.IsTerrain())
     {
       this->Result.LampInMedium = this->Pictures.GetPlaceBehind(camera, x, y);
     }

@@ -97,6 +97,7 @@ void CheckPreset(const Options& options)
 std::string ToText(const double values[3])
 {
   std::ostringstream text;
+  text.precision(9);
   text << values[0] << "," << values[1] << "," << values[2];
   return text.str();
 }
@@ -125,8 +126,15 @@ void PrintScene(const Scene& scene, const OpeningTimes& times, double drawing)
 void PrintView(const Scene& scene, const Viewpoint& view, vtkCamera* camera)
 {
   std::cout << "camera     --camera-position " << ToText(camera->GetPosition()) << " --focal-point "
-            << ToText(camera->GetFocalPoint()) << " --view-up " << ToText(camera->GetViewUp())
-            << " --view-angle " << camera->GetViewAngle() << "\n";
+            << ToText(camera->GetFocalPoint()) << " --view-up " << ToText(camera->GetViewUp());
+  if (camera->GetParallelProjection())
+  {
+    std::cout << " --parallel --parallel-height " << 2.0 * camera->GetParallelScale() << "\n";
+  }
+  else
+  {
+    std::cout << " --view-angle " << camera->GetViewAngle() << "\n";
+  }
   double azimuth = 0.0;
   double elevation = 0.0;
   scene.GetAngles(view.LightDirection, azimuth, elevation);

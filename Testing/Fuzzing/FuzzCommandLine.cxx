@@ -60,7 +60,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     {
       Require(options->Size[0] >= 8 && options->Size[1] >= 8, "a picture has pixels");
       Require(options->Zoom > 0.0 && options->Turntable >= 0, "numbers are in their ranges");
-      for (const double channel : options->LightColor)
+      for (const double channel : options->LightColor.value_or(Vector3{}))
       {
         Require(channel >= 0.0 && channel <= 1.0, "colours are from 0 to 1");
       }
