@@ -294,10 +294,10 @@ public:
   ///@{
   /**
    * Set/Get the error that the rays may have, root mean square over the picture, as a fraction of
-   * the brightest possible result [no unit]; the integrator chooses its work by it. Of a look the exact
-   * result is its converged sum, of a medium single scattering in this scene, see
-   * vtkGodRaysShadowMapIntegrator. Half of it holds where a picture is drawn in tiles, so that their edges
-   * do not show. Valid range: [1e-6, 0.1]. Default is 1/255, a level of an 8-bit picture.
+   * the brightest possible result [no unit], in a medium of 10 times its mean if that is less; the
+   * integrator chooses its work by it. Of a look the exact result is its converged sum, of a medium single
+   * scattering, see vtkGodRaysShadowMapIntegrator. Half of it holds where a picture is drawn in tiles, so
+   * that edges do not show. Valid range: [1e-6, 0.1]. Default is 1/255, a level of an 8-bit picture.
    */
   void SetErrorTolerance(double tolerance);
   vtkGetMacro(ErrorTolerance, double);

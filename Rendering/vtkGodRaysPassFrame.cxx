@@ -376,8 +376,8 @@ bool vtkGodRaysPass::FindOccluders(const vtkRenderState* s, const vtkGodRaysView
   occlusion.Glow = this->BackgroundGlow;
   occlusion.Compositor = self.Compositor;
   self.Effect->SetUp(occlusion, self.Integrator);
-  occlusion.Dims =
-    occlusion.Dims || self.IsNewPicture; // what lets light through covers the picture, too
+  // What lets light through covers the picture, too.
+  occlusion.Dims = occlusion.Dims || self.IsNewPicture;
 
   const bool depthServes = self.Occlusion->SceneDepthServes(occlusion);
   const unsigned int buffers = (this->Output == COMPOSITE ? GL_COLOR_BUFFER_BIT : 0) |

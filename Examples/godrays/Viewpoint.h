@@ -21,8 +21,7 @@ struct Viewpoint
   Vector3 LightPosition = { 0.0, 0.0, 1.0 };  ///< of a lamp
   Vector3 LightDirection = { 0.0, 0.0, 1.0 }; ///< unit vector from the scene to the light
   bool LightWasChosen = false;
-  std::optional<Vector3>
-    LampInMedium; ///< instead of a chosen light, where a medium shows shafts of a lamp
+  std::optional<Vector3> LampInMedium; ///< has the place of a chosen light in a medium
 };
 
 /**

@@ -52,7 +52,7 @@ public:
   vtkGodRaysSpot Spot;
   double Tolerance = 1.0 / 255.0;
   double WidestPiece = 0.15; // of a step, as a lamp sees it [radians]
-  double Brightest = 0.0; // of the picture's radiance without the light's colour; 0: not known yet
+  double Brightest = 0.0; // of the radiance, or 10 means, without the light's colour; 0: not known
   vtkGodRays::MediumComponent Components[3][2];
 
   void SetUp(const vtkGodRaysSingleScattering::Parameters& parameters);

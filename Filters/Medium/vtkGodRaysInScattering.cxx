@@ -27,7 +27,7 @@ constexpr int MaximumPlanes = vtkGodRaysAirlight::MaximumPlanes;
 // A cell is filled where its rays differ by no more than so many tolerances of a pixel: measured on the
 // scenes of ModelError.
 constexpr double CellTolerance = 3.0;
-constexpr double MostOfMean = 10.0; // near a lamp are rays 1000 times as bright as the others
+constexpr double MostOfMean = 10.0; // rays near a lamp are 1000 times as bright as the others
 
 // Cells of one task.
 constexpr int Cells = 32;
@@ -346,7 +346,7 @@ void vtkGodRaysInScattering::vtkInternals::WalkCoarsest()
   this->Lists.Walk(this->Places, this->Ends);
 }
 
-// The tolerance is a fraction of the brightest ray of the coarsest grid, but of 1 in 1000.
+// The tolerance counts the brightest ray of the coarsest grid but for 1 in 1000, or MostOfMean of their mean.
 double vtkGodRaysInScattering::vtkInternals::FindLimit()
 {
   const Grid& grid = this->Grids[Levels];

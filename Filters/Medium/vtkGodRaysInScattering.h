@@ -47,7 +47,7 @@ public:
     vtkGodRaysSpot Spot;                      // of a point light
     vtkGodRaysMedium Medium;
     const vtkGodRaysShadowGrids* Shadows = nullptr; // null: nothing blocks the light
-    double Tolerance = 1.0 / 255.0;                 // of the brightest pixel [fraction]
+    double Tolerance = 1.0 / 255.0; // of the brightest pixel or of 10 times the mean [fraction]
   };
 
   vtkGodRaysInScattering();

@@ -31,8 +31,8 @@ public:
   static vtkVolume* GetVolume(vtkProp* prop);
 
   /**
-   * Whether the opacity depends on scalars alone. Some of VTK's mappers ask a property for its gradient
-   * opacity, which makes one that is 1 everywhere: that is none.
+   * Tell whether the opacity depends on scalars alone. Some of VTK's mappers ask a property for its gradient
+   * opacity, and so make one that is 1 everywhere: it counts as none.
    */
   static bool HasScalarOpacityAlone(vtkVolumeProperty* property);
 

@@ -277,13 +277,24 @@ class Lists(ProgramTest):
         self.assertIn("--no-rays", godrays(*arguments, "--no-rays").stdout)
 
     def test_stats_tell_how_to_have_the_picture_again(self):
-        text = godrays(
-            self.mesh, "--size", f"{WIDTH}x{HEIGHT}", "--output", self.folder / "s.png",
-            "--stats").stdout
-        camera = re.search(r"camera     (.*)", text).group(1).split()
-        light = re.search(r"light      (--(?:sun|light) \S+)", text).group(1).split()
-        again = self.draw(self.mesh, *camera, *light)
-        self.assertLess(abs(again - self.draw(self.mesh)).mean(), 1)
+        haze = ["--preset", "haze"]
+        lights = []
+        for options in [], haze, [*haze, "--sun-at", "0.2,0.8"], [*haze, "--parallel"], [*haze, "--world-unit", "10"]:
+            with self.subTest(options=options):
+                text = godrays(
+                    self.mesh, "--size", f"{WIDTH}x{HEIGHT}", "--output", self.folder / "s.png",
+                    "--stats", *options).stdout
+                camera = re.search(r"camera     (.*)", text).group(1).split()
+                light = re.search(r"light      (--(?:sun|light) \S+)", text).group(1).split()
+                kept = options if "--world-unit" in options else options[:2]
+                again = self.draw(self.mesh, *kept, *camera, *light)
+                self.assertLess(abs(again - self.draw(self.mesh, *options)).mean(), 1)
+                lights.append(light)
+        look, medium, asked, parallel, known = lights
+        self.assertEqual(medium[0], "--light")
+        self.assertNotIn(medium, (look, asked, parallel, known))
+        self.assertNotIn(asked, (look, parallel, known))
+        self.assertEqual(known, look)
 
 
 if __name__ == "__main__":
