@@ -97,6 +97,11 @@ class Defaults(unittest.TestCase):
         self.assertAlmostEqual(numbers.mud, 100)
         self.assertAlmostEqual(numbers.ground, defaults.to_lab(numpy.full(3, 60.0))[0])
 
+    def test_a_volume_alone_has_the_light_of_a_medium_behind_it(self):
+        _, data, ((x, y),) = defaults.draw("volume", columns={"medium": {"preset": "haze"}})
+        column, row = round(x * defaults.SIZE[0]), round(y * defaults.SIZE[1])
+        self.assertTrue(data[row - 10 : row + 10, column - 10 : column + 10].any(), (x, y))
+
     def test_translucent_without_peeling(self):
         """Data that leave neither depth nor their opacity in alpha."""
         window, renderer = default_situations.make("translucent", defaults.SIZE)
