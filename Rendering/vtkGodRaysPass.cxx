@@ -195,10 +195,12 @@ bool vtkGodRaysPass::SeesNewPicture(vtkRenderer* renderer)
   return isNew;
 }
 
-// Have the first light on the data, too, as LightData asks for.
+// Have the first light on the data, too, as LightData asks for, and all of them, as SurfaceShadows does.
 void vtkGodRaysPass::LightTheData(vtkRenderer* renderer)
 {
   Internals& self = *this->Internal;
+  static const std::vector<vtkSmartPointer<vtkLight>> none;
+  self.DataLights.Shine(renderer, this->SurfaceShadows ? self.Lights : none);
   if (!this->LightData || self.Lights.empty())
   {
     self.DataLights.Remove();
@@ -387,6 +389,7 @@ bool vtkGodRaysPass::ApplyPreset(const char* name)
 
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, Intensity, 0.0, 1e4);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, MostDataLightness, 0.0, 100.0);
+vtkGodRaysSetFiniteMacro(vtkGodRaysPass, MostDataShadow, 0.0, 1.0);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, ErrorTolerance, 1e-6, 0.1);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, InteractiveErrorTolerance, 1e-6, 0.1);
 vtkGodRaysSetFiniteMacro(vtkGodRaysPass, SourceRadius, 0.0, 1e30);
@@ -435,6 +438,7 @@ void vtkGodRaysPass::Detach(vtkRenderer* renderer)
     self.Release(self.Window);
   }
   self.DataLights.Remove();
+  self.DataLights.Shine(renderer, {});
   self.Attachment.Detach(this, renderer);
 }
 
@@ -564,6 +568,9 @@ void vtkGodRaysPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DarkenLightBackground: " << (this->DarkenLightBackground ? "on" : "off") << "\n";
   os << indent << "DataFirst: " << (this->DataFirst ? "on" : "off") << "\n";
   os << indent << "MostDataLightness: " << this->MostDataLightness << "\n";
+  os << indent << "LightData: " << (this->LightData ? "on" : "off") << "\n";
+  os << indent << "SurfaceShadows: " << (this->SurfaceShadows ? "on" : "off") << "\n";
+  os << indent << "MostDataShadow: " << this->MostDataShadow << "\n";
   os << indent << "SunPlacement: " << this->SunPlacement << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "InteractiveErrorTolerance: " << this->InteractiveErrorTolerance << "\n";

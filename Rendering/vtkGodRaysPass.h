@@ -293,6 +293,23 @@ public:
 
   ///@{
   /**
+   * Set/Get whether lights cast shadows on surfaces. Those of the renderer that stand in the scene do, headlights
+   * do not; at most four, the strongest ones. Lights of the rays that the renderer lacks are added to it, with
+   * an intensity of at most 0.6, until Detach(). What blocks the light of rays casts a shadow if it is an opaque
+   * surface; whatever VTK shades by its lights receives it, in the picture only. Of surfaces that are coloured by
+   * data, shadows take at most MostDataShadow of a light [fraction], so that colours can be compared with a
+   * colour bar. Intensity 0 leaves shadows without rays. Defaults are off and 0.5. Valid range of the second:
+   * [0, 1].
+   */
+  vtkSetMacro(SurfaceShadows, bool);
+  vtkGetMacro(SurfaceShadows, bool);
+  vtkBooleanMacro(SurfaceShadows, bool);
+  void SetMostDataShadow(double part);
+  vtkGetMacro(MostDataShadow, double);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the error that the rays may have, root mean square over the picture, as a fraction of
    * the brightest possible result [no unit], in a medium of 10 times its mean if that is less; the
    * integrator chooses its work by it. Of a look the exact result is its converged sum, of a medium single
@@ -566,12 +583,15 @@ private:
   void operator=(const vtkGodRaysPass&) = delete;
 
   // Render(), step by step. Reasons and plans are for GetPlan().
-  const char* FindReasonForNoRays(const vtkRenderState* s, vtkOpenGLRenderWindow* window);
+  const char* FindReasonForNothing(const vtkRenderState* s, vtkOpenGLRenderWindow* window);
+  const char* FindReasonForNoRays(const vtkRenderState* s);
   std::string FindFault(vtkRenderer* renderer, const vtkGodRaysView& view, const int size[2],
     std::vector<vtkGodRaysLight>& lights);
   void FindLights(
     vtkRenderer* renderer, const vtkGodRaysView& view, std::vector<vtkGodRaysLight>& lights);
   void RenderScene(const vtkRenderState* s);
+  bool DrawShadows(const vtkRenderState* s);
+  void TakeWindow(vtkOpenGLRenderWindow* window);
   bool RenderRays(
     const vtkRenderState* s, const vtkGodRaysView& view, std::vector<vtkGodRaysLight>& lights);
   bool LookAtPicture(
@@ -606,6 +626,8 @@ private:
   bool DarkenLightBackground = true;
   bool DataFirst = false;
   bool LightData = false;
+  bool SurfaceShadows = false;
+  double MostDataShadow = 0.5;
   double MostDataLightness = 10.0;
   int SunPlacement = SUN_BY_HAND;
   double ErrorTolerance = 1.0 / 255.0;

@@ -98,7 +98,13 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
 
   vtkGodRaysView view;
   std::vector<vtkGodRaysLight> lights = std::move(self.FormerLights);
-  std::string reason = this->FindReasonForNoRays(s, window);
+  std::string reason = this->FindReasonForNothing(s, window);
+  if (reason.empty() && this->SurfaceShadows)
+  {
+    this->TakeWindow(window);
+  }
+  self.HasShadows = reason.empty() && this->SurfaceShadows;
+  reason = reason.empty() ? this->FindReasonForNoRays(s) : reason;
   const bool hasLayers = reason.empty();
   if (hasLayers)
   {
@@ -133,8 +139,9 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   if (!reason.empty())
   {
     self.NumberOfLights = 0;
-    self.StagePlan = "rays: none, " + reason + "\nscene: drawn straight through\n";
     this->RenderScene(s);
+    self.StagePlan = "rays: none, " + reason + "\nscene: drawn straight through\n" +
+      (self.HasShadows ? self.Shadows->Describe() + "\n" : "");
     if (hasLayers && this->Output != COMPOSITE)
     {
       this->ShowNoLight(s, window->GetState()); // the layers are dark, not absent
@@ -142,15 +149,7 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
     return;
   }
 
-  if (self.Window != window || self.ContextTime != window->GetContextCreationTime())
-  {
-    // also if the former window, or its context, is gone
-    self.Release(self.Window ? self.Window.Get() : window);
-    window->MakeCurrent(); // windows of EGL leave the context current in which they released
-  }
-  self.Window = window;
-  self.ContextTime = window->GetContextCreationTime();
-
+  this->TakeWindow(window);
   vtkGodRaysOverlays overlays(s);
   const int failures = vtkGodRaysQuad::GetNumberOfFailures();
   const auto drawScene = [&]
@@ -164,7 +163,7 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   };
   drawScene();
   bool done = !self.IsOwnDelegate && this->RenderRays(s, view, lights);
-  if (done && this->LightData && self.SunMoved)
+  if (done && (this->LightData || this->SurfaceShadows) && self.SunMoved)
   {
     self.IsNewPicture = false; // the scene once more, in the light from where the sun stands now
     this->LightTheData(renderer);
@@ -191,10 +190,23 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   vtkOpenGLCheckErrorMacro("failed after Render");
 }
 
-const char* vtkGodRaysPass::FindReasonForNoRays(
+// Make the resources those of a window and its context.
+void vtkGodRaysPass::TakeWindow(vtkOpenGLRenderWindow* window)
+{
+  Internals& self = *this->Internal;
+  if (self.Window != window || self.ContextTime != window->GetContextCreationTime())
+  {
+    // also if the former window, or its context, is gone
+    self.Release(self.Window ? self.Window.Get() : window);
+    window->MakeCurrent(); // windows of EGL leave the context current in which they released
+  }
+  self.Window = window;
+  self.ContextTime = window->GetContextCreationTime();
+}
+
+const char* vtkGodRaysPass::FindReasonForNothing(
   const vtkRenderState* s, vtkOpenGLRenderWindow* window)
 {
-  const Internals& self = *this->Internal;
   int viewport[4];
   if (!window)
   {
@@ -214,6 +226,12 @@ const char* vtkGodRaysPass::FindReasonForNoRays(
   {
     return "the viewport is empty";
   }
+  return "";
+}
+
+const char* vtkGodRaysPass::FindReasonForNoRays(const vtkRenderState* s)
+{
+  const Internals& self = *this->Internal;
   if (this->Intensity == 0.0)
   {
     return "Intensity is 0";
@@ -303,9 +321,16 @@ void vtkGodRaysPass::RenderScene(const vtkRenderState* s)
   }
   Internals& self = *this->Internal;
   self.IsOwnDelegate = false;
+  const bool shadows = self.HasShadows && this->DrawShadows(s);
   self.DrawsScene = true;
+  self.Shadows->SetActive(shadows);
   scene->Render(s);
+  self.Shadows->SetActive(false);
   self.DrawsScene = false;
+  if (shadows)
+  {
+    self.Shadows->End();
+  }
   vtkOpenGLClearErrorMacro(); // of VTK's passes, which a VTK without debugging does not tell of
   if (self.IsOwnDelegate)
   {
@@ -314,6 +339,42 @@ void vtkGodRaysPass::RenderScene(const vtkRenderState* s)
                    "SetPass(), without Attach()");
   }
   this->NumberOfRenderedProps = scene->GetNumberOfRenderedProps();
+}
+
+// Draw the maps of the renderer's lights. Returns false if there are no shadows.
+bool vtkGodRaysPass::DrawShadows(const vtkRenderState* s)
+{
+  Internals& self = *this->Internal;
+  vtkGodRaysView view;
+  int viewport[4];
+  vtkGodRaysScene::GetViewport(s, viewport);
+  vtkGodRaysScene::UpdateStereo(s->GetRenderer());
+  view.Set(s->GetRenderer(), viewport + 2, 0.0);
+  vtkGodRaysSurfaceShadows::Request request;
+  request.Window = self.Window;
+  request.Renderer = s->GetRenderer();
+  request.View = &view;
+  request.Size[0] = viewport[2];
+  request.Size[1] = viewport[3];
+  request.UntaggedPropsOcclude = this->UntaggedPropsOcclude;
+  request.MostDataShadow = this->MostDataShadow;
+  request.Compositor = self.Compositor;
+  const std::string fault = vtkGodRaysGate::FindFault(s->GetRenderer(), view, request.Size);
+  if (fault.empty())
+  {
+    const vtkGodRaysStateKeeper keeper(self.Window->GetState());
+    if (self.Shadows->Begin(request))
+    {
+      return true;
+    }
+    self.Shadows->End();
+  }
+  if (self.Complaints.insert("shadows").second)
+  {
+    vtkWarningMacro("There are no shadows on surfaces: "
+      << (fault.empty() ? "the driver refuses to draw into textures of depths" : fault) << ".");
+  }
+  return false;
 }
 
 void vtkGodRaysPass::FindLights(
@@ -552,6 +613,10 @@ void vtkGodRaysPass::DescribeStages(bool screen)
   std::ostringstream plan;
   plan << "scene: drawn in place, geometry rendered "
        << (this->NumberOfGeometryPasses == 1 ? "once" : "twice") << "\n";
+  if (self.HasShadows)
+  {
+    plan << self.Shadows->Describe() << "\n";
+  }
   plan << "occlusion: " << self.Occlusion->Describe();
   if (self.Margin > 0.0)
   {

@@ -25,6 +25,7 @@
 #include "vtkGodRaysSum.h"
 #include "vtkGodRaysSun.h"
 #include "vtkGodRaysSunPlacer.h"
+#include "vtkGodRaysSurfaceShadows.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysTimers.h"
 #include "vtkGodRaysTransfer.h"
@@ -66,6 +67,7 @@ struct vtkGodRaysPass::Internals
   vtkGodRaysAttachment Attachment;
 
   vtkNew<vtkGodRaysScene> RendererSteps;
+  vtkNew<vtkGodRaysSurfaceShadows> Shadows; // on surfaces
   vtkNew<vtkGodRaysOcclusionPass> Occlusion;
   vtkNew<vtkGodRaysBlendPass> Blending;
   vtkGodRaysSceneCopy Scene;            // colour and depth of the viewport
@@ -83,6 +85,7 @@ struct vtkGodRaysPass::Internals
   bool HasRays = false;                         // of the last frame
   bool HasScattering = false;                   // alike
   bool HasBackdrop = false;
+  bool HasShadows = false; // on surfaces, in this frame
   bool KeepAllLayers = false;
   int NumberOfLights = 0; // of the last frame
   vtkGodRaysTransfer Transfer = vtkGodRaysTransfer::SRGB;
@@ -151,6 +154,7 @@ struct vtkGodRaysPass::Internals
 
   void Release(vtkWindow* window)
   {
+    this->Shadows->ReleaseGraphicsResources(window);
     this->Occlusion->ReleaseGraphicsResources(window);
     if (this->Integrator)
     {

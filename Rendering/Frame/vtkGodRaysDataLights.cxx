@@ -26,6 +26,8 @@ constexpr double ColoredRim = 0.12; // 0.2 alone changes colours by dE 3 to 4
 constexpr double Color[3] = { 1.0, 0.967, 0.913 };
 constexpr double KeyTowardsEye = 0.55;  // cosines of the angles from the direction to the eye
 constexpr double RimTowardsEye = -0.09; // 95 degrees
+// Of a copy, on which the renderer's own light comes, too: 1 would bleach what both shine on.
+constexpr double MostOfSun = 0.6;
 constexpr double UpBias = 0.02; // sun straight behind the middle of the picture: its side is up
 
 /// Returns the intensity of the rim light that a prop bears. A volume bears none: with a second light VTK
@@ -66,6 +68,15 @@ double FindRim(vtkRenderer* renderer)
   return rim;
 }
 
+/// Makes VTK's headlight, which it makes only for a renderer without lights.
+void KeepHeadlight(vtkRenderer* renderer)
+{
+  if (renderer->GetLights()->GetNumberOfItems() == 0 && renderer->GetAutomaticLightCreation())
+  {
+    renderer->CreateLight();
+  }
+}
+
 void Place(
   vtkLight* light, vtkMatrix4x4* toView, const double side[2], double towardsEye, double intensity)
 {
@@ -100,10 +111,7 @@ void vtkGodRaysDataLights::Update(vtkRenderer* renderer, const double sunDirecti
   const double side[2] = { sun[0] / length, sun[1] / length };
   Place(this->Key, toView, side, KeyTowardsEye, rim < PlainRim ? 0.0 : PlainKey);
   Place(this->Rim, toView, side, RimTowardsEye, rim);
-  if (renderer->GetLights()->GetNumberOfItems() == 0 && renderer->GetAutomaticLightCreation())
-  {
-    renderer->CreateLight(); // VTK's headlight, which it makes only for a renderer without lights
-  }
+  KeepHeadlight(renderer);
   for (vtkLight* light : { this->Key.Get(), this->Rim.Get() })
   {
     // VTK 9.1 confuses lights in volumes if one of them is switched off.
@@ -123,5 +131,50 @@ void vtkGodRaysDataLights::Remove()
     this->Renderer->RemoveLight(this->Key);
     this->Renderer->RemoveLight(this->Rim);
     this->Renderer = nullptr;
+  }
+}
+
+void vtkGodRaysDataLights::Shine(
+  vtkRenderer* renderer, const std::vector<vtkSmartPointer<vtkLight>>& lights)
+{
+  std::vector<vtkLight*> lacking;
+  for (vtkLight* light : lights)
+  {
+    if (!renderer->GetLights()->IsItemPresent(light))
+    {
+      lacking.push_back(light);
+    }
+  }
+  while (!this->Suns.empty() &&
+    (this->Suns.size() > lacking.size() || this->SunsRenderer != renderer))
+  {
+    if (this->SunsRenderer)
+    {
+      this->SunsRenderer->RemoveLight(this->Suns.back());
+    }
+    this->Suns.pop_back();
+  }
+  this->SunsRenderer = renderer;
+  for (std::size_t i = 0; i < lacking.size(); ++i)
+  {
+    if (i == this->Suns.size())
+    {
+      KeepHeadlight(renderer);
+      this->Suns.push_back(vtkSmartPointer<vtkLight>::New());
+      renderer->AddLight(this->Suns.back());
+    }
+    vtkLight* sun = this->Suns[i];
+    double place[3];
+    lacking[i]->GetTransformedPosition(place);
+    sun->SetPosition(place);
+    lacking[i]->GetTransformedFocalPoint(place);
+    sun->SetFocalPoint(place);
+    sun->SetPositional(lacking[i]->GetPositional());
+    sun->SetConeAngle(lacking[i]->GetConeAngle());
+    sun->SetExponent(lacking[i]->GetExponent());
+    sun->SetDiffuseColor(lacking[i]->GetDiffuseColor());
+    sun->SetSpecularColor(0.0, 0.0, 0.0); // highlights would bleach the colours of data
+    sun->SetSwitch(lacking[i]->GetSwitch());
+    sun->SetIntensity(std::min(lacking[i]->GetIntensity(), MostOfSun));
   }
 }

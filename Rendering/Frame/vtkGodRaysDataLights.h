@@ -7,7 +7,8 @@
  * Adds two lights to a renderer: a rim light that grazes the data from the sun's side of the picture, and a
  * soft key light from there. If a visible prop is coloured by data or by a texture, there is only a weak rim
  * light, which keeps the mean CIELAB difference from the picture without it below 4. If one is a volume,
- * both are off. The renderer's other lights are left alone.
+ * both are off. The renderer's other lights are left alone. And it adds copies of lights that are to shine on
+ * surfaces.
  */
 
 #ifndef vtkGodRaysDataLights_h
@@ -15,13 +16,20 @@
 
 #include "vtkLight.h"
 #include "vtkNew.h"
-#include "vtkRenderer.h"    // For vtkWeakPointer
-#include "vtkWeakPointer.h" // For vtkWeakPointer
+#include "vtkRenderer.h" // For vtkWeakPointer
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+#include <vector>
 
 class vtkGodRaysDataLights
 {
 public:
-  ~vtkGodRaysDataLights() { this->Remove(); }
+  ~vtkGodRaysDataLights()
+  {
+    this->Remove();
+    this->Shine(nullptr, {});
+  }
 
   /**
    * Adds the lights to a renderer, and places them for its camera. The direction is in world coordinates,
@@ -31,7 +39,13 @@ public:
   void Update(vtkRenderer* renderer, const double sunDirection[3]);
 
   /**
-   * Takes the lights off their renderer.
+   * Adds copies of the lights that a renderer lacks, so that they shine on its surfaces; with the others
+   * goes what was added for them.
+   */
+  void Shine(vtkRenderer* renderer, const std::vector<vtkSmartPointer<vtkLight>>& lights);
+
+  /**
+   * Takes rim and key light off their renderer.
    */
   void Remove();
 
@@ -39,6 +53,8 @@ private:
   vtkNew<vtkLight> Key;
   vtkNew<vtkLight> Rim;
   vtkWeakPointer<vtkRenderer> Renderer;
+  std::vector<vtkSmartPointer<vtkLight>> Suns; // copies
+  vtkWeakPointer<vtkRenderer> SunsRenderer;
 };
 
 #endif

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysSurfaceShadows
+ * @brief   shadows of a renderer's lights on its surfaces; private to this module
+ *
+ * Draws a shadow map for each light of the renderer that stands in the scene, and takes part in the mappers'
+ * shaders: before VTK's own text for lights, the colour of each such light becomes that colour times how much
+ * of the light reaches the fragment. No line of VTK's is replaced, so that all that it does with lights is
+ * shadowed: Phong, flat and physically based shading, textures, glyphs, translucent surfaces, and shaders of
+ * users. Mappers without lights in their shaders, such as those of volumes, are drawn as ever. See
+ * Documentation/Decisions/0021-surface-shadows.md.
+ *
+ * Maps are kept while light and occluders stay, see vtkGodRaysShadowMap. Headlights cast no shadow that one
+ * could see.
+ */
+
+#ifndef vtkGodRaysSurfaceShadows_h
+#define vtkGodRaysSurfaceShadows_h
+
+#include "vtkGodRaysLight.h"
+#include "vtkGodRaysLightFinder.h"
+#include "vtkGodRaysShadowMap.h"
+#include "vtkGodRaysSortedProps.h"
+#include "vtkGodRaysTarget.h"
+#include "vtkLight.h" // For vtkSmartPointer
+#include "vtkOpenGLRenderPass.h"
+#include "vtkSmartPointer.h"
+#include "vtkTimeStamp.h"
+
+#include <deque>
+#include <string>
+#include <utility> // For std::pair
+#include <vector>
+
+class vtkGodRaysCompositor;
+class vtkOpenGLRenderWindow;
+class vtkProp;
+class vtkRenderer;
+struct vtkGodRaysView;
+
+class vtkGodRaysSurfaceShadows : public vtkOpenGLRenderPass
+{
+public:
+  static vtkGodRaysSurfaceShadows* New();
+  vtkTypeMacro(vtkGodRaysSurfaceShadows, vtkOpenGLRenderPass);
+
+  /// So many lights have a map, each a texture unit of the mappers' shaders. The strongest ones do.
+  static constexpr std::size_t MaximumLights = 4;
+
+  struct Request
+  {
+    vtkOpenGLRenderWindow* Window = nullptr; ///< its context is current
+    vtkRenderer* Renderer = nullptr;
+    const vtkGodRaysView* View = nullptr;
+    int Size[2] = { 0, 0 }; ///< of the picture [pixels]
+    bool UntaggedPropsOcclude = true;
+    double MostDataShadow = 1.0; ///< part of a light that shadows take from props coloured by scalars
+    vtkGodRaysCompositor* Compositor = nullptr;
+  };
+
+  /**
+   * Begin a frame: draw the maps, and have the renderer's props drawn with this pass until End(). Returns
+   * false when the driver refuses; then there are no shadows.
+   */
+  bool Begin(const Request& request);
+
+  /**
+   * Say whether what is drawn next has the shadows: the scene has, maps and layers do without.
+   */
+  void SetActive(bool active) { this->Active = active; }
+
+  void End();
+
+  /**
+   * What was drawn, for the plan.
+   */
+  std::string Describe() const;
+
+  /**
+   * Returns how many lights of the last frame cast shadows.
+   */
+  int GetNumberOfLights() const { return static_cast<int>(this->Casting.size()); }
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  ///@{
+  /// For VTK.
+  void Render(const vtkRenderState*) override {}
+  vtkMTimeType GetShaderStageMTime() override { return this->Stage; }
+  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
+  ///@}
+
+protected:
+  vtkGodRaysSurfaceShadows();
+  ~vtkGodRaysSurfaceShadows() override = default;
+
+private:
+  vtkGodRaysSurfaceShadows(const vtkGodRaysSurfaceShadows&) = delete;
+  void operator=(const vtkGodRaysSurfaceShadows&) = delete;
+
+  /// A light that has a map, as shaders have it.
+  struct Caster
+  {
+    int Number = 0; // among the lights that are switched on, as VTK numbers them
+    int Faces = 0;
+    vtkTextureObject* Map = nullptr;
+    float Light[4];
+    float ToFace[6 * 16]; // columns first
+    float Texels[3];
+  };
+
+  void FindLights(const Request& request, std::vector<vtkGodRaysLight>& lights);
+  bool DrawMap(const Request& request, const vtkGodRaysLight& light, vtkGodRaysShadowMap& map);
+  void SetProps(bool on);
+
+  std::vector<vtkProp*> Props; // of the frame
+  vtkRenderer* Renderer = nullptr;
+  vtkGodRaysLightFinder Finder;
+  vtkGodRaysSortedProps Sorted;
+  std::deque<vtkGodRaysShadowMap> Maps; // of the lights, in the frame's order
+  std::vector<Caster> Casting;
+  vtkGodRaysTarget Nothing; // what samplers have while maps are drawn
+  std::vector<std::pair<int, int>> Text; // lights that shaders have: number, faces of the map
+  vtkTimeStamp Stage;                    // when that changed
+  bool Active = false;
+  double MostDataShadow = 1.0;
+  int Shining = 0; // lights that are switched on
+  int Drawn = 0;   // maps that were drawn anew
+  int Built = 0;   // shaders of this frame
+};
+
+#endif
