@@ -210,6 +210,7 @@ bool vtkGodRaysMediumEffect::DrawLight(const Frame& frame, const vtkGodRaysLight
   {
     request.Depths = nullptr;
     request.Result = nullptr;
+    request.WantsLayers = false;
     done = integrator->Contribute(request);
   }
   else

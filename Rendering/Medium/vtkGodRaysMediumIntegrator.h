@@ -47,6 +47,7 @@ public:
     vtkGodRaysViewDepths* Depths = nullptr;
     const std::vector<vtkProp*>* Occluders = nullptr; ///< these props block light
     vtkGodRaysCompositor* Compositor = nullptr;       ///< of a scene on several processes
+    bool WantsLayers = true; ///< of what lets light through; false where there is no picture
     vtkGodRaysSum* Result = nullptr;     ///< the light scattered by all lights: add to it
     double ErrorTolerance = 1.0 / 255.0; ///< of this frame; see vtkGodRaysPass
     bool Interactive = false;            ///< the user drags the camera, or the like

@@ -214,7 +214,7 @@ bool vtkGodRaysShadowMap::RenderTranslucent(
   {
     vtkGodRaysVolumeHaze::Make(request, volumes, this->Faces.Grids, this->Faces.Size, haze);
   }
-  if (request.Result && (hasVolumes || !surfaces.empty())) // not where there is no picture
+  if (request.WantsLayers && (hasVolumes || !surfaces.empty()))
   {
     this->Depths = map.ReadDepth();
     this->Layers.Make(this->Depths, surfaces, hasVolumes ? &haze : nullptr, this->GetGrids());

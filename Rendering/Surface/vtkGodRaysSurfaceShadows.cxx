@@ -8,6 +8,7 @@
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysSurfaceShadowsFS.h"
 #include "vtkGodRaysView.h"
+#include "vtkGodRaysVolumeHaze.h"
 #include "vtkLightCollection.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <sstream>
 
 vtkStandardNewMacro(vtkGodRaysSurfaceShadows);
@@ -50,6 +52,23 @@ bool Casts(vtkProp* prop)
     mapper->IsA("vtkPointGaussianMapper") ||
     (data && data->GetNumberOfPolys() == 0 && data->GetNumberOfStrips() == 0);
   return !isThin && prop->HasOpaqueGeometry() != 0;
+}
+
+/// Releases what is kept of a light.
+template <typename Kept>
+void Release(Kept& light, vtkWindow* window)
+{
+  for (vtkGodRaysShadowMap& map : light.Maps)
+  {
+    map.Release(window);
+  }
+  light.Layers.Release(window);
+}
+
+/// Returns the name of a light's map in shaders.
+std::string GetName(const std::string& light, int kind)
+{
+  return light + (kind == 0 ? "Opaque" : "Layers");
 }
 
 void Replace(std::string& text, const std::string& what, const std::string& with)
@@ -91,8 +110,31 @@ void vtkGodRaysSurfaceShadows::FindLights(
   lights.resize(std::min(lights.size(), MaximumLights));
 }
 
-bool vtkGodRaysSurfaceShadows::DrawMap(
-  const Request& request, const vtkGodRaysLight& light, vtkGodRaysShadowMap& map)
+// Volumes cast shadows, also where they are media and not drawn.
+void vtkGodRaysSurfaceShadows::FindOccluders(const Request& request)
+{
+  vtkGodRaysOcclusionPass::Request sorting;
+  sorting.Renderer = request.Renderer;
+  sorting.UntaggedPropsOcclude = request.UntaggedPropsOcclude;
+  sorting.LampsOcclude = false;
+  sorting.Dims = true;
+  this->Sorted.Sort(sorting);
+  const std::vector<vtkProp*>& all = this->Sorted.OccludingProps;
+  this->Occluders[0].clear();
+  this->Occluders[1].clear();
+  std::copy_if(all.begin(), all.end(), std::back_inserter(this->Occluders[0]), Casts);
+  std::copy_if(all.begin(), all.end(), std::back_inserter(this->Occluders[1]),
+    [](vtkProp* prop)
+    { return prop->HasTranslucentPolygonalGeometry() || vtkGodRaysVolumeHaze::GetVolume(prop); });
+  // A volume has 16 layers, and no edges.
+  this->LayerSize = std::any_of(this->Occluders[1].begin(), this->Occluders[1].end(),
+                      [](vtkProp* prop) { return vtkGodRaysVolumeHaze::GetVolume(prop) != nullptr; })
+    ? 512
+    : 1024;
+}
+
+bool vtkGodRaysSurfaceShadows::DrawMaps(
+  const Request& request, const vtkGodRaysLight& light, Kept& kept)
 {
   vtkGodRaysMedium air;
   air.FarLimit = request.Renderer->GetActiveCamera()->GetClippingRange()[1];
@@ -102,47 +144,67 @@ bool vtkGodRaysSurfaceShadows::DrawMap(
   scene.Medium = &air;
   scene.View = request.View;
   scene.Light = &light;
-  scene.Occluders = &this->Sorted.OccludingProps;
   scene.Compositor = request.Compositor;
-  // Texels about half as wide as pixels, where map and picture show the same.
-  int size = LeastSize;
-  while (size < std::min(2 * std::max(request.Size[0], request.Size[1]), MostSize))
-  {
-    size *= 2;
-  }
-  if (!map.Draw(scene, light.IsInfinite() ? size : size / 2, 1))
-  {
-    return false;
-  }
-  const vtkGodRaysShadowFaces& faces = map.GetFaces();
-  if (faces.Count == 0)
-  {
-    return true; // nothing casts
-  }
-  this->Drawn += map.WasKept() ? 0 : 1;
   Caster caster;
   caster.Number = light.Number;
-  caster.Faces = faces.Count;
-  caster.Map = map.GetDepth();
   for (int i = 0; i < 4; ++i)
   {
     caster.Light[i] = static_cast<float>(i == 2 ? -light.Position[2] : light.Position[i]);
   }
+  for (int kind = 0; kind < 2; ++kind)
+  {
+    // Texels about half as wide as pixels, where map and picture show the same; layers are many, and smooth.
+    int size = LeastSize;
+    while (size < std::min(2 * std::max(request.Size[0], request.Size[1]), MostSize))
+    {
+      size *= 2;
+    }
+    size = kind == 1 ? this->LayerSize : size;
+    scene.Occluders = &this->Occluders[kind];
+    vtkGodRaysShadowMap& map = kept.Maps[kind];
+    if (!map.Draw(scene, light.IsInfinite() ? size : size / 2, 1))
+    {
+      return false;
+    }
+    this->Drawn += map.GetNumberOfFaces() == 0 || map.WasKept() ? 0 : 1;
+    Describe(map, *request.View, caster.Maps[kind]);
+  }
+  if (!this->WriteLayers(request.Window, kept, caster.Maps[1]))
+  {
+    return false;
+  }
+  if (caster.Maps[0].Faces + caster.Maps[1].Faces > 0) // else nothing casts
+  {
+    this->Casting.push_back(caster);
+  }
+  return true;
+}
+
+void vtkGodRaysSurfaceShadows::Describe(
+  const vtkGodRaysShadowMap& map, const vtkGodRaysView& view, Map& shaders)
+{
+  const vtkGodRaysShadowFaces& faces = map.GetFaces();
+  shaders.Faces = faces.Count;
+  if (faces.Count == 0)
+  {
+    return;
+  }
+  shaders.Texture = map.GetDepth();
   const vtkGodRaysShadowGrids& grids = faces.Grids;
   const double texel = std::max(grids.Grids[0].Texel[0], grids.Grids[0].Texel[1]);
   const double depth = grids.Range[1] - grids.Range[0];
-  caster.Texels[0] = static_cast<float>(faces.Size);
-  caster.Texels[1] = static_cast<float>(faces.GetColumns());
+  shaders.Texels[0] = static_cast<float>(faces.Size);
+  shaders.Texels[1] = static_cast<float>(faces.GetColumns());
   // Window depth is affine in the distance, or in 1/distance of a lamp, whose texels widen with it.
-  caster.Texels[2] =
+  shaders.Texels[3] =
     static_cast<float>(texel * (grids.Point ? grids.Range[0] * grids.Range[1] : 1.0) / depth);
   for (int face = 0; face < faces.Count; ++face)
   {
     double clip[16];
-    vtkMatrix4x4::Multiply4x4(faces.ViewToMap[face], request.View->CameraToView, clip);
+    vtkMatrix4x4::Multiply4x4(faces.ViewToMap[face], view.CameraToView, clip);
     for (int column = 0; column < 4; ++column)
     {
-      float* to = caster.ToFace + 16 * face + 4 * column;
+      float* to = shaders.ToFace + static_cast<std::ptrdiff_t>(16) * face + 4 * column;
       const double w = clip[12 + column];
       to[0] = static_cast<float>(0.5 * faces.Size * (clip[column] + w));
       to[1] = static_cast<float>(0.5 * faces.Size * (clip[4 + column] + w));
@@ -150,7 +212,52 @@ bool vtkGodRaysSurfaceShadows::DrawMap(
       to[3] = static_cast<float>(w);
     }
   }
-  this->Casting.push_back(caster);
+}
+
+// The layers of a map as a texture: one on another, each texel its depth and what is dark beyond.
+bool vtkGodRaysSurfaceShadows::WriteLayers(
+  vtkOpenGLRenderWindow* window, Kept& kept, Map& shaders)
+{
+  const vtkGodRaysShadowMap& map = kept.Maps[1];
+  if (shaders.Faces == 0 || !map.HasLayers())
+  {
+    shaders.Faces = 0;
+    kept.Layers.Release(window);
+    kept.Version = 0;
+    return true;
+  }
+  const vtkGodRaysShadowGrids& grids = kept.Maps[1].GetGrids();
+  const int width = map.GetFaces().GetColumns() * map.GetFaces().Size;
+  const int rows = map.GetFaces().GetRows() * map.GetFaces().Size;
+  const int layers = std::min(
+    grids.NumberOfLayers, static_cast<int>(vtkTextureObject::GetMaximumTextureSize(window)) / rows);
+  shaders.Texels[2] = static_cast<float>(layers);
+  if (kept.Version != grids.Version)
+  {
+    const std::size_t texels = static_cast<std::size_t>(width) * rows;
+    this->Texels.resize(4 * texels * layers);
+    float* to = this->Texels.data();
+    for (int k = 0; k < layers; ++k)
+    {
+      const vtkGodRaysShadowGrids::Layer& layer = grids.Layers[k];
+      for (std::size_t i = 0; i < texels; ++i, to += 4)
+      {
+        to[0] = layer.Depths[i];
+        for (int c = 0; c < 3; ++c)
+        {
+          to[1 + c] = layer.Dark[c][i];
+        }
+      }
+    }
+    kept.Layers.Prepare(window, width, rows * layers, { GL_RGBA32F, 0 });
+    if (!kept.Layers.Bind())
+    {
+      return false;
+    }
+    kept.Layers.WriteColor(this->Texels);
+    kept.Version = grids.Version;
+  }
+  shaders.Texture = kept.Layers.GetColor();
   return true;
 }
 
@@ -187,43 +294,34 @@ bool vtkGodRaysSurfaceShadows::Begin(const Request& request)
   this->UpdateLightGeometry(request.Renderer);
   this->UpdateLights(request.Renderer);
   this->Nothing.Prepare(request.Window, 1, 1, { GL_RGBA8, 0 });
-  vtkGodRaysOcclusionPass::Request sorting;
-  sorting.Renderer = request.Renderer;
-  sorting.UntaggedPropsOcclude = request.UntaggedPropsOcclude;
-  sorting.LampsOcclude = false;
-  sorting.Dims = false;
-  this->Sorted.Sort(sorting);
-  std::vector<vtkProp*>& occluding = this->Sorted.OccludingProps;
-  occluding.erase(std::remove_if(occluding.begin(), occluding.end(),
-                    [](vtkProp* prop) { return !Casts(prop); }),
-    occluding.end());
+  this->FindOccluders(request);
   std::vector<vtkGodRaysLight> lights;
   this->FindLights(request, lights);
-  for (; this->Maps.size() > lights.size(); this->Maps.pop_back())
+  for (; this->Lights.size() > lights.size(); this->Lights.pop_back())
   {
-    this->Maps.back().Release(request.Window);
+    Release(this->Lights.back(), request.Window);
   }
   bool done = true;
   for (std::size_t i = 0; i < lights.size() && done; ++i)
   {
-    if (i == this->Maps.size())
+    if (i == this->Lights.size())
     {
-      this->Maps.emplace_back();
+      this->Lights.emplace_back();
     }
-    done = this->DrawMap(request, lights[i], this->Maps[i]);
+    done = this->DrawMaps(request, lights[i], this->Lights[i]);
   }
   if (!done)
   {
     this->Casting.clear();
   }
-  std::vector<std::pair<int, int>> text;
+  std::vector<Text> shaders;
   for (const Caster& caster : this->Casting)
   {
-    text.emplace_back(caster.Number, caster.Faces);
+    shaders.push_back({ caster.Number, caster.Maps[0].Faces, caster.Maps[1].Faces });
   }
-  if (text != this->Text)
+  if (shaders != this->Shaders)
   {
-    this->Text = text;
+    this->Shaders = shaders;
     this->Stage.Modified();
   }
   return done;
@@ -234,7 +332,13 @@ void vtkGodRaysSurfaceShadows::End()
   this->SetProps(false);
   for (const Caster& caster : this->Casting)
   {
-    caster.Map->Deactivate();
+    for (const Map& map : caster.Maps)
+    {
+      if (map.Faces > 0)
+      {
+        map.Texture->Deactivate();
+      }
+    }
   }
   if (this->Nothing.IsReady())
   {
@@ -266,27 +370,39 @@ bool vtkGodRaysSurfaceShadows::PostReplaceShaderValues(
   std::string declarations = "uniform float godraysMost;\n"; // part of a light that shadows take
   std::string lights;
   const bool hasPlace = has("vec4 vertexVC = ") && has("//VTK::GodRays::Impl");
-  for (const auto& light : this->Text)
+  for (const Text& light : this->Shaders)
   {
-    const std::string number = std::to_string(light.first);
+    const std::string number = std::to_string(light[0]);
     if (!hasPlace || !has("uniform vec3 lightColor" + number + ";"))
     {
       continue; // this mapper does not shade with it
     }
-    std::string visibility = vtkGodRaysSurfaceShadowsFS;
-    Replace(visibility, "NUMBER", number);
-    Replace(visibility, "FACES", std::to_string(light.second));
-    declarations += visibility;
     const std::string color = "godraysColor" + number;
-    lights += "  vec3 " + color + " = lightColor" + number +
-      ";\n"
+    const std::string toLight = "godraysLight" + number;
+    declarations += "uniform vec4 " + toLight + ";\n"; // its place (w = 1), or the direction to it
+    lights += "  vec3 " + color + " = lightColor" + number + ";\n" +
       "  if (godraysMost > 0.0)\n"
       "  {\n"
-      "    " +
-      color + " *= 1.0 - godraysMost * (1.0 - GodRaysVisibility" + number +
-      "(vertexVC.xyz, godraysNormal));\n"
-      "  }\n"
-      "#define lightColor" +
+      "    float cosine = dot(godraysNormal, normalize(" + toLight + ".xyz - " + toLight +
+      ".w * vertexVC.xyz));\n"
+      // a facet that is turned away hides the light; the map would tell by chance
+      "    vec3 through = vec3(cosine > 0.0 ? 1.0 : 0.0);\n"
+      "    float slope = min(sqrt(max(1.0 - cosine * cosine, 0.0)) / max(cosine, 1e-6), 50.0);\n";
+    for (int kind = 0; kind < 2; ++kind)
+    {
+      if (light[1 + kind] > 0)
+      {
+        const std::string name = GetName(number, kind);
+        std::string map = vtkGodRaysSurfaceShadowsFS;
+        Replace(map, "NAME", name);
+        Replace(map, "FACES", std::to_string(light[1 + kind]));
+        Replace(map, "LAYERED", kind == 0 ? "false" : "true");
+        declarations += map;
+        lights += "    through *= GodRaysThrough" + name + "(vertexVC.xyz, slope, " + toLight +
+          ".w > 0.0);\n";
+      }
+    }
+    lights += "    " + color + " *= 1.0 - godraysMost * (1.0 - through);\n  }\n#define lightColor" +
       number + " " + color + "\n";
   }
   if (lights.empty())
@@ -324,27 +440,36 @@ bool vtkGodRaysSurfaceShadows::SetShaderParameters(
     shown && shown->GetScalarVisibility() && shown->GetColorMapColors() != nullptr;
   const double most = isColored ? this->MostDataShadow : 1.0;
   program->SetUniformf("godraysMost", static_cast<float>(this->Active ? most : 0.0));
-  for (const auto& light : this->Text)
+  for (const Text& light : this->Shaders)
   {
-    const std::string number = std::to_string(light.first);
-    const auto name = [&](const char* of) { return of + number; };
-    if (!program->IsUniformUsed(name("godraysMap").c_str()))
-    {
-      continue;
-    }
-    // A sampler always has a texture of its kind, or OpenGL refuses to draw; and it is bound again for each
-    // prop, as passes between, such as vtkEDLShading, bind theirs to its unit.
+    const std::string number = std::to_string(light[0]);
     const auto caster = std::find_if(this->Casting.begin(), this->Casting.end(),
-      [&](const Caster& each) { return each.Number == light.first; });
+      [&](const Caster& each) { return each.Number == light[0]; });
     const bool isShadowed = this->Active && caster != this->Casting.end();
-    vtkTextureObject* map = isShadowed ? caster->Map : this->Nothing.GetColor();
-    map->Activate();
-    program->SetUniformi(name("godraysMap").c_str(), map->GetTextureUnit());
-    if (isShadowed)
+    if (isShadowed && program->IsUniformUsed(("godraysLight" + number).c_str()))
     {
-      program->SetUniformMatrix4x4v(name("godraysToFace").c_str(), caster->Faces, caster->ToFace);
-      program->SetUniform4f(name("godraysLight").c_str(), caster->Light);
-      program->SetUniform3f(name("godraysTexels").c_str(), caster->Texels);
+      program->SetUniform4f(("godraysLight" + number).c_str(), caster->Light);
+    }
+    for (int kind = 0; kind < 2; ++kind)
+    {
+      const std::string name = GetName(number, kind);
+      if (light[1 + kind] == 0 || !program->IsUniformUsed(("godraysMap" + name).c_str()))
+      {
+        continue;
+      }
+      // A sampler always has a texture of its kind, or OpenGL refuses to draw; and it is bound again for each
+      // prop, as passes between, such as vtkEDLShading, bind theirs to its unit.
+      const bool hasMap = isShadowed && caster->Maps[kind].Faces > 0;
+      vtkTextureObject* texture = hasMap ? caster->Maps[kind].Texture : this->Nothing.GetColor();
+      texture->Activate();
+      program->SetUniformi(("godraysMap" + name).c_str(), texture->GetTextureUnit());
+      if (hasMap)
+      {
+        const Map& map = caster->Maps[kind];
+        program->SetUniformMatrix4x4v(("godraysToFace" + name).c_str(), map.Faces,
+          const_cast<float*>(map.ToFace)); // of VTK 9.1, which does not write to it
+        program->SetUniform4f(("godraysTexels" + name).c_str(), map.Texels);
+      }
     }
   }
   return true;
@@ -361,11 +486,11 @@ std::string vtkGodRaysSurfaceShadows::Describe() const
 void vtkGodRaysSurfaceShadows::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
-  for (vtkGodRaysShadowMap& map : this->Maps)
+  for (Kept& light : this->Lights)
   {
-    map.Release(window);
+    Release(light, window);
   }
-  this->Maps.clear();
+  this->Lights.clear();
   this->Casting.clear();
   this->Nothing.Release(window);
 }

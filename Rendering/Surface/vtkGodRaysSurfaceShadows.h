@@ -11,8 +11,9 @@
  * users. Mappers without lights in their shaders, such as those of volumes, are drawn as ever. See
  * Documentation/Decisions/0021-surface-shadows.md.
  *
- * Maps are kept while light and occluders stay, see vtkGodRaysShadowMap. Headlights cast no shadow that one
- * could see.
+ * Maps are kept while light and occluders stay, see vtkGodRaysShadowMap. Each light has one of what is opaque,
+ * and one of translucent surfaces and volumes, in which few texels are enough. Headlights cast no shadow that
+ * one could see.
  */
 
 #ifndef vtkGodRaysSurfaceShadows_h
@@ -28,9 +29,9 @@
 #include "vtkSmartPointer.h"
 #include "vtkTimeStamp.h"
 
+#include <array>
 #include <deque>
 #include <string>
-#include <utility> // For std::pair
 #include <vector>
 
 class vtkGodRaysCompositor;
@@ -45,7 +46,7 @@ public:
   static vtkGodRaysSurfaceShadows* New();
   vtkTypeMacro(vtkGodRaysSurfaceShadows, vtkOpenGLRenderPass);
 
-  /// So many lights have a map, each a texture unit of the mappers' shaders. The strongest ones do.
+  /// So many lights have maps, each a texture unit of the mappers' shaders. The strongest ones do.
   static constexpr std::size_t MaximumLights = 4;
 
   struct Request
@@ -104,30 +105,50 @@ private:
   vtkGodRaysSurfaceShadows(const vtkGodRaysSurfaceShadows&) = delete;
   void operator=(const vtkGodRaysSurfaceShadows&) = delete;
 
-  /// A light that has a map, as shaders have it.
+  /// A map, as shaders have it.
+  struct Map
+  {
+    vtkTextureObject* Texture = nullptr;
+    int Faces = 0;         // 0: there is none
+    float ToFace[6 * 16];  // columns first
+    float Texels[4] = {};
+  };
+  /// A light that casts shadows.
   struct Caster
   {
     int Number = 0; // among the lights that are switched on, as VTK numbers them
-    int Faces = 0;
-    vtkTextureObject* Map = nullptr;
-    float Light[4];
-    float ToFace[6 * 16]; // columns first
-    float Texels[3];
+    float Light[4]; // place or direction, in the camera's coordinates
+    Map Maps[2];    // of what is opaque, and of what lets light through
   };
+  /// What is kept of it from frame to frame.
+  struct Kept
+  {
+    vtkGodRaysShadowMap Maps[2];
+    vtkGodRaysTarget Layers;
+    unsigned int Version = 0; // of the grids that these are of
+  };
+  /// Lights in the shaders' text: number, and faces of the maps.
+  using Text = std::array<int, 3>;
 
   void FindLights(const Request& request, std::vector<vtkGodRaysLight>& lights);
-  bool DrawMap(const Request& request, const vtkGodRaysLight& light, vtkGodRaysShadowMap& map);
+  void FindOccluders(const Request& request);
+  bool DrawMaps(const Request& request, const vtkGodRaysLight& light, Kept& kept);
+  static void Describe(const vtkGodRaysShadowMap& map, const vtkGodRaysView& view, Map& shaders);
+  bool WriteLayers(vtkOpenGLRenderWindow* window, Kept& kept, Map& shaders);
   void SetProps(bool on);
 
   std::vector<vtkProp*> Props; // of the frame
   vtkRenderer* Renderer = nullptr;
   vtkGodRaysLightFinder Finder;
   vtkGodRaysSortedProps Sorted;
-  std::deque<vtkGodRaysShadowMap> Maps; // of the lights, in the frame's order
+  std::vector<vtkProp*> Occluders[2]; // opaque ones, and those that let light through
+  int LayerSize = 0;                  // of maps of the latter [pixels]
+  std::deque<Kept> Lights;            // in the frame's order
   std::vector<Caster> Casting;
-  vtkGodRaysTarget Nothing; // what samplers have while maps are drawn
-  std::vector<std::pair<int, int>> Text; // lights that shaders have: number, faces of the map
-  vtkTimeStamp Stage;                    // when that changed
+  std::vector<float> Texels; // of layers; here to keep its memory
+  vtkGodRaysTarget Nothing;  // what samplers have while maps are drawn
+  std::vector<Text> Shaders;
+  vtkTimeStamp Stage; // when that changed
   bool Active = false;
   double MostDataShadow = 1.0;
   int Shining = 0; // lights that are switched on
