@@ -570,6 +570,7 @@ void vtkGodRaysPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MostDataLightness: " << this->MostDataLightness << "\n";
   os << indent << "LightData: " << (this->LightData ? "on" : "off") << "\n";
   os << indent << "SurfaceShadows: " << (this->SurfaceShadows ? "on" : "off") << "\n";
+  os << indent << "SoftShadows: " << (this->SoftShadows ? "on" : "off") << "\n";
   os << indent << "MostDataShadow: " << this->MostDataShadow << "\n";
   os << indent << "SunPlacement: " << this->SunPlacement << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";

@@ -298,12 +298,16 @@ public:
    * an intensity of at most 0.6, until Detach(). What blocks the light of rays casts a shadow if it is an opaque
    * surface; whatever VTK shades by its lights receives it, in the picture only. Of surfaces that are coloured by
    * data, shadows take at most MostDataShadow of a light [fraction], so that colours can be compared with a
-   * colour bar. Intensity 0 leaves shadows without rays. Defaults are off and 0.5. Valid range of the second:
-   * [0, 1].
+   * colour bar. With SoftShadows, shadows are as soft as the size of the light makes them, SunAngularRadius or
+   * SourceRadius, where that is more than a pixel. Intensity 0 leaves shadows without rays. Defaults are off, on
+   * and 0.5. Valid range of the last: [0, 1].
    */
   vtkSetMacro(SurfaceShadows, bool);
   vtkGetMacro(SurfaceShadows, bool);
   vtkBooleanMacro(SurfaceShadows, bool);
+  vtkSetMacro(SoftShadows, bool);
+  vtkGetMacro(SoftShadows, bool);
+  vtkBooleanMacro(SoftShadows, bool);
   void SetMostDataShadow(double part);
   vtkGetMacro(MostDataShadow, double);
   ///@}
@@ -627,6 +631,7 @@ private:
   bool DataFirst = false;
   bool LightData = false;
   bool SurfaceShadows = false;
+  bool SoftShadows = true;
   double MostDataShadow = 0.5;
   double MostDataLightness = 10.0;
   int SunPlacement = SUN_BY_HAND;

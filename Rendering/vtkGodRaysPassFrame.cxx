@@ -4,6 +4,7 @@
 // What vtkGodRaysPass does in a frame; see Documentation/Architecture.md.
 #include "vtkGodRaysPassInternals.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkGodRaysBlendPass.h"
 #include "vtkGodRaysFramebuffer.h"
@@ -14,6 +15,7 @@
 #include "vtkGodRaysQuad.h"
 #include "vtkGodRaysSun.h"
 #include "vtkGodRaysView.h"
+#include "vtkMath.h"
 #include "vtkOpenGLError.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderState.h"
@@ -89,6 +91,7 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
     self.RendererSteps->Render(s);
     return;
   }
+  const vtkGodRaysSurfaceShadows::Ending ending = { self.Shadows };
   self.Finder.Clear();
   self.Concerns.clear();
   self.HasScattering = false;
@@ -327,10 +330,6 @@ void vtkGodRaysPass::RenderScene(const vtkRenderState* s)
   scene->Render(s);
   self.Shadows->SetActive(false);
   self.DrawsScene = false;
-  if (shadows)
-  {
-    self.Shadows->End();
-  }
   vtkOpenGLClearErrorMacro(); // of VTK's passes, which a VTK without debugging does not tell of
   if (self.IsOwnDelegate)
   {
@@ -358,6 +357,16 @@ bool vtkGodRaysPass::DrawShadows(const vtkRenderState* s)
   request.Size[1] = viewport[3];
   request.UntaggedPropsOcclude = this->UntaggedPropsOcclude;
   request.MostDataShadow = this->MostDataShadow;
+  request.Soft = this->SoftShadows;
+  request.SunAngularRadius = vtkMath::RadiansFromDegrees(this->GetSunAngularRadius());
+  request.SourceRadius = this->SourceRadius;
+  double bounds[6];
+  if (this->SourceRadius == 0.0 &&
+    vtkGodRaysGate::FindBounds(s->GetRenderer(), self.Compositor, bounds).empty() &&
+    vtkMath::AreBoundsInitialized(bounds))
+  {
+    request.SourceRadius = 0.02 * vtkBoundingBox(bounds).GetDiagonalLength();
+  }
   request.Compositor = self.Compositor;
   const std::string fault = vtkGodRaysGate::FindFault(s->GetRenderer(), view, request.Size);
   if (fault.empty())
@@ -367,7 +376,6 @@ bool vtkGodRaysPass::DrawShadows(const vtkRenderState* s)
     {
       return true;
     }
-    self.Shadows->End();
   }
   if (self.Complaints.insert("shadows").second)
   {
@@ -400,7 +408,7 @@ bool vtkGodRaysPass::RenderRays(
 {
   Internals& self = *this->Internal;
   const vtkGodRaysStateKeeper keeper(self.Window->GetState());
-  const vtkGodRaysOwnShaders shaders(s);
+  const vtkGodRaysOwnShaders shaders(s, self.Shadows);
   int viewport[4];
   vtkGodRaysScene::GetViewport(s, viewport);
   const vtkGodRaysFramebuffer bound;

@@ -210,7 +210,7 @@ bool vtkGodRaysHiddenProps::IsHidden(vtkProp* prop)
   return std::find(hidden.begin(), hidden.end(), prop) != hidden.end();
 }
 
-vtkGodRaysOwnShaders::vtkGodRaysOwnShaders(const vtkRenderState* s)
+vtkGodRaysOwnShaders::vtkGodRaysOwnShaders(const vtkRenderState* s, vtkObjectBase* own)
 {
   vtkInformationObjectBaseVectorKey* key = vtkOpenGLRenderPass::RenderPasses();
   for (int i = 0; i < s->GetPropArrayCount(); ++i)
@@ -221,7 +221,20 @@ vtkGodRaysOwnShaders::vtkGodRaysOwnShaders(const vtkRenderState* s)
     {
       const auto kept = vtkSmartPointer<vtkInformation>::New();
       kept->CopyEntry(keys, key);
+      bool stays = false;
+      for (int k = 0; k < key->Length(keys); ++k)
+      {
+        stays = stays || (own && key->Get(keys, k) == own);
+      }
+      if (stays && key->Length(keys) == 1)
+      {
+        continue;
+      }
       keys->Remove(key);
+      if (stays)
+      {
+        key->Append(keys, own);
+      }
       this->Passes.emplace_back(prop, kept);
     }
   }

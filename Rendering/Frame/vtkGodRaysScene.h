@@ -80,11 +80,12 @@ private:
   std::vector<vtkSmartPointer<vtkProp>> StandIns;
 };
 
-/// While it lives, passes around this one, such as vtkSSAOPass, add nothing to shaders of a state's props.
+/// While it lives, passes around this one, such as vtkSSAOPass, add nothing to shaders of a state's props. One
+/// pass may stay.
 class vtkGodRaysOwnShaders
 {
 public:
-  explicit vtkGodRaysOwnShaders(const vtkRenderState* s);
+  explicit vtkGodRaysOwnShaders(const vtkRenderState* s, vtkObjectBase* own = nullptr);
   ~vtkGodRaysOwnShaders();
   vtkGodRaysOwnShaders(const vtkGodRaysOwnShaders&) = delete;
   void operator=(const vtkGodRaysOwnShaders&) = delete;

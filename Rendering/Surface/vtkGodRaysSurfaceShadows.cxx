@@ -71,6 +71,12 @@ std::string GetName(const std::string& light, int kind)
   return light + (kind == 0 ? "Opaque" : "Layers");
 }
 
+/// Returns the tangent of a sun's angular radius, or the radius of a lamp's sphere.
+double GetRadius(const vtkGodRaysSurfaceShadows::Request& request, const vtkGodRaysLight& light)
+{
+  return light.IsInfinite() ? std::tan(request.SunAngularRadius) : request.SourceRadius;
+}
+
 void Replace(std::string& text, const std::string& what, const std::string& with)
 {
   vtkShaderProgram::Substitute(text, what, with);
@@ -169,6 +175,16 @@ bool vtkGodRaysSurfaceShadows::DrawMaps(
     this->Drawn += map.GetNumberOfFaces() == 0 || map.WasKept() ? 0 : 1;
     Describe(map, *request.View, caster.Maps[kind]);
   }
+  if (caster.Maps[0].Faces > 0 && this->IsSoft(request, light, kept.Maps[0].GetFaces()))
+  {
+    // Seen from a place, a blocker moves by this much of the map for each unit of depth between the two, as
+    // the eye goes from the light's middle to its rim: depth is affine in the distance, or in one over it.
+    const vtkGodRaysShadowGrids& grids = kept.Maps[0].GetFaces().Grids;
+    const double depth = grids.Range[1] - grids.Range[0];
+    caster.Maps[0].Soft = static_cast<float>(
+      GetRadius(request, light) * (grids.Point ? depth / (grids.Range[0] * grids.Range[1]) : depth) /
+      std::max(grids.Grids[0].Texel[0], grids.Grids[0].Texel[1]));
+  }
   if (!this->WriteLayers(request.Window, kept, caster.Maps[1]))
   {
     return false;
@@ -201,17 +217,48 @@ void vtkGodRaysSurfaceShadows::Describe(
   for (int face = 0; face < faces.Count; ++face)
   {
     double clip[16];
+    double toFace[16];
     vtkMatrix4x4::Multiply4x4(faces.ViewToMap[face], view.CameraToView, clip);
     for (int column = 0; column < 4; ++column)
     {
-      float* to = shaders.ToFace + static_cast<std::ptrdiff_t>(16) * face + 4 * column;
       const double w = clip[12 + column];
-      to[0] = static_cast<float>(0.5 * faces.Size * (clip[column] + w));
-      to[1] = static_cast<float>(0.5 * faces.Size * (clip[4 + column] + w));
-      to[2] = static_cast<float>(0.5 * (clip[8 + column] + w));
-      to[3] = static_cast<float>(w);
+      toFace[column] = 0.5 * faces.Size * (clip[column] + w);
+      toFace[4 + column] = 0.5 * faces.Size * (clip[4 + column] + w);
+      toFace[8 + column] = 0.5 * (clip[8 + column] + w);
+      toFace[12 + column] = w;
     }
+    double inverse[16];
+    vtkMatrix4x4::Invert(toFace, inverse);
+    std::copy_n(inverse, 16, shaders.ToPlane + static_cast<std::ptrdiff_t>(16) * face);
+    vtkMatrix4x4::Transpose(toFace, toFace);
+    std::copy_n(toFace, 16, shaders.ToFace + static_cast<std::ptrdiff_t>(16) * face);
   }
+}
+
+// Where the widest penumbra is no wider than a pixel a hard shadow is as good; half a pixel for one that is soft,
+// so that no shader is built time and again while a camera moves.
+bool vtkGodRaysSurfaceShadows::IsSoft(const Request& request, const vtkGodRaysLight& light,
+  const vtkGodRaysShadowFaces& faces) const
+{
+  vtkGodRaysView::Pinhole pinhole;
+  const double radius = GetRadius(request, light);
+  if (!request.Soft || !(radius > 0.0) || !request.View->GetPinhole(request.Size, pinhole))
+  {
+    return false;
+  }
+  const double depth = faces.Grids.Range[1] - faces.Grids.Range[0];
+  const double width = 2.0 * radius * (light.IsInfinite() ? depth : 1.0);
+  double nearest = request.View->Parallel ? 1.0 : VTK_DOUBLE_MAX; // of the occluders' middle and corners
+  double middle = 0.0;
+  for (const double* corner : faces.Corners)
+  {
+    middle += 0.125 * corner[2];
+    nearest = request.View->Parallel || corner[2] <= 0.0 ? nearest : std::min(nearest, corner[2]);
+  }
+  const double distance = request.View->Parallel ? 1.0 : middle > 0.0 ? std::min(nearest, middle) : 0.0;
+  const bool was = std::any_of(this->Shaders.begin(), this->Shaders.end(),
+    [&](const Text& text) { return text[0] == light.Number && text[3] != 0; });
+  return width > (was ? 0.5 : 1.0) * pinhole.PixelSize * distance;
 }
 
 // The layers of a map as a texture: one on another, each texel its depth and what is dark beyond.
@@ -272,6 +319,8 @@ void vtkGodRaysSurfaceShadows::SetProps(bool on)
 
 bool vtkGodRaysSurfaceShadows::Begin(const Request& request)
 {
+  this->End();
+  this->Nothing.Prepare(request.Window, 1, 1, { GL_RGBA8, 0 });
   this->Renderer = request.Renderer;
   this->MostDataShadow = request.MostDataShadow;
   this->Props.clear();
@@ -286,14 +335,12 @@ bool vtkGodRaysSurfaceShadows::Begin(const Request& request)
     }
   }
   this->SetProps(true);
-  this->Active = false;
   this->Built = 0;
   this->Drawn = 0;
   this->Casting.clear();
   // Lights as the scene has them: mappers are built for their number and kinds.
   this->UpdateLightGeometry(request.Renderer);
   this->UpdateLights(request.Renderer);
-  this->Nothing.Prepare(request.Window, 1, 1, { GL_RGBA8, 0 });
   this->FindOccluders(request);
   std::vector<vtkGodRaysLight> lights;
   this->FindLights(request, lights);
@@ -317,7 +364,8 @@ bool vtkGodRaysSurfaceShadows::Begin(const Request& request)
   std::vector<Text> shaders;
   for (const Caster& caster : this->Casting)
   {
-    shaders.push_back({ caster.Number, caster.Maps[0].Faces, caster.Maps[1].Faces });
+    shaders.push_back({ caster.Number, caster.Maps[0].Faces, caster.Maps[1].Faces,
+      caster.Maps[0].Soft > 0.0f ? 1 : 0 });
   }
   if (shaders != this->Shaders)
   {
@@ -327,25 +375,34 @@ bool vtkGodRaysSurfaceShadows::Begin(const Request& request)
   return done;
 }
 
-void vtkGodRaysSurfaceShadows::End()
+void vtkGodRaysSurfaceShadows::SetActive(bool active)
 {
-  this->SetProps(false);
-  for (const Caster& caster : this->Casting)
+  if (this->Active && !active)
   {
-    for (const Map& map : caster.Maps)
+    for (const Caster& caster : this->Casting)
     {
-      if (map.Faces > 0)
+      for (const Map& map : caster.Maps)
       {
-        map.Texture->Deactivate();
+        if (map.Faces > 0)
+        {
+          map.Texture->Deactivate();
+        }
       }
     }
   }
-  if (this->Nothing.IsReady())
+  this->Active = active;
+}
+
+void vtkGodRaysSurfaceShadows::End()
+{
+  if (this->Props.empty())
   {
-    this->Nothing.GetColor()->Deactivate();
+    return;
   }
-  this->Active = false;
+  this->SetActive(false);
+  this->SetProps(false);
   this->Props.clear();
+  this->Nothing.GetColor()->Deactivate();
 }
 
 // Marks of our own: mappers fill in their tags and leave these.
@@ -396,9 +453,11 @@ bool vtkGodRaysSurfaceShadows::PostReplaceShaderValues(
         std::string map = vtkGodRaysSurfaceShadowsFS;
         Replace(map, "NAME", name);
         Replace(map, "FACES", std::to_string(light[1 + kind]));
+        Replace(map, "SOFT", kind == 0 && light[3] != 0 ? "true" : "false");
         Replace(map, "LAYERED", kind == 0 ? "false" : "true");
         declarations += map;
-        lights += "    through *= GodRaysThrough" + name + "(vertexVC.xyz, slope, " + toLight +
+        lights += "    through *= GodRaysThrough" + name + "(vertexVC.xyz, godraysNormal, slope, " +
+          toLight +
           ".w > 0.0);\n";
       }
     }
@@ -469,6 +528,12 @@ bool vtkGodRaysSurfaceShadows::SetShaderParameters(
         program->SetUniformMatrix4x4v(("godraysToFace" + name).c_str(), map.Faces,
           const_cast<float*>(map.ToFace)); // of VTK 9.1, which does not write to it
         program->SetUniform4f(("godraysTexels" + name).c_str(), map.Texels);
+        if (map.Soft > 0.0f && program->IsUniformUsed(("godraysSoft" + name).c_str()))
+        {
+          program->SetUniformf(("godraysSoft" + name).c_str(), map.Soft);
+          program->SetUniformMatrix4x4v(("godraysToPlane" + name).c_str(), map.Faces,
+            const_cast<float*>(map.ToPlane));
+        }
       }
     }
   }

@@ -56,6 +56,9 @@ public:
     const vtkGodRaysView* View = nullptr;
     int Size[2] = { 0, 0 }; ///< of the picture [pixels]
     bool UntaggedPropsOcclude = true;
+    double SunAngularRadius = 0.0; ///< of lights that are infinitely far [radians]
+    double SourceRadius = 0.0;     ///< of others [scene units]
+    bool Soft = false;             ///< whether shadows are as soft as these say
     double MostDataShadow = 1.0; ///< part of a light that shadows take from props coloured by scalars
     vtkGodRaysCompositor* Compositor = nullptr;
   };
@@ -69,9 +72,19 @@ public:
   /**
    * Say whether what is drawn next has the shadows: the scene has, maps and layers do without.
    */
-  void SetActive(bool active) { this->Active = active; }
+  void SetActive(bool active);
 
+  /**
+   * End a frame, if one has begun.
+   */
   void End();
+
+  /// Ends the frame at the end of its scope.
+  struct Ending
+  {
+    vtkGodRaysSurfaceShadows* Shadows;
+    ~Ending() { this->Shadows->End(); }
+  };
 
   /**
    * What was drawn, for the plan.
@@ -112,6 +125,8 @@ private:
     int Faces = 0;         // 0: there is none
     float ToFace[6 * 16];  // columns first
     float Texels[4] = {};
+    float ToPlane[6 * 16]; // rows first, of the inverse
+    float Soft = 0.0f;     // texels for each unit of depth
   };
   /// A light that casts shadows.
   struct Caster
@@ -127,13 +142,15 @@ private:
     vtkGodRaysTarget Layers;
     unsigned int Version = 0; // of the grids that these are of
   };
-  /// Lights in the shaders' text: number, and faces of the maps.
-  using Text = std::array<int, 3>;
+  /// Lights in the shaders' text: number, faces of the maps, and whether shadows are soft.
+  using Text = std::array<int, 4>;
 
   void FindLights(const Request& request, std::vector<vtkGodRaysLight>& lights);
   void FindOccluders(const Request& request);
   bool DrawMaps(const Request& request, const vtkGodRaysLight& light, Kept& kept);
   static void Describe(const vtkGodRaysShadowMap& map, const vtkGodRaysView& view, Map& shaders);
+  bool IsSoft(const Request& request, const vtkGodRaysLight& light,
+    const vtkGodRaysShadowFaces& faces) const;
   bool WriteLayers(vtkOpenGLRenderWindow* window, Kept& kept, Map& shaders);
   void SetProps(bool on);
 
