@@ -64,6 +64,7 @@ int main(int argc, char* argv[])
   rays->SetModel(dust);
   rays->SetIntensity(10.0); // as for eyes used to the dark
   rays->AddLight(sun);
+  rays->SurfaceShadowsOn(); // sunlight comes through the windows alone
   rays->Attach(renderer);
 
   vtkNew<vtkRenderWindow> window;

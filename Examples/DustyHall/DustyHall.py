@@ -44,7 +44,11 @@ renderer.AddLight(sun)
 
 dust = godrays.vtkGodRaysHomogeneousModel()
 dust.SetScatteringCoefficient(0.05, 0.05, 0.05)  # [1/m]
-godrays.enable(renderer, light=sun, model=dust, intensity=10)  # as for eyes used to the dark
+godrays.enable(
+    renderer, light=sun, model=dust,
+    intensity=10,  # as for eyes used to the dark
+    shadows=True,  # sunlight comes through the windows alone
+)  # fmt: skip
 
 window = vtk.vtkRenderWindow()
 window.AddRenderer(renderer)

@@ -14,7 +14,8 @@ uniform float godraysSoftNAME; // radius of the light as a blocker shows it, for
 // the surface's plane there, less the bias, and gradient how much that is more for each texel.
 float GodRaysDiscNAME(vec2 texel, ivec2 corner, float size, float nearer, vec2 gradient)
 {
-  // Turned from pixel to pixel: what samples miss is noise, not bands [Jimenez2014].
+  // Turned from pixel to pixel, by InterleavedGradientNoise(), whose macros would get into users' shaders: what
+  // samples miss is noise, not bands.
   float turn =
     6.2831853 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
   // Blockers are searched in the cone from the place to the disc. It is searched more densely in its middle, as
