@@ -293,14 +293,14 @@ public:
 
   ///@{
   /**
-   * Set/Get whether lights cast shadows on surfaces. Those of the renderer that stand in the scene do, headlights
-   * do not; at most four, the strongest ones. Lights of the rays that the renderer lacks are added to it, with
-   * an intensity of at most 0.6, until Detach(). What blocks the light of rays casts a shadow if it is an opaque
-   * surface; whatever VTK shades by its lights receives it, in the picture only. Of surfaces that are coloured by
-   * data, shadows take at most MostDataShadow of a light [fraction], so that colours can be compared with a
-   * colour bar. With SoftShadows, shadows are as soft as the size of the light makes them, SunAngularRadius or
-   * SourceRadius, where that is more than a pixel. Intensity 0 leaves shadows without rays. Defaults are off, on
-   * and 0.5. Valid range of the last: [0, 1].
+   * Set/Get whether lights cast shadows on surfaces. Those of the renderer that stand in the scene do,
+   * headlights do not; at most four, the strongest ones. Lights of the rays that the renderer lacks are
+   * added to it, with an intensity of at most 0.6, until Detach(). What blocks the light of rays casts a
+   * shadow, but for points and lines; whatever VTK shades by its lights receives it. With SoftShadows,
+   * shadows are as soft as the size of the light makes them, SunAngularRadius or SourceRadius, where
+   * that is more than a pixel. Of surfaces that are coloured by data, shadows take at most
+   * MostDataShadow of a light [fraction], so that colours can be compared with a colour bar. Intensity 0
+   * leaves shadows without rays. Defaults are off, on and 0.5. Valid range of the last: [0, 1].
    */
   vtkSetMacro(SurfaceShadows, bool);
   vtkGetMacro(SurfaceShadows, bool);

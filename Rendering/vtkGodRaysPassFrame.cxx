@@ -355,6 +355,8 @@ bool vtkGodRaysPass::DrawShadows(const vtkRenderState* s)
   request.View = &view;
   request.Size[0] = viewport[2];
   request.Size[1] = viewport[3];
+  request.Tiles = GetTiles(self.Window);
+  request.WithoutShadows = self.DataLights.GetLights();
   request.UntaggedPropsOcclude = this->UntaggedPropsOcclude;
   request.MostDataShadow = this->MostDataShadow;
   request.Soft = this->SoftShadows;
@@ -399,6 +401,7 @@ void vtkGodRaysPass::FindLights(
   finder.Transfer = self.Transfer;
   finder.Tiles = GetTiles(renderer->GetRenderWindow());
   finder.Compositor = self.Compositor;
+  finder.AboveAir = false;
   self.Effect->SetUp(finder);
   finder.Find(view, self.Lights, lights);
 }

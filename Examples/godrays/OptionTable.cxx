@@ -161,6 +161,8 @@ void AddRayOptions(Parser& parser, Options& options)
     "Rays change nothing of the data's colours but their lightness, and that by at most 10 of 100 "
     "(CIE "
     "1976 L*): for figures whose colours stand for numbers");
+  parser.AddFlag("--shadows", options.Shadows,
+    "Lights cast shadows on surfaces, too; --intensity 0 leaves these alone, --no-rays none");
   parser.App
     .add_flag_function(
       "--no-rays", [&options](std::int64_t) { options.Rays = false; },

@@ -31,6 +31,7 @@ struct Options
   // Rays: what is not given stays as the preset has it.
   bool Rays = true;
   bool DataFirst = false;
+  bool Shadows = false; ///< on surfaces
   std::string Preset;
   std::optional<double> Intensity, Density, Decay, Weight, Exposure, Glow, GlowAngle, Tolerance,
     OpticalDepth, WorldUnit;

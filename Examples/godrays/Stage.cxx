@@ -205,6 +205,7 @@ void SetRays(vtkGodRaysPass* rays, const Viewpoint& view, const Options& options
   SetPreset(rays, GetPreset(options), options);
   rays->SetIntensity(options.Intensity.value_or(1.0));
   rays->SetDataFirst(options.DataFirst);
+  rays->SetSurfaceShadows(options.Shadows);
   rays->SetErrorTolerance(options.Tolerance.value_or(rays->GetErrorTolerance()));
   rays->SetOutput(options.Show == "occlusion" ? vtkGodRaysPass::OCCLUSION
       : options.Show == "rays"                ? vtkGodRaysPass::SCATTERING

@@ -145,8 +145,8 @@ void vtkGodRaysDataLights::Shine(
       lacking.push_back(light);
     }
   }
-  while (!this->Suns.empty() &&
-    (this->Suns.size() > lacking.size() || this->SunsRenderer != renderer))
+  while (
+    !this->Suns.empty() && (this->Suns.size() > lacking.size() || this->SunsRenderer != renderer))
   {
     if (this->SunsRenderer)
     {

@@ -45,6 +45,11 @@ public:
   void Shine(vtkRenderer* renderer, const std::vector<vtkSmartPointer<vtkLight>>& lights);
 
   /**
+   * Returns rim and key light, which are no light of the scene.
+   */
+  std::vector<vtkLight*> GetLights() const { return { this->Key, this->Rim }; }
+
+  /**
    * Takes rim and key light off their renderer.
    */
   void Remove();

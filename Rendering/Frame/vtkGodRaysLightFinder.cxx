@@ -10,9 +10,12 @@
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysRole.h"
 #include "vtkGodRaysView.h"
+#include "vtkInformation.h"
+#include "vtkInformationDoubleVectorKey.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -24,6 +27,13 @@
 
 namespace
 {
+vtkInformationDoubleVectorKey* GetAboveAirKey()
+{
+  static vtkInformationDoubleVectorKey* const key =
+    vtkInformationDoubleVectorKey::MakeKey("ABOVE_AIR", "vtkGodRaysSkyPass", 7);
+  return key;
+}
+
 /// A light is marched to from at most this many picture diagonals away; see MarchScale().
 const double MarchCapDiagonals = 1.5;
 
@@ -78,6 +88,35 @@ void GetWorldPlace(
 }
 }
 
+void vtkGodRaysSetLightAboveAir(vtkLight* light, const double above[3])
+{
+  vtkNew<vtkInformation> note;
+  if (vtkInformation* former = light->GetInformation())
+  {
+    note->Copy(former);
+  }
+  const double* color = light->GetDiffuseColor();
+  const double values[7] = { above[0], above[1], above[2], color[0], color[1], color[2],
+    light->GetIntensity() };
+  note->Set(GetAboveAirKey(), values, 7);
+  light->SetInformation(note);
+}
+
+bool vtkGodRaysGetLightAboveAir(vtkLight* light, double above[3])
+{
+  vtkInformation* note = light->GetInformation();
+  const double* values = note ? note->Get(GetAboveAirKey()) : nullptr;
+  if (!values || !std::equal(values + 3, values + 6, light->GetDiffuseColor()))
+  {
+    return false;
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    above[c] = values[c] * (values[6] > 0.0 ? light->GetIntensity() / values[6] : 1.0);
+  }
+  return true;
+}
+
 void vtkGodRaysLightFinder::Clear()
 {
   this->Plan.clear();
@@ -123,8 +162,13 @@ void vtkGodRaysLightFinder::Find(const vtkGodRaysView& view,
       seen.Power = this->FindPower(light);
       this->SetSpot(seen, view, light);
     }
-    this->Add(seen, view, light->GetDiffuseColor(),
-      light->GetSwitch() ? light->GetIntensity() : 0.0, found);
+    vtkGodRays::Vec3 shown = this->Decode(light->GetDiffuseColor()) * light->GetIntensity();
+    double above[3];
+    if (this->AboveAir && vtkGodRaysGetLightAboveAir(light, above))
+    {
+      shown = vtkGodRays::Vec3(above[0], above[1], above[2]);
+    }
+    this->Add(seen, view, light->GetSwitch() ? shown : vtkGodRays::Vec3(0.0), found);
   }
 
   vtkCollectionSimpleIterator iterator;
@@ -167,7 +211,7 @@ void vtkGodRaysLightFinder::Find(const vtkGodRaysView& view,
     {
       actor->GetProperty()->GetColor(color);
     }
-    this->Add(seen, view, color, 1.0, found);
+    this->Add(seen, view, this->Decode(color), found);
   }
   if (this->Plan.empty())
   {
@@ -189,8 +233,16 @@ void vtkGodRaysLightFinder::LeaveOut(const vtkGodRaysLight& seen, const std::str
   this->Faults.push_back("of a light, " + seen.GetName() + ": " + fault);
 }
 
+vtkGodRays::Vec3 vtkGodRaysLightFinder::Decode(const double color[3]) const
+{
+  const vtkGodRays::Vec3 shown(color[0], color[1], color[2]);
+  return this->Transfer == vtkGodRaysTransfer::NONE
+    ? shown
+    : vtkGodRays::DecodeDisplay(shown, this->Transfer == vtkGodRaysTransfer::POWER);
+}
+
 void vtkGodRaysLightFinder::Add(vtkGodRaysLight& seen, const vtkGodRaysView& view,
-  const double color[3], double intensity, std::vector<vtkGodRaysLight>& found)
+  const vtkGodRays::Vec3& light, std::vector<vtkGodRaysLight>& found)
 {
   if (this->LightsMedium)
   {
@@ -201,15 +253,10 @@ void vtkGodRaysLightFinder::Add(vtkGodRaysLight& seen, const vtkGodRaysView& vie
     seen.SetGlow(view, this->BackgroundGlowRadius, this->BackgroundGlowFalloff);
     this->SetMarch(seen, view);
   }
-  const vtkGodRays::Vec3 shown(color[0], color[1], color[2]);
-  const vtkGodRays::Vec3 light = this->Transfer == vtkGodRaysTransfer::NONE
-    ? shown
-    : vtkGodRays::DecodeDisplay(shown, this->Transfer == vtkGodRaysTransfer::POWER);
   double greatest = 0.0;
   for (int i = 0; i < 3; ++i)
   {
-    seen.Color[i] =
-      vtkGodRays::Sanitize(seen.Fade * intensity * light[i], std::numeric_limits<float>::max());
+    seen.Color[i] = vtkGodRays::Sanitize(seen.Fade * light[i], std::numeric_limits<float>::max());
     greatest = std::max(greatest, seen.Color[i]);
   }
   vtkGodRaysGate::Limit(seen);

@@ -9,6 +9,7 @@
 #define vtkGodRaysLightFinder_h
 
 #include "vtkGodRaysLight.h"
+#include "vtkGodRaysMath.h"
 #include "vtkGodRaysTransfer.h"
 #include "vtkSmartPointer.h"
 
@@ -19,6 +20,14 @@ class vtkGodRaysCompositor;
 class vtkLight;
 class vtkRenderer;
 struct vtkGodRaysView;
+
+///@{
+/// Note on a light what it is above the air: its colour times its intensity, in linear light, where the light
+/// itself has what the air leaves of that. The note holds while its colour stays; a change of the intensity is a
+/// factor. Returns false if there is none.
+void vtkGodRaysSetLightAboveAir(vtkLight* light, const double above[3]);
+bool vtkGodRaysGetLightAboveAir(vtkLight* light, double above[3]);
+///@}
 
 class vtkGodRaysLightFinder
 {
@@ -33,6 +42,7 @@ public:
   bool CapsMarch = true;                                  ///< see vtkGodRaysRadialSumModel
   double Tiles = 1.0;        ///< of which the view is one, across or up the whole picture
   bool LightsMedium = false; ///< all emitters count, wherever it is
+  bool AboveAir = false;     ///< suns are as they are above the air, which dims them itself
   vtkGodRaysCompositor* Compositor = nullptr; ///< of a scene on several processes
 
   /**
@@ -61,8 +71,9 @@ public:
   ///@}
 
 private:
-  void Add(vtkGodRaysLight& seen, const vtkGodRaysView& view, const double color[3],
-    double intensity, std::vector<vtkGodRaysLight>& found);
+  vtkGodRays::Vec3 Decode(const double color[3]) const;
+  void Add(vtkGodRaysLight& seen, const vtkGodRaysView& view, const vtkGodRays::Vec3& light,
+    std::vector<vtkGodRaysLight>& found);
   void SetMarch(vtkGodRaysLight& seen, const vtkGodRaysView& view) const;
   void LeaveOut(const vtkGodRaysLight& seen, const std::string& fault);
   void Tell(const vtkGodRaysLight& seen, const char* what);

@@ -4,6 +4,7 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
+#include "vtkGodRaysAtmosphereModel.h"
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysGate.h"
 #include "vtkGodRaysLight.h"
@@ -79,6 +80,7 @@ bool vtkGodRaysMediumEffect::DimsScene() const
 void vtkGodRaysMediumEffect::SetUp(vtkGodRaysLightFinder& finder) const
 {
   finder.LightsMedium = true;
+  finder.AboveAir = vtkGodRaysAtmosphereModel::SafeDownCast(this->Model) != nullptr;
 }
 
 void vtkGodRaysMediumEffect::SetUp(

@@ -107,8 +107,9 @@ void GetAlong(
 }
 
 void vtkGodRaysShadowFaces::Fit(
-  const vtkGodRaysMediumIntegrator::Request& request, int size, int levels)
+  const vtkGodRaysMediumIntegrator::Request& request, int size, int levels, double nested)
 {
+  this->Share = nested;
   this->Levels = request.Light->IsInfinite() && !request.View->Parallel ? levels : 1;
   this->Count = 0;
   double bounds[6];
@@ -222,12 +223,12 @@ void vtkGodRaysShadowFaces::FitDirectional(const vtkGodRaysMediumIntegrator::Req
   this->Nest(axes, low, high);
 }
 
-// Finer faces, each of half of the one before about the axis through the eye. A face that the axis does
+// Finer faces, each of a share of the one before about the axis through the eye. A face that the axis does
 // not go through ends where the coarsest one does.
 void vtkGodRaysShadowFaces::Nest(const double axes[3][3], const double low[2], const double high[2])
 {
-  double share = 0.5;
-  for (int level = 1; level < this->Levels; ++level, share *= 0.5)
+  double share = this->Share;
+  for (int level = 1; level < this->Levels; ++level, share *= this->Share)
   {
     double ends[2][2];
     for (int k = 0; k < 2; ++k)

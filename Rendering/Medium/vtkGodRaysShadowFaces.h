@@ -30,9 +30,11 @@ public:
   /**
    * Fit them to the occluders, of so many pixels on each side, or as many as the driver takes. For a light
    * that is infinitely far, seen in perspective, there are up to so many levels; more than one are faces of
-   * half as many pixels, nested about the axis through the eye. All processes of a compositor call it.
+   * half as many pixels, nested about the axis through the eye, each a share as wide as the one before. All
+   * processes of a compositor call it.
    */
-  void Fit(const vtkGodRaysMediumIntegrator::Request& request, int size, int levels);
+  void Fit(
+    const vtkGodRaysMediumIntegrator::Request& request, int size, int levels, double share = 0.5);
 
   int GetColumns() const { return this->Count == 1 ? 1 : this->Count == 6 ? 3 : 2; }
   int GetRows() const { return this->Count == 1 ? 1 : 2; }
@@ -51,6 +53,7 @@ private:
   void SetSize(int size);
 
   int Levels = 1; // at most, of a light that is infinitely far
+  double Share = 0.5;
 };
 
 #endif

@@ -28,10 +28,10 @@ vtkGodRaysShadowMap::vtkGodRaysShadowMap() = default;
 vtkGodRaysShadowMap::~vtkGodRaysShadowMap() = default;
 
 bool vtkGodRaysShadowMap::Draw(
-  const vtkGodRaysMediumIntegrator::Request& request, int size, int levels)
+  const vtkGodRaysMediumIntegrator::Request& request, int size, int levels, double share)
 {
   this->Kept = false;
-  this->Faces.Fit(request, size, levels);
+  this->Faces.Fit(request, size, levels, share);
   if (this->Faces.Count == 0)
   {
     return true;

@@ -10,6 +10,7 @@
 #include "vtkGodRaysFramebuffer.h"
 #include "vtkGodRaysGate.h"
 #include "vtkGodRaysLight.h"
+#include "vtkGodRaysLightFinder.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysPass.h"
 #include "vtkGodRaysQuad.h"
@@ -290,6 +291,15 @@ bool vtkGodRaysSkyPass::UpdateLight(vtkLight* light)
   }
   light->SetColor(color);
   light->SetIntensity(brightest * this->Exposure / vtkMath::Pi());
+  // An atmosphere's model dims it itself.
+  double above[3];
+  this->GetAtmosphere()->GetSunIrradiance(above);
+  const Vec3 weights = GetWeights(this);
+  for (int c = 0; c < 3; ++c)
+  {
+    above[c] *= weights[c] * this->Exposure / vtkMath::Pi();
+  }
+  vtkGodRaysSetLightAboveAir(light, above);
   return true;
 }
 

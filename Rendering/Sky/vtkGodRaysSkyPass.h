@@ -236,7 +236,9 @@ public:
   /**
    * Make a light that of the sun, as vtkGodRaysSun::UpdateLight() does, in the colour that the air leaves it.
    * In linear light, its colour times its intensity is irradiance times Exposure/pi, the radiance that a
-   * white surface across it has; so scene, sky and shafts belong together. The brightest colour is 1.
+   * white surface across it has; so scene, sky and shafts belong together. The brightest colour is 1. Its
+   * information keeps what the sun is above the air, which a vtkGodRaysAtmosphereModel takes: that dims it
+   * itself. It does so while the light has this colour.
    */
   bool UpdateLight(vtkLight* light);
 

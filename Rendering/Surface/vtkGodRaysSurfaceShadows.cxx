@@ -3,7 +3,10 @@
 #include "vtkGodRaysSurfaceShadows.h"
 
 #include "vtkActor.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
 #include "vtkCamera.h"
+#include "vtkDataSet.h"
 #include "vtkGodRaysMedium.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysSurfaceShadowsFS.h"
@@ -34,6 +37,7 @@ namespace
 {
 constexpr int LeastSize = 512; // of a map [pixels]
 constexpr int MostSize = 4096;
+constexpr int MostLevels = vtkGodRaysShadowGrids::MaximumLevels;
 
 /// Returns whether a prop casts shadows on surfaces. Points, lines, and the spheres and tubes that stand for
 /// them, do not: they are so many pixels wide in a map as in the picture, or face the eye in the picture and
@@ -44,14 +48,39 @@ bool Casts(vtkProp* prop)
   vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
   if (!mapper)
   {
-    return prop->HasOpaqueGeometry() != 0;
+    bool casts = !prop->IsA("vtkAssembly") && !prop->IsA("vtkPropAssembly");
+    prop->InitPathTraversal();
+    for (vtkAssemblyPath* path; !casts && (path = prop->GetNextPath());)
+    {
+      vtkProp* part = path->GetLastNode()->GetViewProp();
+      casts = part != prop && part->GetVisibility() && Casts(part);
+    }
+    return casts && prop->HasOpaqueGeometry();
   }
-  auto data = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  const int shape = mapper->IsA("vtkGlyph3DMapper") ? 1 : 0; // the input that has it
+  auto data = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(shape, 0));
   const bool isThin = actor->GetProperty()->GetRepresentation() != VTK_SURFACE ||
     mapper->IsA("vtkOpenGLSphereMapper") || mapper->IsA("vtkOpenGLStickMapper") ||
     mapper->IsA("vtkPointGaussianMapper") ||
     (data && data->GetNumberOfPolys() == 0 && data->GetNumberOfStrips() == 0);
-  return !isThin && prop->HasOpaqueGeometry() != 0;
+  return !isThin && prop->HasOpaqueGeometry();
+}
+
+/// Returns whether a mapper, or that of the prop for which it draws, colours by scalars.
+bool IsColored(vtkAbstractMapper* mapper, vtkProp* prop)
+{
+  auto drawing = vtkMapper::SafeDownCast(mapper);
+  if (drawing && drawing->GetScalarVisibility() && drawing->GetColorMapColors())
+  {
+    return true;
+  }
+  auto actor = vtkActor::SafeDownCast(prop);
+  vtkMapper* own = actor ? actor->GetMapper() : nullptr;
+  vtkDataSet* data = own && own->GetScalarVisibility() ? own->GetInput() : nullptr;
+  int ofCells = 0;
+  return data &&
+    vtkAbstractMapper::GetScalars(data, own->GetScalarMode(), own->GetArrayAccessMode(),
+      own->GetArrayId(), own->GetArrayName(), ofCells);
 }
 
 /// Releases what is kept of a light.
@@ -108,7 +137,11 @@ void vtkGodRaysSurfaceShadows::FindLights(
   this->Finder.LightsMedium = true; // wherever they are: behind the eye, too
   this->Finder.Find(*request.View, shining, lights);
   const auto castsNone = [&](const vtkGodRaysLight& light)
-  { return light.Number < 0 || shining[light.Number]->LightTypeIsHeadlight(); };
+  {
+    return light.Number < 0 || shining[light.Number]->LightTypeIsHeadlight() ||
+      std::find(request.WithoutShadows.begin(), request.WithoutShadows.end(),
+        shining[light.Number]) != request.WithoutShadows.end();
+  };
   lights.erase(std::remove_if(lights.begin(), lights.end(), castsNone), lights.end());
   std::stable_sort(lights.begin(), lights.end(),
     [&](const vtkGodRaysLight& one, const vtkGodRaysLight& other)
@@ -133,8 +166,9 @@ void vtkGodRaysSurfaceShadows::FindOccluders(const Request& request)
     [](vtkProp* prop)
     { return prop->HasTranslucentPolygonalGeometry() || vtkGodRaysVolumeHaze::GetVolume(prop); });
   // A volume has 16 layers, and no edges.
-  this->LayerSize = std::any_of(this->Occluders[1].begin(), this->Occluders[1].end(),
-                      [](vtkProp* prop) { return vtkGodRaysVolumeHaze::GetVolume(prop) != nullptr; })
+  this->LayerSize =
+    std::any_of(this->Occluders[1].begin(), this->Occluders[1].end(),
+      [](vtkProp* prop) { return vtkGodRaysVolumeHaze::GetVolume(prop) != nullptr; })
     ? 512
     : 1024;
 }
@@ -161,14 +195,16 @@ bool vtkGodRaysSurfaceShadows::DrawMaps(
   {
     // Texels about half as wide as pixels, where map and picture show the same; layers are many, and smooth.
     int size = LeastSize;
-    while (size < std::min(2 * std::max(request.Size[0], request.Size[1]), MostSize))
+    const double pixels = request.Tiles * std::max(request.Size[0], request.Size[1]);
+    while (size < std::min<double>(2.0 * pixels, MostSize))
     {
       size *= 2;
     }
     size = kind == 1 ? this->LayerSize : size;
     scene.Occluders = &this->Occluders[kind];
     vtkGodRaysShadowMap& map = kept.Maps[kind];
-    if (!map.Draw(scene, light.IsInfinite() ? size : size / 2, 1))
+    const double share = kind == 0 ? FindShare(request, scene, size) : 1.0;
+    if (!map.Draw(scene, light.IsInfinite() ? size : size / 2, share < 1.0 ? MostLevels : 1, share))
     {
       return false;
     }
@@ -181,9 +217,11 @@ bool vtkGodRaysSurfaceShadows::DrawMaps(
     // the eye goes from the light's middle to its rim: depth is affine in the distance, or in one over it.
     const vtkGodRaysShadowGrids& grids = kept.Maps[0].GetFaces().Grids;
     const double depth = grids.Range[1] - grids.Range[0];
-    caster.Maps[0].Soft = static_cast<float>(
-      GetRadius(request, light) * (grids.Point ? depth / (grids.Range[0] * grids.Range[1]) : depth) /
-      std::max(grids.Grids[0].Texel[0], grids.Grids[0].Texel[1]));
+    for (int i = 0; i < 2; ++i)
+    {
+      caster.Maps[0].Unit[1 + i] = static_cast<float>(GetRadius(request, light) * depth /
+        (grids.Point ? grids.Range[0] * grids.Range[1] * grids.Grids[0].Texel[i] : 1.0));
+    }
   }
   if (!this->WriteLayers(request.Window, kept, caster.Maps[1]))
   {
@@ -194,6 +232,31 @@ bool vtkGodRaysSurfaceShadows::DrawMaps(
     this->Casting.push_back(caster);
   }
   return true;
+}
+
+// One map about all occluders serves while the camera moves. Where its texels are more than twice as wide as pixels
+// are where the camera looks, maps are nested about the eye, and the finest reaches past there. Returns what share
+// each is of the one before; 1 if one serves.
+double vtkGodRaysSurfaceShadows::FindShare(
+  const Request& request, const vtkGodRaysMediumIntegrator::Request& scene, int size)
+{
+  vtkGodRaysView::Pinhole pinhole;
+  if (!scene.Light->IsInfinite() || scene.View->Parallel ||
+    !scene.View->GetPinhole(request.Size, pinhole))
+  {
+    return 1.0;
+  }
+  vtkGodRaysShadowFaces whole;
+  whole.Fit(scene, size, 1);
+  const double* texels = whole.Grids.Grids[0].Texel;
+  const double texel = std::max(texels[0], texels[1]);
+  const double distance = scene.Renderer->GetActiveCamera()->GetDistance();
+  if (whole.Count == 0 || texel <= 2.0 * pinhole.PixelSize * distance)
+  {
+    return 1.0;
+  }
+  const double finest = 3.0 * distance / (texel * size); // of the whole
+  return std::min(std::max(std::pow(finest, 1.0 / (MostLevels - 1)), 0.05), 0.5);
 }
 
 void vtkGodRaysSurfaceShadows::Describe(
@@ -207,13 +270,20 @@ void vtkGodRaysSurfaceShadows::Describe(
   }
   shaders.Texture = map.GetDepth();
   const vtkGodRaysShadowGrids& grids = faces.Grids;
-  const double texel = std::max(grids.Grids[0].Texel[0], grids.Grids[0].Texel[1]);
   const double depth = grids.Range[1] - grids.Range[0];
   shaders.Texels[0] = static_cast<float>(faces.Size);
   shaders.Texels[1] = static_cast<float>(faces.GetColumns());
   // Window depth is affine in the distance, or in 1/distance of a lamp, whose texels widen with it.
-  shaders.Texels[3] =
-    static_cast<float>(texel * (grids.Point ? grids.Range[0] * grids.Range[1] : 1.0) / depth);
+  const double texel = std::max(grids.Grids[0].Texel[0], grids.Grids[0].Texel[1]);
+  shaders.Unit[0] =
+    static_cast<float>((grids.Point ? texel * grids.Range[0] * grids.Range[1] : 1.0) / depth);
+  if (!grids.Point && faces.Count > 1)
+  {
+    shaders.Faces =
+      MostLevels; // always, so that shaders stay; those that are not there have no place
+    std::fill(std::begin(shaders.ToFace), std::end(shaders.ToFace), 0.0f);
+    std::fill(std::begin(shaders.ToPlane), std::end(shaders.ToPlane), 0.0f);
+  }
   for (int face = 0; face < faces.Count; ++face)
   {
     double clip[16];
@@ -237,8 +307,8 @@ void vtkGodRaysSurfaceShadows::Describe(
 
 // Where the widest penumbra is no wider than a pixel a hard shadow is as good; half a pixel for one that is soft,
 // so that no shader is built time and again while a camera moves.
-bool vtkGodRaysSurfaceShadows::IsSoft(const Request& request, const vtkGodRaysLight& light,
-  const vtkGodRaysShadowFaces& faces) const
+bool vtkGodRaysSurfaceShadows::IsSoft(
+  const Request& request, const vtkGodRaysLight& light, const vtkGodRaysShadowFaces& faces) const
 {
   vtkGodRaysView::Pinhole pinhole;
   const double radius = GetRadius(request, light);
@@ -248,22 +318,24 @@ bool vtkGodRaysSurfaceShadows::IsSoft(const Request& request, const vtkGodRaysLi
   }
   const double depth = faces.Grids.Range[1] - faces.Grids.Range[0];
   const double width = 2.0 * radius * (light.IsInfinite() ? depth : 1.0);
-  double nearest = request.View->Parallel ? 1.0 : VTK_DOUBLE_MAX; // of the occluders' middle and corners
+  double nearest =
+    request.View->Parallel ? 1.0 : VTK_DOUBLE_MAX; // of the occluders' middle and corners
   double middle = 0.0;
   for (const double* corner : faces.Corners)
   {
     middle += 0.125 * corner[2];
     nearest = request.View->Parallel || corner[2] <= 0.0 ? nearest : std::min(nearest, corner[2]);
   }
-  const double distance = request.View->Parallel ? 1.0 : middle > 0.0 ? std::min(nearest, middle) : 0.0;
+  const double distance = request.View->Parallel ? 1.0
+    : middle > 0.0                               ? std::min(nearest, middle)
+                                                 : 0.0;
   const bool was = std::any_of(this->Shaders.begin(), this->Shaders.end(),
     [&](const Text& text) { return text[0] == light.Number && text[3] != 0; });
   return width > (was ? 0.5 : 1.0) * pinhole.PixelSize * distance;
 }
 
 // The layers of a map as a texture: one on another, each texel its depth and what is dark beyond.
-bool vtkGodRaysSurfaceShadows::WriteLayers(
-  vtkOpenGLRenderWindow* window, Kept& kept, Map& shaders)
+bool vtkGodRaysSurfaceShadows::WriteLayers(vtkOpenGLRenderWindow* window, Kept& kept, Map& shaders)
 {
   const vtkGodRaysShadowMap& map = kept.Maps[1];
   if (shaders.Faces == 0 || !map.HasLayers())
@@ -365,7 +437,7 @@ bool vtkGodRaysSurfaceShadows::Begin(const Request& request)
   for (const Caster& caster : this->Casting)
   {
     shaders.push_back({ caster.Number, caster.Maps[0].Faces, caster.Maps[1].Faces,
-      caster.Maps[0].Soft > 0.0f ? 1 : 0 });
+      caster.Maps[0].Unit[1] > 0.0f ? 1 : 0, caster.Light[3] > 0.0f ? 1 : 0 });
   }
   if (shaders != this->Shaders)
   {
@@ -440,11 +512,14 @@ bool vtkGodRaysSurfaceShadows::PostReplaceShaderValues(
     lights += "  vec3 " + color + " = lightColor" + number + ";\n" +
       "  if (godraysMost > 0.0)\n"
       "  {\n"
-      "    float cosine = dot(godraysNormal, normalize(" + toLight + ".xyz - " + toLight +
-      ".w * vertexVC.xyz));\n"
+      "    vec3 toLight = " +
+      toLight + ".xyz - " + toLight +
+      ".w * vertexVC.xyz;\n"
       // a facet that is turned away hides the light; the map would tell by chance
-      "    vec3 through = vec3(cosine > 0.0 ? 1.0 : 0.0);\n"
-      "    float slope = min(sqrt(max(1.0 - cosine * cosine, 0.0)) / max(cosine, 1e-6), 50.0);\n";
+      "    vec3 through = vec3(0.0);\n"
+      "    if (dot(godraysNormal, toLight) > 0.0)\n"
+      "    {\n"
+      "      through = vec3(1.0);\n";
     for (int kind = 0; kind < 2; ++kind)
     {
       if (light[1 + kind] > 0)
@@ -454,15 +529,15 @@ bool vtkGodRaysSurfaceShadows::PostReplaceShaderValues(
         Replace(map, "NAME", name);
         Replace(map, "FACES", std::to_string(light[1 + kind]));
         Replace(map, "SOFT", kind == 0 && light[3] != 0 ? "true" : "false");
+        Replace(map, "LAMP", light[4] != 0 ? "true" : "false");
         Replace(map, "LAYERED", kind == 0 ? "false" : "true");
         declarations += map;
-        lights += "    through *= GodRaysThrough" + name + "(vertexVC.xyz, godraysNormal, slope, " +
-          toLight +
-          ".w > 0.0);\n";
+        lights +=
+          "      through *= GodRaysThrough" + name + "(vertexVC.xyz, godraysNormal, toLight);\n";
       }
     }
-    lights += "    " + color + " *= 1.0 - godraysMost * (1.0 - through);\n  }\n#define lightColor" +
-      number + " " + color + "\n";
+    lights += "    }\n    " + color + " *= 1.0 - godraysMost * (1.0 - through);\n  }\n" +
+      "#define lightColor" + number + " " + color + "\n";
   }
   if (lights.empty())
   {
@@ -471,7 +546,7 @@ bool vtkGodRaysSurfaceShadows::PostReplaceShaderValues(
   // Spheres and tubes that stand for points and lines move vertexVC later on: their normal is the drawn one.
   const std::size_t first = fragmentShader.find("vec4 vertexVC = ");
   const bool isImpostor = fragmentShader.find("vertexVC =", first + 16) != std::string::npos ||
-    has("vertexVC.xyz =");
+    has("vertexVC.xyz =") || has("tubeBasis1");
   Replace(fragmentShader, "//VTK::GodRays::Dec", declarations);
   Replace(fragmentShader, "//VTK::GodRays::Flow",
     isImpostor
@@ -488,16 +563,13 @@ bool vtkGodRaysSurfaceShadows::PostReplaceShaderValues(
 }
 
 bool vtkGodRaysSurfaceShadows::SetShaderParameters(
-  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp*, vtkOpenGLVertexArrayObject*)
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
   if (!program->IsUniformUsed("godraysMost"))
   {
     return true;
   }
-  auto shown = vtkMapper::SafeDownCast(mapper);
-  const bool isColored =
-    shown && shown->GetScalarVisibility() && shown->GetColorMapColors() != nullptr;
-  const double most = isColored ? this->MostDataShadow : 1.0;
+  const double most = IsColored(mapper, prop) ? this->MostDataShadow : 1.0;
   program->SetUniformf("godraysMost", static_cast<float>(this->Active ? most : 0.0));
   for (const Text& light : this->Shaders)
   {
@@ -525,15 +597,13 @@ bool vtkGodRaysSurfaceShadows::SetShaderParameters(
       if (hasMap)
       {
         const Map& map = caster->Maps[kind];
-        program->SetUniformMatrix4x4v(("godraysToFace" + name).c_str(), map.Faces,
-          const_cast<float*>(map.ToFace)); // of VTK 9.1, which does not write to it
-        program->SetUniform4f(("godraysTexels" + name).c_str(), map.Texels);
-        if (map.Soft > 0.0f && program->IsUniformUsed(("godraysSoft" + name).c_str()))
-        {
-          program->SetUniformf(("godraysSoft" + name).c_str(), map.Soft);
-          program->SetUniformMatrix4x4v(("godraysToPlane" + name).c_str(), map.Faces,
-            const_cast<float*>(map.ToPlane));
-        }
+        // VTK 9.1 takes them as if it wrote to them
+        program->SetUniformMatrix4x4v(
+          ("godraysToFace" + name).c_str(), map.Faces, const_cast<float*>(map.ToFace));
+        program->SetUniformMatrix4x4v(
+          ("godraysToPlane" + name).c_str(), map.Faces, const_cast<float*>(map.ToPlane));
+        program->SetUniform3f(("godraysTexels" + name).c_str(), map.Texels);
+        program->SetUniform3f(("godraysUnit" + name).c_str(), map.Unit);
       }
     }
   }
@@ -543,8 +613,8 @@ bool vtkGodRaysSurfaceShadows::SetShaderParameters(
 std::string vtkGodRaysSurfaceShadows::Describe() const
 {
   std::ostringstream text;
-  text << "surfaces: shadows of " << this->Casting.size() << " of " << this->Shining
-       << " lights, " << this->Drawn << " maps drawn, " << this->Built << " shaders built";
+  text << "surfaces: shadows of " << this->Casting.size() << " of " << this->Shining << " lights, "
+       << this->Drawn << " maps drawn, " << this->Built << " shaders built";
   return text.str();
 }
 

@@ -55,11 +55,14 @@ public:
     vtkRenderer* Renderer = nullptr;
     const vtkGodRaysView* View = nullptr;
     int Size[2] = { 0, 0 }; ///< of the picture [pixels]
+    double Tiles = 1.0;     ///< of such a size, across or up a large screenshot
     bool UntaggedPropsOcclude = true;
-    double SunAngularRadius = 0.0; ///< of lights that are infinitely far [radians]
-    double SourceRadius = 0.0;     ///< of others [scene units]
-    bool Soft = false;             ///< whether shadows are as soft as these say
-    double MostDataShadow = 1.0; ///< part of a light that shadows take from props coloured by scalars
+    std::vector<vtkLight*> WithoutShadows; ///< lights that cast none
+    double SunAngularRadius = 0.0;         ///< of lights that are infinitely far [radians]
+    double SourceRadius = 0.0;             ///< of others [scene units]
+    bool Soft = false;                     ///< whether shadows are as soft as these say
+    double MostDataShadow =
+      1.0; ///< part of a light that shadows take from props coloured by scalars
     vtkGodRaysCompositor* Compositor = nullptr;
   };
 
@@ -118,15 +121,15 @@ private:
   vtkGodRaysSurfaceShadows(const vtkGodRaysSurfaceShadows&) = delete;
   void operator=(const vtkGodRaysSurfaceShadows&) = delete;
 
-  /// A map, as shaders have it.
+  /// A map, as shaders have it; see vtkGodRaysSurfaceShadowsFS.glsl.
   struct Map
   {
     vtkTextureObject* Texture = nullptr;
     int Faces = 0;         // 0: there is none
     float ToFace[6 * 16];  // columns first
-    float Texels[4] = {};
     float ToPlane[6 * 16]; // rows first, of the inverse
-    float Soft = 0.0f;     // texels for each unit of depth
+    float Texels[3] = {};
+    float Unit[3] = {};
   };
   /// A light that casts shadows.
   struct Caster
@@ -142,15 +145,17 @@ private:
     vtkGodRaysTarget Layers;
     unsigned int Version = 0; // of the grids that these are of
   };
-  /// Lights in the shaders' text: number, faces of the maps, and whether shadows are soft.
-  using Text = std::array<int, 4>;
+  /// Lights in the shaders' text: number, faces of the maps, whether shadows are soft, and whether it is a lamp.
+  using Text = std::array<int, 5>;
 
   void FindLights(const Request& request, std::vector<vtkGodRaysLight>& lights);
   void FindOccluders(const Request& request);
   bool DrawMaps(const Request& request, const vtkGodRaysLight& light, Kept& kept);
+  static double FindShare(
+    const Request& request, const vtkGodRaysMediumIntegrator::Request& scene, int size);
   static void Describe(const vtkGodRaysShadowMap& map, const vtkGodRaysView& view, Map& shaders);
-  bool IsSoft(const Request& request, const vtkGodRaysLight& light,
-    const vtkGodRaysShadowFaces& faces) const;
+  bool IsSoft(
+    const Request& request, const vtkGodRaysLight& light, const vtkGodRaysShadowFaces& faces) const;
   bool WriteLayers(vtkOpenGLRenderWindow* window, Kept& kept, Map& shaders);
   void SetProps(bool on);
 

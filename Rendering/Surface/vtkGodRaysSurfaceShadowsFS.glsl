@@ -1,18 +1,21 @@
 // How much of a light reaches a place of a surface, by a shadow map of the light. vtkGodRaysSurfaceShadows puts
 // this into the mappers' shaders once for each map, with the map's name for NAME, the number of its faces for
-// FACES, and whether it has layers for LAYERED and is of a light that is no point for SOFT. Coordinates are the camera's, as VTK has them in vertexVC.
+// FACES, and true or false for whether it has layers, LAYERED, is that of a lamp, LAMP, and of a light that is
+// no point, SOFT. Coordinates are the camera's, as VTK has them in vertexVC.
 
-uniform sampler2D godraysMapNAME;      // window depths, or layers of depth and what is dark beyond, one on another
-uniform mat4 godraysToFaceNAME[FACES]; // to (texels of the face, window depth, 1) w
-uniform vec4 godraysTexelsNAME;        // of a face: how many; faces side by side; layers; bias of one at distance 1
-
+uniform sampler2D godraysMapNAME; // window depths, or layers of depth and what is dark beyond, one on another
+uniform mat4 godraysToFaceNAME[FACES]; // to (texels of the face, window depth, 1) w; 0 for a face that is not
 uniform mat4 godraysToPlaneNAME[FACES]; // planes to what is 0 at (texels, window depth, 1) of theirs
-uniform float godraysSoftNAME; // radius of the light as a blocker shows it, for each unit of depth between [texels]
+uniform vec3 godraysTexelsNAME; // of a face: how many; faces side by side; layers
+uniform vec3 godraysUnitNAME;   // window depth of a length, or of a texel of a lamp at distance 1; radius of the
+                                // light as a blocker shows it, for each unit of depth between [lengths or texels]
 
 // Returns how much of a light's disc is seen from a place, by the depths of what hides it: percentage-closer
 // soft shadows [Fernando2005]. texel is a place in a face whose low corner is in the map; nearer is the depth of
-// the surface's plane there, less the bias, and gradient how much that is more for each texel.
-float GodRaysDiscNAME(vec2 texel, ivec2 corner, float size, float nearer, vec2 gradient)
+// the surface's plane there, less the bias, and gradient how much that is more for each texel. soft is the radius
+// that a blocker shows for each unit of depth between [texels].
+float GodRaysDiscNAME(
+  vec2 texel, ivec2 corner, float size, float nearer, vec2 gradient, vec2 soft)
 {
   // Turned from pixel to pixel, by InterleavedGradientNoise(), whose macros would get into users' shaders: what
   // samples miss is noise, not bands.
@@ -20,7 +23,7 @@ float GodRaysDiscNAME(vec2 texel, ivec2 corner, float size, float nearer, vec2 g
     6.2831853 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
   // Blockers are searched in the cone from the place to the disc. It is searched more densely in its middle, as
   // what is close above the place is in a small part of it.
-  float widest = min(nearer * godraysSoftNAME, 0.06 * size);
+  vec2 widest = min(nearer * soft, vec2(0.06 * size));
   float sum = 0.0;
   float weights = 0.0;
   int open = 0;
@@ -34,14 +37,15 @@ float GodRaysDiscNAME(vec2 texel, ivec2 corner, float size, float nearer, vec2 g
     vec2 way = vec2(at) + 0.5 - texel;
     float between = nearer + dot(gradient, way) - depth;
     open += between > 0.0 ? 0 : 1;
-    bool blocks = between > 0.0 && length(way) <= (nearer - depth) * godraysSoftNAME + 1.0;
+    bool blocks = between > 0.0 && length(max(abs(way) - 1.0, 0.0) / soft) <= nearer - depth;
     float weight = blocks ? part * part * part : 0.0; // of the area that a sample stands for
     sum += weight * depth;
     weights += weight;
   }
-  // Only half shadows need the rest. No more turns of a loop are less work than a branch where processors draw.
+  // Only half shadows need the rest. No turns of a loop are less work than a branch where processors draw.
   int samples = weights > 0.0 && open > 0 ? 32 : 0;
-  float radius = clamp((nearer - sum / max(weights, 1e-30)) * godraysSoftNAME, 0.7, 0.06 * size);
+  vec2 radius =
+    clamp((nearer - sum / max(weights, 1e-30)) * soft, vec2(0.7), vec2(0.06 * size));
   float seen = 0.0;
   for (int i = 0; i < samples; ++i)
   {
@@ -54,60 +58,98 @@ float GodRaysDiscNAME(vec2 texel, ivec2 corner, float size, float nearer, vec2 g
   return samples > 0 ? seen / 32.0 : weights > 0.0 ? 0.0 : 1.0;
 }
 
-// Returns 1 where nothing hides the light, 0 where something does; between them within a texel of an edge, and
-// behind what lets a part of the light through. slope is the tangent of the angle between normal and light.
-vec3 GodRaysThroughNAME(vec3 place, vec3 normal, float slope, bool isLamp)
+// Returns whether a place is in a face, and where: texels and window depth.
+bool GodRaysIsInNAME(mat4 toFace, vec3 place, float size, out vec3 at)
 {
-  int size = int(godraysTexelsNAME.x);
-  int columns = int(godraysTexelsNAME.y);
-  int face = 0; // of a cube, the one whose axis is nearest
-  float ahead = 0.0;
-  for (int k = 0; k < FACES && FACES > 1; ++k)
+  vec4 scaled = toFace * vec4(place, 1.0);
+  at = scaled.xyz / scaled.w;
+  float edge = LAMP && FACES > 1 ? 1.0 : 0.0; // edges of a cube's faces are rounded
+  return scaled.w > 0.0 && all(greaterThanEqual(at.xy, vec2(-edge))) &&
+    all(lessThanEqual(at.xy, vec2(size + edge)));
+}
+
+// Returns 1 where nothing hides the light, 0 where something does; between them within a texel of an edge, and
+// behind what lets a part of the light through. The normal is the facet's, of length 1; toLight is the way to a
+// lamp, or a direction of length 1. The facet faces the light.
+vec3 GodRaysThroughNAME(vec3 place, vec3 normal, vec3 toLight)
+{
+  float size = godraysTexelsNAME.x;
+  int face = FACES - 1; // of nested ones the finest that has the place, of a cube the one whose axis is nearest
+  if (LAMP)
   {
-    mat4 to = godraysToFaceNAME[k];
-    float along = dot(vec4(to[0].w, to[1].w, to[2].w, to[3].w), vec4(place, 1.0));
-    face = along > ahead ? k : face;
-    ahead = max(ahead, along);
+    float ahead = 0.0;
+    for (int k = 0; k < FACES && FACES > 1; ++k)
+    {
+      mat4 to = godraysToFaceNAME[k];
+      float along = dot(vec4(to[0].w, to[1].w, to[2].w, to[3].w), vec4(place, 1.0));
+      face = along > ahead ? k : face;
+      ahead = max(ahead, along);
+    }
   }
-  vec4 scaled = godraysToFaceNAME[face] * vec4(place, 1.0);
-  vec3 at = scaled.xyz / scaled.w;
-  float end = float(size) + (FACES > 1 ? 1.0 : 0.0); // edges of a cube's faces are rounded
-  if (scaled.w <= 0.0 || any(lessThan(at.xy, vec2(float(size) - end))) ||
-    any(greaterThan(at.xy, vec2(end))))
+  vec3 at;
+  bool isIn = GodRaysIsInNAME(godraysToFaceNAME[face], place, size, at);
+  for (int k = FACES - 2; k >= 0 && !LAMP && !isIn; --k)
+  {
+    face = k;
+    isIn = GodRaysIsInNAME(godraysToFaceNAME[k], place, size, at);
+  }
+  if (!isIn)
   {
     return vec3(1.0); // beyond the map nothing casts a shadow
   }
-  // Four texels have a plane's own depth up to 1.5 texels away from the place, times its slope; depths near 1
-  // are rounded, here and in the map.
-  float unit = godraysTexelsNAME.w / (isLamp ? scaled.w : 1.0);
-  float bias = unit * (0.1 + 1.5 * slope) + 5e-7;
-  float depth = min(at.z - bias, 1.0); // where the map has nothing it has 1
-  vec2 between = clamp(at.xy - 0.5, vec2(0.0), vec2(float(size - 1)));
-  ivec2 low = ivec2(min(between, vec2(float(size - 2))));
-  vec2 part = between - vec2(low);
-  ivec2 corner = size * ivec2(face % columns, face / columns);
-  low += corner;
+  // Window depths are affine in places of the map on each plane. What they change by for each texel, as far as
+  // 1.5 texels, by which the four texels are away from the place, is in the bias; and 0.2 texels along the light
+  // and 5e-7 for depths near 1, which are rounded, here and in the map.
+  mat4 toFace = godraysToFaceNAME[face];
+  vec2 texels = vec2(1.0); // for each unit of length
+  vec3 axis = toLight;
+  float unit = godraysUnitNAME.x;
+  float facing = dot(normal, toLight);
+  if (LAMP)
+  {
+    axis = vec3(toFace[0].w, toFace[1].w, toFace[2].w);
+    float ahead = dot(vec4(axis, toFace[3].w), vec4(place, 1.0));
+    facing /= ahead;
+    unit /= ahead;
+  }
+  else
+  {
+    texels = vec2(length(vec3(toFace[0].x, toFace[1].x, toFace[2].x)),
+      length(vec3(toFace[0].y, toFace[1].y, toFace[2].y)));
+    unit /= min(texels.x, texels.y);
+  }
+  float along = dot(normal, axis);
+  float slope = min(sqrt(max(1.0 - along * along, 0.0)) / facing, 50.0);
+  float nearer = at.z - unit * (0.2 + 1.5 * slope) - 5e-7;
+  ivec2 corner =
+    int(size) * ivec2(face % int(godraysTexelsNAME.y), face / int(godraysTexelsNAME.y));
   if (SOFT)
   {
     vec4 plane = godraysToPlaneNAME[face] * vec4(normal, -dot(normal, place));
     vec2 gradient = -plane.xy / (abs(plane.z) > 0.0 ? plane.z : 1e30);
     gradient *= min(1.0, 50.0 * unit / max(length(gradient), 1e-30)); // of a plane along the light
-    return vec3(GodRaysDiscNAME(at.xy, corner, float(size), at.z - bias, gradient));
+    return vec3(
+      GodRaysDiscNAME(at.xy, corner, size, nearer, gradient, godraysUnitNAME.yz * texels));
   }
+  nearer = min(nearer, 1.0); // where the map has nothing it has 1
+  vec2 between = clamp(at.xy - 0.5, vec2(0.0), vec2(size - 1.0));
+  ivec2 low = ivec2(min(between, vec2(size - 2.0)));
+  vec2 part = between - vec2(low);
+  low += corner;
   if (LAYERED)
   {
     vec3 dark = vec3(0.0);
-    int rows = (FACES > 1 ? 2 : 1) * size;
+    int rows = (FACES > 1 ? 2 : 1) * int(size);
     for (int k = 0; k < 4 * int(godraysTexelsNAME.z); ++k)
     {
       ivec2 side = ivec2(k & 1, k >> 1 & 1);
       vec4 layer = texelFetch(godraysMapNAME, low + side + ivec2(0, (k >> 2) * rows), 0);
       vec2 weight = mix(1.0 - part, part, vec2(side));
-      dark += layer.x < depth ? weight.x * weight.y * layer.yzw : vec3(0.0);
+      dark += layer.x < nearer ? weight.x * weight.y * layer.yzw : vec3(0.0);
     }
     return max(1.0 - dark, vec3(0.0));
   }
-  vec4 lit = step(vec4(depth),
+  vec4 lit = step(vec4(nearer),
     vec4(texelFetch(godraysMapNAME, low, 0).r, texelFetch(godraysMapNAME, low + ivec2(1, 0), 0).r,
       texelFetch(godraysMapNAME, low + ivec2(0, 1), 0).r,
       texelFetch(godraysMapNAME, low + ivec2(1, 1), 0).r));

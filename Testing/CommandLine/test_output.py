@@ -15,8 +15,10 @@ import unittest
 
 import numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
+from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkIOImage import vtkHDRReader, vtkPNGReader
-from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
@@ -78,6 +80,48 @@ class Data(OutputTest):
                     for first in ([], ["--data-first"])]
                 self.assertGreater(changes[0], 5)
                 self.assertLess(changes[1], 11)
+
+
+class Shadows(OutputTest):
+    # from straight above, where 12 pixels are 1, in the light of a sun in the east
+    VIEW = ["--camera-position", "0,0,9", "--focal-point", "0,0,0", "--view-up", "0,1,0", "--parallel",
+            "--parallel-height", 6, "--sun", "90,45", "--no-ambient-occlusion", "--color", "#808080",
+            "--fill", 0.3]
+
+    def floor(self):
+        """A floor under a box."""
+        both = vtkAppendPolyData()
+        for bounds in (-5, 5, -5, 5, -0.1, 0), (-0.5, 0.5, -0.5, 0.5, 1, 1.5):
+            cube = vtkCubeSource()
+            cube.SetBounds(bounds)
+            cube.Update()
+            both.AddInputData(cube.GetOutput())
+        both.Update()
+        path = self.folder / "floor.vtp"
+        sample_files.write(vtkXMLPolyDataWriter(), both.GetOutput(), path)
+        return path
+
+    def split(self, picture):
+        """What is in the shadow, and what is elsewhere."""
+        y, x = numpy.mgrid[0:HEIGHT, 0:WIDTH]
+        x, y = (x + 0.5 - WIDTH / 2) / 12, (y + 0.5 - HEIGHT / 2) / 12
+        elsewhere = (x < -2.3) | (x > -0.2) | (abs(y) > 0.8)
+        return picture[(x > -1.8) & (x < -0.7) & (abs(y) < 0.3)], picture[elsewhere]
+
+    def test_those_of_a_skys_sun_are_all_that_changes(self):
+        sky = ["--sky", "earth-clear", "--intensity", 0]
+        plain, drawn = (self.draw(self.floor(), *self.VIEW, *sky, *shadows, told=None)
+            for shadows in ([], ["--shadows"]))
+        shadow, elsewhere = self.split(plain - drawn)
+        self.assertGreater(shadow.min(), 40)
+        self.assertLessEqual(abs(elsewhere).max(), 1)
+
+    def test_the_light_of_rays_casts_them(self):
+        shadow, elsewhere = self.split(
+            self.draw(self.floor(), *self.VIEW, "--shadows", "--intensity", 0, told=None))
+        self.assertGreater(numpy.median(elsewhere) - numpy.median(shadow), 40)
+        without = self.draw(self.floor(), *self.VIEW, "--shadows", "--no-rays")
+        self.assertTrue((without == self.draw(self.floor(), *self.VIEW, "--no-rays")).all())
 
 
 class Cameras(OutputTest):

@@ -161,6 +161,22 @@ class View(Case):
         self.assert_alike(pixels(view), unlit)
         self.assertLess(abs(unlit - dark).max(), 256)
 
+    def test_shadows_on_surfaces(self):
+        """Of a box over a floor, from straight above, in a sun at 45 degrees on the right; 20 pixels are 1."""
+        view = make_view(LightSource="What is tagged as a light", UseLight=0, CameraParallelProjection=1)
+        view.CameraParallelScale = 3.0
+        floor = simple.Box(XLength=12, YLength=12, ZLength=0.1, Center=[0, 0, -0.05])
+        show_joined([floor, simple.Box(XLength=0.6, YLength=0.6, ZLength=0.4, Center=[0, 0, 1.2])], view)
+        sun = simple.AddLight(view=view)
+        sun.Coords, sun.Type = "Scene", "Directional"
+        sun.Position, sun.FocalPoint = [1.0, 0.0, 1.0], [0.0, 0.0, 0.0]
+        before = pixels(view)
+        view.SurfaceShadows = 1
+        darker = before - pixels(view)
+        self.assertGreater(darker[56:64, 50:62].min(), 40)
+        darker[50:70, 42:70] = 0
+        self.assertLessEqual(abs(darker).max(), 1)
+
     def test_presets(self):
         view = make_view()
         add_pillars(view)

@@ -93,7 +93,7 @@ class Properties(unittest.TestCase):
         pass_ = godrays.vtkGodRaysPass
         self.assertIn("Valid range: [0, 1e4]. Default is 1.", pass_.intensity.__doc__)
         self.assertIn("Defaults are 0.75 and 3.6", pass_.background_glow_falloff.__doc__)  # a group's second
-        for function in (godrays.enable, godrays.sky, godrays.scatter, godrays.tone_map):
+        for function in (godrays.enable, godrays.shadows, godrays.sky, godrays.scatter, godrays.tone_map):
             for keyword, parameter in inspect.signature(function).parameters.items():
                 if parameter.kind != parameter.VAR_KEYWORD:
                     self.assertRegex(function.__doc__, rf"(?m)^ *([a-z_]+, )*{keyword}(, [a-z_]+)*: \w",
@@ -106,10 +106,12 @@ class Properties(unittest.TestCase):
         for cls in MODELS:
             one = make(cls)
             of_models |= {to_snake(name) for name in get_names(one)} if one else set()
-        self.assertEqual(keywords - of_pass - of_models, {"medium"})  # which tags volumes
+        # which tags volumes, and which is a short name
+        self.assertEqual(keywords - of_pass - of_models, {"medium", "shadows"})
         self.assertGreater(len(keywords), 50)
         sky = {to_snake(name) for name in get_names(godrays.vtkGodRaysSkyPass())}
         self.assertEqual(set(godrays.sky.__kwdefaults__) - sky, set())
+        self.assertEqual(set(godrays.shadows.__kwdefaults__) - of_pass, set())
 
 
 class Errors(unittest.TestCase):

@@ -7,11 +7,13 @@ import gc
 import math
 import types
 import unittest
+import warnings
 
 import godrays
 from godrays import vtkGodRaysPass
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
-from vtkmodules.vtkFiltersSources import vtkConeSource, vtkSphereSource
+from vtkmodules.vtkFiltersCore import vtkElevationFilter
+from vtkmodules.vtkFiltersSources import vtkConeSource, vtkCubeSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkLight,
@@ -408,6 +410,103 @@ class Sky(unittest.TestCase):
             with self.subTest(words), self.assertRaisesRegex(error, words):
                 godrays.sky(renderer, **wrong)
         self.assertIsNone(renderer.GetPass())
+
+
+def make_box(*bounds):
+    box = vtkCubeSource()
+    box.SetBounds(*bounds)
+    return box
+
+
+class Shadows(unittest.TestCase):
+    """A box over a floor, from straight above, in the light of a sun at 45 degrees on the right."""
+
+    def setUp(self):
+        self.window, self.renderer, cone = make_scene()
+        self.renderer.RemoveActor(cone)
+        self.floor = make_actor(make_box(-3, 3, -3, 3, -0.1, 0))
+        for actor in (self.floor, make_actor(make_box(-0.3, 0.3, -0.3, 0.3, 1, 1.4))):
+            self.renderer.AddActor(actor)
+        self.renderer.GetActiveCamera().ParallelProjectionOn()
+        self.renderer.GetActiveCamera().SetParallelScale(2.25)  # 20 pixels are 1
+        self.renderer.ResetCameraClippingRange()
+        self.sun, head = vtkLight(), vtkLight()
+        self.sun.SetLightTypeToSceneLight()
+        self.sun.SetPosition(1, 0, 1)
+        head.SetLightTypeToHeadlight()
+        head.SetIntensity(0.2)
+        for light in (self.sun, head):
+            self.renderer.AddLight(light)
+
+    def darkening(self, before):
+        """By how much each pixel is darker than before: [levels] in the shadow, and elsewhere."""
+        shadow, elsewhere = [], []
+        for i, (was, now) in enumerate(zip(before[::3], pixels(self.window)[::3])):
+            x, y = (i % 120 + 0.5 - 60) / 20, (i // 120 + 0.5 - 45) / 20
+            if -1.6 < x < -0.8 and abs(y) < 0.2:
+                shadow.append(was - now)
+            elif not (-1.8 < x < -0.6 and abs(y) < 0.4):
+                elsewhere.append(abs(was - now))
+        return shadow, elsewhere
+
+    def test_lights_cast_them_without_rays(self):
+        before = pixels(self.window)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            shadows = godrays.shadows(self.renderer)
+        self.assertIs(self.renderer.GetPass(), shadows)
+        self.assertEqual((shadows.intensity, shadows.surface_shadows), (0, True))
+        shadow, elsewhere = self.darkening(before)
+        self.assertGreater(min(shadow), 40)
+        self.assertLessEqual(max(elsewhere), 1)
+        self.assertIs(godrays.shadows(self.window, untagged_props_occlude=False), shadows)
+        self.assertLessEqual(max(map(max, self.darkening(before))), 1)
+        godrays.disable(self.window)
+        self.assertEqual(pixels(self.window), before)
+
+    def test_data_keep_their_colours(self):
+        filter = vtkElevationFilter()
+        filter.SetInputConnection(self.floor.GetMapper().GetInputConnection(0, 0))
+        self.floor.GetMapper().SetInputConnection(filter.GetOutputPort())
+        before = pixels(self.window)
+        whole, half = (
+            sum(self.darkening(before)[0]) for part in (1, 0.5)
+            if godrays.shadows(self.window, most_data_shadow=part))
+        self.assertAlmostEqual(half / whole, 0.5, 1)
+        with self.assertRaisesRegex(godrays.Error, "MostDataShadow must be"):
+            godrays.shadows(self.window, most_data_shadow=math.nan)
+
+    def test_rays_that_are_there_stay(self):
+        rays = godrays.enable(self.renderer, light=BEHIND, intensity=0.5)
+        self.assertIs(godrays.shadows(self.renderer), rays)
+        self.assertEqual((rays.intensity, rays.surface_shadows), (0.5, True))
+
+    def test_rays_can_be_added(self):
+        shadows = godrays.shadows(self.renderer)
+        self.assertIs(godrays.enable(self.renderer, light=BEHIND), shadows)
+        self.assertEqual((shadows.intensity, shadows.surface_shadows), (1, True))
+        godrays.enable(self.renderer, intensity=0)
+        self.assertEqual(godrays.enable(self.renderer).intensity, 0)
+
+    def test_a_short_name(self):
+        for differing in ({"surface_shadows": False}, {"SurfaceShadows": False}):
+            with self.assertRaisesRegex(ValueError, "shadows=True and .*=False differ"):
+                godrays.enable(self.renderer, shadows=True, **differing)
+        self.assertIsNone(self.renderer.GetPass())
+        before = pixels(self.window)
+        rays = godrays.enable(self.renderer, intensity=0, shadows=True, surface_shadows=True)
+        self.assertGreater(min(self.darkening(before)[0]), 40)
+        self.assertFalse(godrays.enable(self.renderer, shadows=False).surface_shadows)
+        self.assertEqual(pixels(self.window), before, rays.GetPlan())
+
+    def test_headlights_alone_are_told(self):
+        self.sun.SwitchOff()
+        with self.assertWarnsRegex(godrays.GodRaysWarning, "No light.*SetLightTypeToSceneLight"):
+            godrays.shadows(self.renderer)
+        godrays.enable(self.renderer, light=(1, 0, 1))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            godrays.shadows(self.renderer)
 
 
 class Tag(unittest.TestCase):

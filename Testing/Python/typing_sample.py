@@ -42,6 +42,8 @@ direction: tuple[float, float, float] = godrays.sun("2024-06-21T20:30+02:00", 43
 godrays.sun(datetime.datetime.now(datetime.timezone.utc), 43.77, 11.26, up=(0, 1, 0), north=[0, 0, -1])
 sky: vtkGodRaysSkyPass = godrays.sky(renderer, sun=direction, light=lamp, atmosphere="earth-hazy")
 sky.SetExposure(2.0)
+shadows: vtkGodRaysPass = godrays.shadows(renderer, most_data_shadow=0.3)
+godrays.enable(renderer, shadows=True)
 godrays.sky(window, sun=[250, 8], world_unit_in_meters=1000.0)
 
 found = godrays.measure(renderer, irradiance=(1000.0, 900.0, 800.0), file="numbers.vti")

@@ -6,6 +6,7 @@
 #include "GodRaysSkyTesting.h"
 
 #include "vtkGodRaysAtmosphere.h"
+#include "vtkGodRaysAtmosphereModel.h"
 
 #include "vtkTexture.h"
 
@@ -252,6 +253,73 @@ TEST_F(GodRaysSkyPass, IsUnderTheRaysInTheSunsColour)
   EXPECT_FALSE(vtkGodRaysSkyPass::Detach(nullptr));
   EXPECT_EQ(vtkGodRaysSkyPass::Attach(nullptr), nullptr);
   EXPECT_EQ(this->Said.Take().size(), 1u);
+}
+
+//------------------------------------------------------------------------------
+// Its light has the colour below the air for surfaces, and an atmosphere's model, which dims it itself, takes
+// what it is above: else a low sun would be dimmed twice, blue 10 times at 5 degrees.
+TEST_F(GodRaysSkyPass, GivesAnAtmosphereTheSunAboveIt)
+{
+  this->SetView(2.0, 180.0, 5.0, 50.0);
+  this->Renderer->GetActiveCamera()->SetClippingRange(1.0, 1e5);
+  this->Renderer->AddActor(MakeBox({ 0.0, -40.0, 5.0 }, { 2.0, 2.0, 14.0 }));
+  this->Renderer->SetPass(nullptr);
+  vtkNew<vtkGodRaysAtmosphereModel> air;
+  vtkNew<vtkGodRaysPass> rays;
+  rays->SetModel(air);
+  rays->Attach(this->Renderer);
+  vtkNew<vtkLight> sun;
+  rays->AddLight(sun);
+  const auto measure = [&]
+  {
+    GetPixels(this->Window);
+    vtkNew<vtkImageData> light;
+    EXPECT_TRUE(rays->GetScatteringImage(light)) << rays->GetPlan();
+    std::array<double, 3> sums = { 0.0, 0.0, 0.0 };
+    for (int i = 0; i < Size * Size; ++i)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        sums[c] += GetValue(light, i % Size, i / Size, c);
+      }
+    }
+    return sums;
+  };
+  for (const double elevation : { 40.0, 5.0, 2.0 })
+  {
+    this->Sky->SetSunElevation(elevation);
+    ASSERT_TRUE(this->Sky->UpdateLight(sun));
+    const auto given = measure();
+    sun->SetIntensity(2.0 * sun->GetIntensity());
+    const auto twice = measure();
+    // by hand: what the atmosphere has above it
+    const double* above = this->Sky->GetAtmosphere()->GetSunIrradiance();
+    const double brightest = std::max({ above[0], above[1], above[2] });
+    std::array<double, 3> color;
+    for (int c = 0; c < 3; ++c)
+    {
+      color[c] = vtkGodRays::EncodeDisplay(above[c] / brightest);
+    }
+    const double below[3] = { sun->GetDiffuseColor()[0], sun->GetDiffuseColor()[1],
+      sun->GetDiffuseColor()[2] };
+    const double intensity = 0.5 * sun->GetIntensity();
+    sun->SetColor(color.data());
+    sun->SetIntensity(brightest * this->Sky->GetExposure() / vtkMath::Pi());
+    const auto wanted = measure();
+    sun->SetColor(below[0], below[1], below[2] + 1e-9); // the control: a colour of the user's own
+    sun->SetIntensity(intensity);
+    const auto dimmed = measure();
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(given[c] / wanted[c], 1.0, 1e-3) << elevation << " " << c;
+      EXPECT_NEAR(twice[c] / given[c], 2.0, 1e-3) << elevation << " " << c;
+    }
+    if (elevation < 10.0)
+    {
+      EXPECT_LT(dimmed[2], 0.5 * given[2]) << elevation;
+    }
+  }
+  rays->Detach(this->Renderer);
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
     rays = godrays.enable(renderer, light=(1, 2, 1), occluders=[actor], density=0.9)
     rays.intensity = 0.5
     godrays.sky(renderer, sun=(250, 8), light=rays.GetLight(0))
+    godrays.shadows(renderer)  # of its lights on surfaces, with rays and without
     godrays.disable(renderer)
 
     with godrays.enable(renderer):  # rays while the block is executed
@@ -20,6 +21,7 @@ as godrays.Error.
 
 from __future__ import annotations
 
+import warnings
 from numbers import Real
 from typing import TYPE_CHECKING, Any
 
@@ -101,6 +103,7 @@ def enable(
     sun_at: Sequence[float] | None = None,
     *,
     medium: Props | None = (),
+    shadows: bool | None = None,
     # of the pass
     intensity: float | None = None,
     model: vtkGodRaysModel | Model | None = None,
@@ -110,6 +113,9 @@ def enable(
     darken_light_background: bool | None = None,
     data_first: bool | None = None,
     light_data: bool | None = None,
+    surface_shadows: bool | None = None,
+    soft_shadows: bool | None = None,
+    most_data_shadow: float | None = None,
     most_data_lightness: float | None = None,
     error_tolerance: float | None = None,
     interactive_error_tolerance: float | None = None,
@@ -184,6 +190,7 @@ def enable(
     medium: volumes whose data scatter light, as smoke does, in place of being drawn by their mappers. They
         do so in the medium of the model or preset; where neither is given and the model is a look, alone,
         as by model="volume".
+    shadows: a short name of surface_shadows; both given must be the same. Without rays, see shadows().
     preset: the name of a look or of a medium, see vtkGodRaysPresets.ListNames. It chooses the model that
         has it, unless one is given.
     sun_at: a place in the picture, from (0, 0) at its lower left to (1, 1), at which a sun is put with the
@@ -208,8 +215,13 @@ def enable(
     given = locals()
     keywords = enable.__kwdefaults__ or {}
     parameters.update(
-        {name: given[name] for name in keywords if name != "medium" and given[name] is not None}
-    )
+        {name: given[name] for name in keywords
+            if name not in ("medium", "shadows") and given[name] is not None})
+    if shadows is not None:
+        names = {name.replace("_", "").lower(): name for name in parameters}
+        name = names.get("surfaceshadows", "surface_shadows")
+        if parameters.setdefault(name, shadows) != shadows:
+            raise ValueError(f"shadows={shadows} and {name}={parameters[name]} differ; give one of them")
     renderer = _find_renderer(target)
     rays = vtkGodRaysPass.Find(renderer)
     known = rays is not None
@@ -223,8 +235,10 @@ def enable(
     ):
         parameters = {**parameters, "model": "volume"}
     parameters = _add_model(rays, preset, parameters)
-    others = ("ignored", "light", "medium", "occluders", "preset", "sun_at")
+    others = ("ignored", "light", "medium", "occluders", "preset", "shadows", "sun_at")
     settings = _find_settings(rays, parameters, others)
+    if getattr(rays, "_has_shadows_alone", False) and rays.GetIntensity() == 0:  # by shadows()
+        settings.setdefault("Intensity", 1.0)
     lights = _to_lights(light)
     occluders = [_to_prop(prop) for prop in _to_list(occluders)]
     ignored = [_to_prop(prop) for prop in _to_list(ignored)]
@@ -265,7 +279,12 @@ def enable(
 
     if sun_at is not None:
         rays.PlaceSun(renderer, *sun_at)
-    if not known:
+    rays._has_shadows_alone = False
+    return _attach(rays, renderer, target)
+
+
+def _attach(rays: Any, renderer: Any, target: Any) -> vtkGodRaysPass:
+    if vtkGodRaysPass.Find(renderer) is not rays:
         _errors.watch(rays)
         rays.Attach(renderer)
         _rebuild(renderer)
@@ -273,6 +292,46 @@ def enable(
         _browser.watch(target)
     rays._target = _refer(target) or _refer(renderer)
     return rays
+
+
+def shadows(
+    target: Target,
+    *,
+    soft_shadows: bool | None = None,
+    most_data_shadow: float | None = None,
+    untagged_props_occlude: bool | None = None,
+) -> vtkGodRaysPass:
+    """Have lights cast shadows on surfaces, without rays, and return their vtkGodRaysPass.
+
+    target: as of enable(). Rays that its renderer has stay, and their lights cast shadows, too.
+
+    The pass is attached to the renderer. Without rays, the renderer's own lights cast shadows; headlights do
+    not, and where there is no other light, a GodRaysWarning says what to do. enable() adds rays to the
+    shadows; disable() takes both off. What is None stays as it is. Error: a number is refused.
+
+    The parameters of the pass, as C++ has them:
+    """
+    renderer = _find_renderer(target)
+    rays = vtkGodRaysPass.Find(renderer)
+    if rays is None:
+        rays = vtkGodRaysPass()
+        rays.SetIntensity(0)
+        rays._has_shadows_alone = True
+    given = {
+        "SoftShadows": soft_shadows, "MostDataShadow": most_data_shadow,
+        "UntaggedPropsOcclude": untagged_props_occlude}
+    for name, value in given.items():
+        if value is not None:
+            _set_value(rays, name, value)
+    rays.SetSurfaceShadows(True)
+    own = [each for each in renderer.GetLights() if each.GetSwitch() and not each.LightTypeIsHeadlight()]
+    if not own and not rays.GetNumberOfLights() and rays.GetSunPlacement() == vtkGodRaysPass.SUN_BY_HAND:
+        warnings.warn(
+            "No light of the renderer casts shadows: headlights do not, and no other one is switched on. Add "
+            "a vtkLight with SetLightTypeToSceneLight(), or rays with enable().",
+            GodRaysWarning,
+            stacklevel=2)
+    return _attach(rays, renderer, target)
 
 
 def sky(
@@ -481,12 +540,13 @@ for _name, _attribute in {
 }.items():
     _property.add(vtkGodRaysPass, _name, _attribute)
 _arrays.document(enable, vtkGodRaysPass, *_MODELS.values())
+_arrays.document(shadows, vtkGodRaysPass)
 _arrays.document(sky, vtkGodRaysSkyPass)
 if not TYPE_CHECKING:
     __all__ = [
         "Error", "GodRaysWarning", "apply", "disable", "enable", "from_babylon", "from_blender",
         "from_good_godrays", "from_pmndrs", "from_threejs", "from_unity", "from_unreal", "measure", "presets",
-        "raising", "render", "scatter", "sky", "sun", "tag", "to_array", "to_image", "tone_map",
+        "raising", "render", "scatter", "shadows", "sky", "sun", "tag", "to_array", "to_image", "tone_map",
         *(each.__name__ for each in _classes),
     ]
 
