@@ -10,6 +10,7 @@
 #include "vtkGodRaysFramebuffer.h"
 #include "vtkGodRaysGate.h"
 #include "vtkGodRaysLight.h"
+#include "vtkGodRaysMedium.h"
 #include "vtkGodRaysOcclusionPass.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysQuad.h"
@@ -359,6 +360,12 @@ bool vtkGodRaysPass::DrawShadows(const vtkRenderState* s)
   request.WithoutShadows = self.DataLights.GetLights();
   request.UntaggedPropsOcclude = this->UntaggedPropsOcclude;
   request.MostDataShadow = this->MostDataShadow;
+  vtkGodRaysMedium medium;
+  if (this->Intensity > 0.0 && self.Model->CanScatter() &&
+    self.Effect->FindMedium(s->GetRenderer(), self.Compositor, view, medium))
+  {
+    request.Medium = &medium;
+  }
   request.Soft = this->SoftShadows;
   request.SunAngularRadius = vtkMath::RadiansFromDegrees(this->GetSunAngularRadius());
   request.SourceRadius = this->SourceRadius;

@@ -90,6 +90,15 @@ void vtkGodRaysMediumEffect::SetUp(
   request.Dims = false;
 }
 
+bool vtkGodRaysMediumEffect::FindMedium(vtkRenderer* renderer, vtkGodRaysCompositor* compositor,
+  const vtkGodRaysView& view, vtkGodRaysMedium& medium) const
+{
+  double bounds[6];
+  vtkGodRaysGate::FindBounds(renderer, compositor, bounds);
+  medium = this->GetMedium(renderer, view, bounds);
+  return this->DimsScene();
+}
+
 void vtkGodRaysMediumEffect::Begin(const Frame& frame)
 {
   this->LastError = frame.Integrator->GetErrorEstimate();

@@ -34,6 +34,8 @@ public:
   void SetUp(vtkGodRaysLightFinder& finder) const override;
   void SetUp(
     vtkGodRaysOcclusionPass::Request& request, vtkGodRaysIntegrator* integrator) const override;
+  bool FindMedium(vtkRenderer* renderer, vtkGodRaysCompositor* compositor,
+    const vtkGodRaysView& view, vtkGodRaysMedium& medium) const override;
   void Begin(const Frame& frame) override;
   bool DrawLight(const Frame& frame, const vtkGodRaysLight& light) override;
   void Join(vtkGodRaysBlendPass::Request& request) const override;

@@ -15,6 +15,7 @@
 #include "vtkGodRaysSkyMath.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysTypes.h"
+#include "vtkGodRaysVisibilityMath.h"
 #include "vtkGodRaysWalkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLQuadHelper.h"
@@ -102,7 +103,7 @@ const char* FindTopic(const std::string& name)
     { "Light", vtkGodRaysLightMath }, { "Medium", vtkGodRaysMediumMath },
     { "Phase", vtkGodRaysPhaseMath }, { "Planet", vtkGodRaysPlanetMath },
     { "Radial", vtkGodRaysRadialMath }, { "Sky", vtkGodRaysSkyMath },
-    { "Walk", vtkGodRaysWalkMath } };
+    { "Visibility", vtkGodRaysVisibilityMath }, { "Walk", vtkGodRaysWalkMath } };
   const auto found = topics.find(name);
   return found == topics.end() ? nullptr : found->second;
 }
@@ -312,6 +313,21 @@ void vtkGodRaysQuad::EndCompute(vtkGodRaysTarget& result)
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
   this->Window->GetShaderCache()->ReleaseCurrentShader(); // the cache must not keep what is ours
   this->FreeTextures();
+}
+
+std::string vtkGodRaysQuad::Include(const std::string& text)
+{
+  std::set<std::string> included;
+  std::string result = IncludeTopics(text, included);
+  std::istringstream lines(result);
+  for (std::string word; lines >> word;)
+  {
+    if (word == "#define" && lines >> word)
+    {
+      result += "#undef " + word.substr(0, word.find('(')) + "\n";
+    }
+  }
+  return result;
 }
 
 int vtkGodRaysQuad::GetNumberOfFailures()

@@ -68,6 +68,11 @@ public:
   ///@}
 
   /**
+   * Returns a text with the formulas that it names, without their macros at the end: for shaders of others.
+   */
+  static std::string Include(const std::string& text);
+
+  /**
    * How often Begin() has returned null, of all shaders: what fails in between was told of already.
    */
   static int GetNumberOfFailures();

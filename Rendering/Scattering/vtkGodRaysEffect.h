@@ -31,6 +31,7 @@ class vtkRenderer;
 class vtkTextureObject;
 class vtkWindow;
 struct vtkGodRaysLight;
+struct vtkGodRaysMedium;
 struct vtkGodRaysView;
 
 class vtkGodRaysEffect
@@ -114,6 +115,15 @@ public:
   virtual void SetUp(
     vtkGodRaysOcclusionPass::Request& request, vtkGodRaysIntegrator* integrator) const = 0;
   ///@}
+
+  /**
+   * Find the medium that light comes through in a view. Returns false if there is none.
+   */
+  virtual bool FindMedium(
+    vtkRenderer*, vtkGodRaysCompositor*, const vtkGodRaysView&, vtkGodRaysMedium&) const
+  {
+    return false;
+  }
 
   /**
    * Start a frame, whose occluders are known.

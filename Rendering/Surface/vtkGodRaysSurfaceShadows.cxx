@@ -9,6 +9,8 @@
 #include "vtkDataSet.h"
 #include "vtkGodRaysMedium.h"
 #include "vtkGodRaysOpenGL.h"
+#include "vtkGodRaysQuad.h"
+#include "vtkGodRaysSurfaceAirFS.h"
 #include "vtkGodRaysSurfaceShadowsFS.h"
 #include "vtkGodRaysView.h"
 #include "vtkGodRaysVolumeHaze.h"
@@ -120,7 +122,8 @@ vtkGodRaysSurfaceShadows::vtkGodRaysSurfaceShadows()
 void vtkGodRaysSurfaceShadows::FindLights(
   const Request& request, std::vector<vtkGodRaysLight>& lights)
 {
-  std::vector<vtkSmartPointer<vtkLight>> shining; // a light's place is its number in VTK's shaders
+  std::vector<vtkSmartPointer<vtkLight>>& shining = this->Shining;
+  shining.clear();
   vtkLightCollection* all = request.Renderer->GetLights();
   vtkCollectionSimpleIterator iterator;
   all->InitTraversal(iterator);
@@ -131,7 +134,6 @@ void vtkGodRaysSurfaceShadows::FindLights(
       shining.emplace_back(light);
     }
   }
-  this->Shining = static_cast<int>(shining.size());
   this->Finder.Renderer = request.Renderer;
   this->Finder.Compositor = request.Compositor;
   this->Finder.LightsMedium = true; // wherever they are: behind the eye, too
@@ -191,6 +193,11 @@ bool vtkGodRaysSurfaceShadows::DrawMaps(
   {
     caster.Light[i] = static_cast<float>(i == 2 ? -light.Position[2] : light.Position[i]);
   }
+  // A light that has the colour below the air is dimmed already.
+  double above[3];
+  caster.Dimmed = request.Medium &&
+    (!light.IsInfinite() || request.Medium->HasExponentialDensity()) &&
+    !vtkGodRaysGetLightAboveAir(this->Shining[light.Number], above);
   for (int kind = 0; kind < 2; ++kind)
   {
     // Texels about half as wide as pixels, where map and picture show the same; layers are many, and smooth.
@@ -227,16 +234,16 @@ bool vtkGodRaysSurfaceShadows::DrawMaps(
   {
     return false;
   }
-  if (caster.Maps[0].Faces + caster.Maps[1].Faces > 0) // else nothing casts
+  if (caster.Maps[0].Faces + caster.Maps[1].Faces > 0 || caster.Dimmed) // else nothing takes of it
   {
     this->Casting.push_back(caster);
   }
   return true;
 }
 
-// One map about all occluders serves while the camera moves. Where its texels are more than twice as wide as pixels
-// are where the camera looks, maps are nested about the eye, and the finest reaches past there. Returns what share
-// each is of the one before; 1 if one serves.
+// One map about all occluders serves while the camera moves. Where its texels are more than twice as wide
+// as pixels are where the camera looks, maps are nested about the eye, and the finest reaches past there.
+// Returns what share each is of the one before; 1 if one serves.
 double vtkGodRaysSurfaceShadows::FindShare(
   const Request& request, const vtkGodRaysMediumIntegrator::Request& scene, int size)
 {
@@ -305,8 +312,8 @@ void vtkGodRaysSurfaceShadows::Describe(
   }
 }
 
-// Where the widest penumbra is no wider than a pixel a hard shadow is as good; half a pixel for one that is soft,
-// so that no shader is built time and again while a camera moves.
+// Where the widest penumbra is no wider than a pixel a hard shadow is as good; half a pixel for one that is
+// soft, so that no shader is built time and again while a camera moves.
 bool vtkGodRaysSurfaceShadows::IsSoft(
   const Request& request, const vtkGodRaysLight& light, const vtkGodRaysShadowFaces& faces) const
 {
@@ -380,6 +387,25 @@ bool vtkGodRaysSurfaceShadows::WriteLayers(vtkOpenGLRenderWindow* window, Kept& 
   return true;
 }
 
+void vtkGodRaysSurfaceShadows::SetMedium(const Request& request)
+{
+  const vtkGodRaysMedium medium = request.Medium ? *request.Medium : vtkGodRaysMedium();
+  for (int i = 0; i < 4; ++i)
+  {
+    this->Vertical[i] = static_cast<float>(i == 3 ? medium.EyeHeight
+        : i == 2                                  ? -medium.Up[2]
+                                                  : medium.Up[i]);
+    for (int k = 0; k < 2; ++k)
+    {
+      const vtkGodRaysMedium::Component& component = medium.Components[k];
+      this->Air[4 * k + i] = static_cast<float>(k >= medium.NumberOfComponents ? 0.0
+          : i == 3 ? component.ScaleHeight
+                   : component.Scattering[i] + component.Absorption[i]);
+    }
+  }
+  this->Planet = static_cast<float>(medium.PlanetRadius);
+}
+
 // All visible props have this pass, also those that are culled: they would be built anew when they come into
 // view.
 void vtkGodRaysSurfaceShadows::SetProps(bool on)
@@ -414,6 +440,7 @@ bool vtkGodRaysSurfaceShadows::Begin(const Request& request)
   this->UpdateLightGeometry(request.Renderer);
   this->UpdateLights(request.Renderer);
   this->FindOccluders(request);
+  this->SetMedium(request);
   std::vector<vtkGodRaysLight> lights;
   this->FindLights(request, lights);
   for (; this->Lights.size() > lights.size(); this->Lights.pop_back())
@@ -437,7 +464,8 @@ bool vtkGodRaysSurfaceShadows::Begin(const Request& request)
   for (const Caster& caster : this->Casting)
   {
     shaders.push_back({ caster.Number, caster.Maps[0].Faces, caster.Maps[1].Faces,
-      caster.Maps[0].Unit[1] > 0.0f ? 1 : 0, caster.Light[3] > 0.0f ? 1 : 0 });
+      caster.Maps[0].Unit[1] > 0.0f ? 1 : 0, caster.Light[3] > 0.0f ? 1 : 0,
+      caster.Dimmed ? 1 : 0 });
   }
   if (shaders != this->Shaders)
   {
@@ -498,6 +526,9 @@ bool vtkGodRaysSurfaceShadows::PostReplaceShaderValues(
   { return fragmentShader.find(text) != std::string::npos; };
   std::string declarations = "uniform float godraysMost;\n"; // part of a light that shadows take
   std::string lights;
+  bool isDimmed = false;
+  // Physically based shading is in linear light, other shading of VTK in display values.
+  const bool isLinear = has("1.0/2.2");
   const bool hasPlace = has("vec4 vertexVC = ") && has("//VTK::GodRays::Impl");
   for (const Text& light : this->Shaders)
   {
@@ -519,7 +550,13 @@ bool vtkGodRaysSurfaceShadows::PostReplaceShaderValues(
       "    vec3 through = vec3(0.0);\n"
       "    if (dot(godraysNormal, toLight) > 0.0)\n"
       "    {\n"
-      "      through = vec3(1.0);\n";
+      "      through = vec3(1.0);\n"
+      "      vec3 left = vec3(1.0);\n"; // of linear light
+    if (light[5] != 0)
+    {
+      isDimmed = true;
+      lights += "      left = GodRaysAir(vertexVC.xyz, " + toLight + ");\n";
+    }
     for (int kind = 0; kind < 2; ++kind)
     {
       if (light[1 + kind] > 0)
@@ -532,9 +569,13 @@ bool vtkGodRaysSurfaceShadows::PostReplaceShaderValues(
         Replace(map, "LAMP", light[4] != 0 ? "true" : "false");
         Replace(map, "LAYERED", kind == 0 ? "false" : "true");
         declarations += map;
-        lights +=
-          "      through *= GodRaysThrough" + name + "(vertexVC.xyz, godraysNormal, toLight);\n";
+        lights += std::string("      ") + (kind == 0 ? "through" : "left") + " *= GodRaysThrough" +
+          name + "(vertexVC.xyz, godraysNormal, toLight);\n";
       }
+    }
+    if (light[2] > 0 || light[5] != 0)
+    {
+      lights += isLinear ? "      through *= left;\n" : "      through *= EncodeDisplay(left);\n";
     }
     lights += "    }\n    " + color + " *= 1.0 - godraysMost * (1.0 - through);\n  }\n" +
       "#define lightColor" + number + " " + color + "\n";
@@ -547,7 +588,14 @@ bool vtkGodRaysSurfaceShadows::PostReplaceShaderValues(
   const std::size_t first = fragmentShader.find("vec4 vertexVC = ");
   const bool isImpostor = fragmentShader.find("vertexVC =", first + 16) != std::string::npos ||
     has("vertexVC.xyz =") || has("tubeBasis1");
-  Replace(fragmentShader, "//VTK::GodRays::Dec", declarations);
+  declarations =
+    "//VTK::GodRays::Colour\n" + (isDimmed ? vtkGodRaysSurfaceAirFS + declarations : declarations);
+  if (declarations != this->Declarations)
+  {
+    this->Declarations = declarations;
+    this->Included = vtkGodRaysQuad::Include(declarations);
+  }
+  Replace(fragmentShader, "//VTK::GodRays::Dec", this->Included);
   Replace(fragmentShader, "//VTK::GodRays::Flow",
     isImpostor
       ? ""
@@ -571,6 +619,12 @@ bool vtkGodRaysSurfaceShadows::SetShaderParameters(
   }
   const double most = IsColored(mapper, prop) ? this->MostDataShadow : 1.0;
   program->SetUniformf("godraysMost", static_cast<float>(this->Active ? most : 0.0));
+  if (program->IsUniformUsed("godraysAir"))
+  {
+    program->SetUniform4fv("godraysAir", 2, this->Air);
+    program->SetUniform4f("godraysVertical", this->Vertical);
+    program->SetUniformf("godraysPlanet", this->Planet);
+  }
   for (const Text& light : this->Shaders)
   {
     const std::string number = std::to_string(light[0]);
@@ -613,8 +667,8 @@ bool vtkGodRaysSurfaceShadows::SetShaderParameters(
 std::string vtkGodRaysSurfaceShadows::Describe() const
 {
   std::ostringstream text;
-  text << "surfaces: shadows of " << this->Casting.size() << " of " << this->Shining << " lights, "
-       << this->Drawn << " maps drawn, " << this->Built << " shaders built";
+  text << "surfaces: shadows of " << this->Casting.size() << " of " << this->Shining.size()
+       << " lights, " << this->Drawn << " maps drawn, " << this->Built << " shaders built";
   return text.str();
 }
 

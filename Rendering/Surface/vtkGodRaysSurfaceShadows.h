@@ -4,16 +4,16 @@
  * @class   vtkGodRaysSurfaceShadows
  * @brief   shadows of a renderer's lights on its surfaces; private to this module
  *
- * Draws a shadow map for each light of the renderer that stands in the scene, and takes part in the mappers'
- * shaders: before VTK's own text for lights, the colour of each such light becomes that colour times how much
- * of the light reaches the fragment. No line of VTK's is replaced, so that all that it does with lights is
- * shadowed: Phong, flat and physically based shading, textures, glyphs, translucent surfaces, and shaders of
- * users. Mappers without lights in their shaders, such as those of volumes, are drawn as ever. See
- * Documentation/Decisions/0021-surface-shadows.md.
+ * Draws a shadow map for each light of the renderer that stands in the scene, and takes part in the
+ * mappers' shaders: before VTK's own text for lights, the colour of each such light becomes that colour
+ * times how much of the light reaches the fragment. No line of VTK's is replaced, so that all that it does
+ * with lights is shadowed: Phong, flat and physically based shading, textures, glyphs, translucent
+ * surfaces, and shaders of users. Mappers without lights in their shaders, such as those of volumes, are
+ * drawn as ever. See Documentation/Decisions/0021-surface-shadows.md.
  *
- * Maps are kept while light and occluders stay, see vtkGodRaysShadowMap. Each light has one of what is opaque,
- * and one of translucent surfaces and volumes, in which few texels are enough. Headlights cast no shadow that
- * one could see.
+ * Maps are kept while light and occluders stay, see vtkGodRaysShadowMap. Each light has one of what is
+ * opaque, and one of translucent surfaces and volumes, in which few texels are enough. Headlights cast no
+ * shadow that one could see.
  */
 
 #ifndef vtkGodRaysSurfaceShadows_h
@@ -38,6 +38,7 @@ class vtkGodRaysCompositor;
 class vtkOpenGLRenderWindow;
 class vtkProp;
 class vtkRenderer;
+struct vtkGodRaysMedium;
 struct vtkGodRaysView;
 
 class vtkGodRaysSurfaceShadows : public vtkOpenGLRenderPass
@@ -54,8 +55,9 @@ public:
     vtkOpenGLRenderWindow* Window = nullptr; ///< its context is current
     vtkRenderer* Renderer = nullptr;
     const vtkGodRaysView* View = nullptr;
-    int Size[2] = { 0, 0 }; ///< of the picture [pixels]
-    double Tiles = 1.0;     ///< of such a size, across or up a large screenshot
+    int Size[2] = { 0, 0 };                   ///< of the picture [pixels]
+    double Tiles = 1.0;                       ///< of such a size, across or up a large screenshot
+    const vtkGodRaysMedium* Medium = nullptr; ///< that light comes through; null: none
     bool UntaggedPropsOcclude = true;
     std::vector<vtkLight*> WithoutShadows; ///< lights that cast none
     double SunAngularRadius = 0.0;         ///< of lights that are infinitely far [radians]
@@ -134,9 +136,10 @@ private:
   /// A light that casts shadows.
   struct Caster
   {
-    int Number = 0; // among the lights that are switched on, as VTK numbers them
-    float Light[4]; // place or direction, in the camera's coordinates
-    Map Maps[2];    // of what is opaque, and of what lets light through
+    int Number = 0;      // among the lights that are switched on, as VTK numbers them
+    float Light[4];      // place or direction, in the camera's coordinates
+    bool Dimmed = false; // by the medium
+    Map Maps[2];         // of what is opaque, and of what lets light through
   };
   /// What is kept of it from frame to frame.
   struct Kept
@@ -145,8 +148,9 @@ private:
     vtkGodRaysTarget Layers;
     unsigned int Version = 0; // of the grids that these are of
   };
-  /// Lights in the shaders' text: number, faces of the maps, whether shadows are soft, and whether it is a lamp.
-  using Text = std::array<int, 5>;
+  /// Lights in the shaders' text: number, faces of the maps; whether shadows are soft, whether it is a lamp,
+  /// and whether the medium dims it.
+  using Text = std::array<int, 6>;
 
   void FindLights(const Request& request, std::vector<vtkGodRaysLight>& lights);
   void FindOccluders(const Request& request);
@@ -157,6 +161,7 @@ private:
   bool IsSoft(
     const Request& request, const vtkGodRaysLight& light, const vtkGodRaysShadowFaces& faces) const;
   bool WriteLayers(vtkOpenGLRenderWindow* window, Kept& kept, Map& shaders);
+  void SetMedium(const Request& request);
   void SetProps(bool on);
 
   std::vector<vtkProp*> Props; // of the frame
@@ -170,12 +175,17 @@ private:
   std::vector<float> Texels; // of layers; here to keep its memory
   vtkGodRaysTarget Nothing;  // what samplers have while maps are drawn
   std::vector<Text> Shaders;
-  vtkTimeStamp Stage; // when that changed
+  std::string Declarations; // of the shader that was built last
+  std::string Included;     // the same with the formulas that they name
+  vtkTimeStamp Stage;       // when that changed
   bool Active = false;
   double MostDataShadow = 1.0;
-  int Shining = 0; // lights that are switched on
-  int Drawn = 0;   // maps that were drawn anew
-  int Built = 0;   // shaders of this frame
+  std::vector<vtkSmartPointer<vtkLight>> Shining; // lights that are switched on, by their numbers
+  float Air[8];                                   // of the medium, as shaders have it
+  float Vertical[4];
+  float Planet = 0.0f;
+  int Drawn = 0; // maps that were drawn anew
+  int Built = 0; // shaders of this frame
 };
 
 #endif

@@ -1,28 +1,31 @@
-// How much of a light reaches a place of a surface, by a shadow map of the light. vtkGodRaysSurfaceShadows puts
-// this into the mappers' shaders once for each map, with the map's name for NAME, the number of its faces for
-// FACES, and true or false for whether it has layers, LAYERED, is that of a lamp, LAMP, and of a light that is
-// no point, SOFT. Coordinates are the camera's, as VTK has them in vertexVC.
+// How much of a light reaches a place of a surface, by a shadow map of the light.
+// vtkGodRaysSurfaceShadows puts this into the mappers' shaders once for each map, with the map's name
+// for NAME, the number of its faces for FACES, and true or false for whether it has layers, LAYERED, is
+// that of a lamp, LAMP, and of a light that is no point, SOFT. Coordinates are the camera's, as VTK has
+// them in vertexVC.
+
+//VTK::GodRays::Common
 
 uniform sampler2D godraysMapNAME; // window depths, or layers of depth and what is dark beyond, one on another
 uniform mat4 godraysToFaceNAME[FACES]; // to (texels of the face, window depth, 1) w; 0 for a face that is not
 uniform mat4 godraysToPlaneNAME[FACES]; // planes to what is 0 at (texels, window depth, 1) of theirs
 uniform vec3 godraysTexelsNAME; // of a face: how many; faces side by side; layers
-uniform vec3 godraysUnitNAME;   // window depth of a length, or of a texel of a lamp at distance 1; radius of the
-                                // light as a blocker shows it, for each unit of depth between [lengths or texels]
+// window depth of a length, or of a texel of a lamp at distance 1; radius of the light as a blocker shows it,
+// for each unit of depth between [lengths or texels]
+uniform vec3 godraysUnitNAME;
+                                // or texels]
 
-// Returns how much of a light's disc is seen from a place, by the depths of what hides it: percentage-closer
-// soft shadows [Fernando2005]. texel is a place in a face whose low corner is in the map; nearer is the depth of
-// the surface's plane there, less the bias, and gradient how much that is more for each texel. soft is the radius
-// that a blocker shows for each unit of depth between [texels].
+// Returns how much of a light's disc is seen from a place, by the depths of what hides it: percentage-
+// closer soft shadows [Fernando2005]. texel is a place in a face whose low corner is in the map; nearer
+// is the depth of the surface's plane there, less the bias, and gradient how much that is more for each
+// texel. soft is the radius that a blocker shows for each unit of depth between [texels].
 float GodRaysDiscNAME(
   vec2 texel, ivec2 corner, float size, float nearer, vec2 gradient, vec2 soft)
 {
-  // Turned from pixel to pixel, by InterleavedGradientNoise(), whose macros would get into users' shaders: what
-  // samples miss is noise, not bands.
-  float turn =
-    6.2831853 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
-  // Blockers are searched in the cone from the place to the disc. It is searched more densely in its middle, as
-  // what is close above the place is in a small part of it.
+  // Turned from pixel to pixel: what samples miss is noise, not bands.
+  float turn = 6.2831853 * InterleavedGradientNoise(gl_FragCoord.xy);
+  // Blockers are searched in the cone from the place to the disc. It is searched more densely in its
+  // middle, as what is close above the place is in a small part of it.
   vec2 widest = min(nearer * soft, vec2(0.06 * size));
   float sum = 0.0;
   float weights = 0.0;
@@ -42,7 +45,8 @@ float GodRaysDiscNAME(
     sum += weight * depth;
     weights += weight;
   }
-  // Only half shadows need the rest. No turns of a loop are less work than a branch where processors draw.
+  // Only half shadows need the rest. No turns of a loop are less work than a branch where processors
+  // draw.
   int samples = weights > 0.0 && open > 0 ? 32 : 0;
   vec2 radius =
     clamp((nearer - sum / max(weights, 1e-30)) * soft, vec2(0.7), vec2(0.06 * size));
@@ -68,13 +72,14 @@ bool GodRaysIsInNAME(mat4 toFace, vec3 place, float size, out vec3 at)
     all(lessThanEqual(at.xy, vec2(size + edge)));
 }
 
-// Returns 1 where nothing hides the light, 0 where something does; between them within a texel of an edge, and
-// behind what lets a part of the light through. The normal is the facet's, of length 1; toLight is the way to a
-// lamp, or a direction of length 1. The facet faces the light.
+// Returns 1 where nothing hides the light, 0 where something does; between them within a texel of an
+// edge, and behind what lets a part of the light through. The normal is the facet's, of length 1;
+// toLight is the way to a lamp, or a direction of length 1. The facet faces the light.
 vec3 GodRaysThroughNAME(vec3 place, vec3 normal, vec3 toLight)
 {
   float size = godraysTexelsNAME.x;
-  int face = FACES - 1; // of nested ones the finest that has the place, of a cube the one whose axis is nearest
+  // of nested faces the finest that has the place, of a cube's the one whose axis is nearest
+  int face = FACES - 1;
   if (LAMP)
   {
     float ahead = 0.0;
@@ -97,9 +102,9 @@ vec3 GodRaysThroughNAME(vec3 place, vec3 normal, vec3 toLight)
   {
     return vec3(1.0); // beyond the map nothing casts a shadow
   }
-  // Window depths are affine in places of the map on each plane. What they change by for each texel, as far as
-  // 1.5 texels, by which the four texels are away from the place, is in the bias; and 0.2 texels along the light
-  // and 5e-7 for depths near 1, which are rounded, here and in the map.
+  // Window depths are affine in places of the map on each plane. What they change by for each texel, as
+  // far as 1.5 texels, by which the four texels are away from the place, is in the bias; and 0.2 texels
+  // along the light and 5e-7 for depths near 1, which are rounded, here and in the map.
   mat4 toFace = godraysToFaceNAME[face];
   vec2 texels = vec2(1.0); // for each unit of length
   vec3 axis = toLight;

@@ -7,6 +7,8 @@
 
 #include "GodRaysTesting.h"
 
+#include "vtkGodRaysHomogeneousModel.h"
+#include "vtkGodRaysMath.h"
 #include "vtkGodRaysTriangleTree.h"
 
 #include "vtkAppendPolyData.h"
@@ -16,12 +18,15 @@
 #include "vtkCubeSource.h"
 #include "vtkEDLShading.h"
 #include "vtkElevationFilter.h"
+#include "vtkFixedPointVolumeRayCastMapper.h"
 #include "vtkFollower.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkHardwareSelector.h"
+#include "vtkImageData.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
@@ -38,6 +43,8 @@
 #include "vtkTexture.h"
 #include "vtkTransform.h"
 #include "vtkTransformFilter.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
 
 #if __has_include("vtkLODActor.h")
 #include "vtkLODActor.h"
@@ -1126,6 +1133,138 @@ TEST(GodRaysSurfaceShadows, BuildNothingWithoutCause)
     zoo.Light->SetPosition(-3.0, 1.0, 6.0);
     GetPixels(zoo.Window);
     EXPECT_TRUE(Says(zoo.Rays->GetPlan(), " 1 maps drawn")) << zoo.Rays->GetPlan();
+  }
+}
+
+/// The red, green and blue of the floor's middle.
+std::array<double, 3> GetMiddle(Zoo& zoo)
+{
+  const Pixels pixels = GetPixels(zoo.Window);
+  const int* size = zoo.Window->GetSize();
+  const std::size_t middle = static_cast<std::size_t>(size[1]) / 2 * size[0] + size[0] / 2;
+  return { pixels[4 * middle] + 0.0, pixels[4 * middle + 1] + 0.0, pixels[4 * middle + 2] + 0.0 };
+}
+
+/// Expects the floor's middle to have a part of the light, in linear light.
+void ExpectPart(Zoo& zoo, const std::array<double, 3>& part, const char* what)
+{
+  zoo.Rays->SetSurfaceShadows(false);
+  const auto on = GetMiddle(zoo);
+  const double intensity = zoo.Light->GetIntensity();
+  zoo.Light->SetIntensity(0.0);
+  const auto off = GetMiddle(zoo);
+  zoo.Light->SetIntensity(intensity);
+  zoo.Rays->SetSurfaceShadows(true);
+  const auto got = GetMiddle(zoo);
+  for (int c = 0; c < 3; ++c)
+  {
+    const double shown = vtkGodRays::EncodeDisplay(part[c]);
+    EXPECT_NEAR(got[c], off[c] + shown * (on[c] - off[c]), 2.0)
+      << what << " " << c << ", lit " << on[c] << ", dark " << off[c];
+  }
+}
+
+/// A floor that is seen from above, whose middle is below the plate.
+void LookDown(Zoo& zoo)
+{
+  zoo.Light->SetPosition(0.0, 3.0, 6.0);
+  zoo.Light->SetFocalPoint(0.0, 0.0, 0.0);
+  zoo.PlateSource->SetCenter(0.0, 1.0, 2.0); // on the light's way, not on the eye's
+  zoo.PlateSource->SetYLength(0.6);
+  zoo.Camera->SetPosition(0.0, -6.0, 6.0);
+  zoo.Camera->SetFocalPoint(0.0, 0.0, 0.0);
+  zoo.Renderer->ResetCameraClippingRange();
+}
+
+TEST(GodRaysSurfaceShadows, OfPanesAreTheirColour)
+{
+  Messages messages;
+  Zoo zoo;
+  LookDown(zoo);
+  zoo.PlateSource->SetZLength(0.0); // two faces, one on the other, would count twice
+  zoo.Plate->GetProperty()->BackfaceCullingOn();
+  for (const double opacity : { 0.3, 0.6, 0.9 })
+  {
+    double color[3] = { 1.0, 0.6, 0.2 };
+    zoo.Plate->GetProperty()->SetColor(color);
+    zoo.Plate->GetProperty()->SetOpacity(opacity);
+    std::array<double, 3> part;
+    for (int c = 0; c < 3; ++c)
+    {
+      part[c] = std::pow(1.0 - opacity, 3.0 - 2.0 * color[c]); // see vtkGodRaysLightLayers
+    }
+    ExpectPart(zoo, part, "pane");
+  }
+}
+
+// A box of smoke, twice as deep as the light's way down through it, 45 degrees aside, is.
+TEST(GodRaysSurfaceShadows, OfVolumesAreWhatTheyLeave)
+{
+  Messages messages;
+  Zoo zoo;
+  LookDown(zoo);
+  zoo.Renderer->RemoveActor(zoo.Plate);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(17, 17, 17);
+  image->SetSpacing(1.0 / 8.0, 1.0 / 8.0, 1.0 / 16.0);
+  image->SetOrigin(-1.0, 0.25, 1.5); // 1 high
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  std::fill_n(static_cast<unsigned char*>(image->GetScalarPointer()), 17 * 17 * 17, 255);
+  vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
+  mapper->SetInputData(image);
+  vtkNew<vtkVolume> volume;
+  volume->SetMapper(mapper);
+  zoo.Renderer->AddVolume(volume);
+  for (const double depth : { 0.1, 1.0, 3.0 })
+  {
+    const double length = std::sqrt(1.0 + 0.25); // through 1 of height
+    vtkNew<vtkPiecewiseFunction> opacity;
+    opacity->AddPoint(0.0, 1.0 - std::exp(-depth / length));
+    opacity->AddPoint(255.0, 1.0 - std::exp(-depth / length));
+    volume->GetProperty()->SetScalarOpacity(opacity);
+    const double left = std::exp(-depth);
+    ExpectPart(zoo, { left, left, left }, "smoke");
+  }
+}
+
+TEST(GodRaysSurfaceShadows, AreDimmedByTheMedium)
+{
+  Messages messages;
+  Zoo zoo;
+  LookDown(zoo);
+  zoo.Renderer->RemoveActor(zoo.Plate);
+  zoo.Light->SetPosition(0.0, 0.0, 5.0);
+  zoo.Light->PositionalOn();
+  zoo.Light->SetConeAngle(180.0);
+  vtkNew<vtkGodRaysHomogeneousModel> fog;
+  fog->SetAttenuateScene(true);
+  zoo.Rays->SetModel(fog);
+  zoo.Rays->SetIntensity(
+    1e-4); // a picture of surfaces alone, but for what is between them and the eye
+  zoo.Rays->SetAutomaticExposure(false);
+  zoo.Rays->AddLight(zoo.Light);
+  fog->SetScatteringCoefficient(0.0, 0.0, 0.0);
+  const auto measure = [&](double r, double g, double b)
+  {
+    fog->SetAbsorptionCoefficient(r, g, b);
+    const auto plain = GetMiddle(zoo);
+    return plain;
+  };
+  // What is between floor and eye takes the same with and without: the ratio is that of the light's way.
+  zoo.Floor->GetProperty()->SetAmbient(0.0);
+  for (const double sigma : { 0.02, 0.1, 0.2 })
+  {
+    zoo.Rays->SurfaceShadowsOff();
+    const auto without = measure(sigma, 0.5 * sigma, 0.0);
+    zoo.Rays->SurfaceShadowsOn();
+    const auto with = measure(sigma, 0.5 * sigma, 0.0);
+    for (int c = 0; c < 3; ++c)
+    {
+      const double left = std::exp(-5.0 * sigma * (1.0 - 0.5 * c));
+      const double ratio =
+        vtkGodRays::DecodeDisplay(with[c] / 255.0) / vtkGodRays::DecodeDisplay(without[c] / 255.0);
+      EXPECT_NEAR(ratio, left, 0.03) << sigma << " " << c;
+    }
   }
 }
 
