@@ -80,8 +80,8 @@ private:
   std::vector<vtkSmartPointer<vtkProp>> StandIns;
 };
 
-/// While it lives, passes around this one, such as vtkSSAOPass, add nothing to shaders of a state's props. One
-/// pass may stay.
+/// While it lives, passes around this one, such as vtkSSAOPass, add nothing to shaders of a state's props.
+/// One pass may stay.
 class vtkGodRaysOwnShaders
 {
 public:
