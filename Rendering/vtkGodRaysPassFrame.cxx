@@ -383,6 +383,15 @@ bool vtkGodRaysPass::DrawShadows(const vtkRenderState* s)
     const vtkGodRaysStateKeeper keeper(self.Window->GetState());
     if (self.Shadows->Begin(request))
     {
+      const std::string concern =
+        "no light casts shadows on surfaces: headlights do not. Add to the "
+        "renderer a vtkLight with SetLightTypeToSceneLight()";
+      const auto& concerns = self.Concerns;
+      if (!self.Shadows->HasLights() &&
+        std::find(concerns.begin(), concerns.end(), concern) == concerns.end())
+      {
+        self.Concerns.push_back(concern);
+      }
       return true;
     }
   }

@@ -148,6 +148,7 @@ void vtkGodRaysSurfaceShadows::FindLights(
   std::stable_sort(lights.begin(), lights.end(),
     [&](const vtkGodRaysLight& one, const vtkGodRaysLight& other)
     { return shining[one.Number]->GetIntensity() > shining[other.Number]->GetIntensity(); });
+  this->Standing = lights.size();
   lights.resize(std::min(lights.size(), MaximumLights));
 }
 

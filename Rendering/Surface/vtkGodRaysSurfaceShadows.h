@@ -97,9 +97,9 @@ public:
   std::string Describe() const;
 
   /**
-   * Returns how many lights of the last frame cast shadows.
+   * Returns whether the last frame had a light that casts shadows where something blocks it.
    */
-  int GetNumberOfLights() const { return static_cast<int>(this->Casting.size()); }
+  bool HasLights() const { return this->Standing > 0; }
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -179,6 +179,7 @@ private:
   std::string Included;     // the same with the formulas that they name
   vtkTimeStamp Stage;       // when that changed
   bool Active = false;
+  std::size_t Standing = 0; // lights in the scene
   double MostDataShadow = 1.0;
   std::vector<vtkSmartPointer<vtkLight>> Shining; // lights that are switched on, by their numbers
   float Air[8];                                   // of the medium, as shaders have it

@@ -14,7 +14,6 @@
 #include "vtkAppendPolyData.h"
 #include "vtkAssembly.h"
 #include "vtkCamera.h"
-#include "vtkCompositePolyDataMapper2.h"
 #include "vtkCubeSource.h"
 #include "vtkEDLShading.h"
 #include "vtkElevationFilter.h"
@@ -45,6 +44,14 @@
 #include "vtkTransformFilter.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
+
+#if __has_include("vtkCompositePolyDataMapper2.h")
+#include "vtkCompositePolyDataMapper2.h"
+using BlockMapper = vtkCompositePolyDataMapper2;
+#else
+#include "vtkCompositePolyDataMapper.h"
+using BlockMapper = vtkCompositePolyDataMapper;
+#endif
 
 #if __has_include("vtkLODActor.h")
 #include "vtkLODActor.h"
@@ -722,7 +729,7 @@ struct Zoo : Shadows
   {
     vtkNew<vtkMultiBlockDataSet> blocks;
     blocks->SetBlock(1, data);
-    vtkNew<vtkCompositePolyDataMapper2> mapper;
+    vtkNew<BlockMapper> mapper;
     mapper->SetInputDataObject(blocks);
     actor->SetMapper(mapper);
   }
@@ -1010,6 +1017,8 @@ TEST(GodRaysSurfaceShadows, OfAHeadlightAreNone)
   Messages messages;
   Zoo zoo;
   zoo.Light->SetLightTypeToHeadlight();
+  zoo.Draw();
+  EXPECT_TRUE(Says(zoo.Rays->GetAdvice(), "no light casts shadows on surfaces"));
   EXPECT_EQ(zoo.Draw(), zoo.Draw(false));
   zoo.Draw();
   EXPECT_TRUE(Says(zoo.Rays->GetPlan(), "shadows of 0 of 1 lights")) << zoo.Rays->GetPlan();
