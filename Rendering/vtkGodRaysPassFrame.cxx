@@ -370,13 +370,15 @@ bool vtkGodRaysPass::DrawShadows(const vtkRenderState* s)
   request.SunAngularRadius = vtkMath::RadiansFromDegrees(this->GetSunAngularRadius());
   request.SourceRadius = this->SourceRadius;
   double bounds[6];
-  if (this->SourceRadius == 0.0 &&
-    vtkGodRaysGate::FindBounds(s->GetRenderer(), self.Compositor, bounds).empty() &&
+  if (vtkGodRaysGate::FindBounds(s->GetRenderer(), self.Compositor, bounds).empty() &&
     vtkMath::AreBoundsInitialized(bounds))
   {
-    request.SourceRadius = 0.02 * vtkBoundingBox(bounds).GetDiagonalLength();
+    request.Diagonal = vtkBoundingBox(bounds).GetDiagonalLength();
+    for (const double bound : bounds)
+    {
+      request.Away = std::max(request.Away, std::abs(bound));
+    }
   }
-  request.Compositor = self.Compositor;
   const std::string fault = vtkGodRaysGate::FindFault(s->GetRenderer(), view, request.Size);
   if (fault.empty())
   {

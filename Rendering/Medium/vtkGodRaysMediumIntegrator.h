@@ -47,6 +47,8 @@ public:
     vtkGodRaysViewDepths* Depths = nullptr;
     const std::vector<vtkProp*>* Occluders = nullptr; ///< these props block light
     vtkGodRaysCompositor* Compositor = nullptr;       ///< of a scene on several processes
+    double Nearest = 0.0; ///< distance from a lamp from which on its cube of maps must see things
+    double Overlap = 0.0; ///< by which its faces reach into the next ones [of half a face]
     bool WantsLayers = true; ///< of what lets light through; false where there is no picture
     vtkGodRaysSum* Result = nullptr;     ///< the light scattered by all lights: add to it
     double ErrorTolerance = 1.0 / 255.0; ///< of this frame; see vtkGodRaysPass

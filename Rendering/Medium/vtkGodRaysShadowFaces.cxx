@@ -292,7 +292,7 @@ void vtkGodRaysShadowFaces::FitPoint(const vtkGodRaysMediumIntegrator::Request& 
     return;
   }
   this->Count = 6;
-  this->Grids.Range[0] = 1e-4 * farthest;
+  this->Grids.Range[0] = std::max(1e-4 * farthest, request.Nearest);
   for (int face = 0; face < 6; ++face)
   {
     double direction[3]; // backwards, along an axis of the world
@@ -302,8 +302,8 @@ void vtkGodRaysShadowFaces::FitPoint(const vtkGodRaysMediumIntegrator::Request& 
     }
     vtkMath::Normalize(direction);
     SetAxes(*request.View, direction, axes);
-    const double low[2] = { -1.0, -1.0 };
-    const double high[2] = { 1.0, 1.0 };
+    const double high[2] = { 1.0 + request.Overlap, 1.0 + request.Overlap };
+    const double low[2] = { -high[0], -high[1] };
     this->SetFace(face, axes, light, low, high);
   }
   this->Grids.Levels = 6;

@@ -16,6 +16,7 @@
 #include "vtkGodRaysVolumeHaze.h"
 #include "vtkLightCollection.h"
 #include "vtkMapper.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -41,23 +42,27 @@ constexpr int LeastSize = 512; // of a map [pixels]
 constexpr int MostSize = 4096;
 constexpr int MostLevels = vtkGodRaysShadowGrids::MaximumLevels;
 
-/// Returns whether a prop casts shadows on surfaces. Points, lines, and the spheres and tubes that stand for
-/// them, do not: they are so many pixels wide in a map as in the picture, or face the eye in the picture and
-/// the light in the map, and would shadow themselves.
-bool Casts(vtkProp* prop)
+/// Returns whether a prop shows surfaces that may cast shadows. Points, lines, and the spheres and tubes that
+/// stand for them, do not: they are so many pixels wide in a map as in the picture, or face the eye in the
+/// picture and the light in the map, and would shadow themselves. Annotations lay themselves out for the camera
+/// that draws them, and would for the light.
+bool HasSurfaces(vtkProp* prop)
 {
   auto actor = vtkActor::SafeDownCast(prop);
   vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
   if (!mapper)
   {
-    bool casts = !prop->IsA("vtkAssembly") && !prop->IsA("vtkPropAssembly");
-    prop->InitPathTraversal();
-    for (vtkAssemblyPath* path; !casts && (path = prop->GetNextPath());)
+    bool casts = prop->IsA("vtkLODProp3D");
+    if (prop->IsA("vtkAssembly") || prop->IsA("vtkPropAssembly"))
     {
-      vtkProp* part = path->GetLastNode()->GetViewProp();
-      casts = part != prop && part->GetVisibility() && Casts(part);
+      prop->InitPathTraversal();
+      for (vtkAssemblyPath* path; !casts && (path = prop->GetNextPath());)
+      {
+        vtkProp* part = path->GetLastNode()->GetViewProp();
+        casts = part != prop && part->GetVisibility() && HasSurfaces(part);
+      }
     }
-    return casts && prop->HasOpaqueGeometry();
+    return casts;
   }
   const int shape = mapper->IsA("vtkGlyph3DMapper") ? 1 : 0; // the input that has it
   auto data = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(shape, 0));
@@ -65,7 +70,7 @@ bool Casts(vtkProp* prop)
     mapper->IsA("vtkOpenGLSphereMapper") || mapper->IsA("vtkOpenGLStickMapper") ||
     mapper->IsA("vtkPointGaussianMapper") ||
     (data && data->GetNumberOfPolys() == 0 && data->GetNumberOfStrips() == 0);
-  return !isThin && prop->HasOpaqueGeometry();
+  return !isThin;
 }
 
 /// Returns whether a mapper, or that of the prop for which it draws, colours by scalars.
@@ -102,10 +107,24 @@ std::string GetName(const std::string& light, int kind)
   return light + (kind == 0 ? "Opaque" : "Layers");
 }
 
-/// Returns the tangent of a sun's angular radius, or the radius of a lamp's sphere.
+/// Returns the tangent of a sun's angular radius, or the radius of a lamp's sphere. Where nobody has given one,
+/// it is a fiftieth of the scene, but a tenth at most of how far the lamp is from where the camera looks.
 double GetRadius(const vtkGodRaysSurfaceShadows::Request& request, const vtkGodRaysLight& light)
 {
-  return light.IsInfinite() ? std::tan(request.SunAngularRadius) : request.SourceRadius;
+  if (light.IsInfinite() || request.SourceRadius > 0.0)
+  {
+    return light.IsInfinite() ? std::tan(request.SunAngularRadius) : request.SourceRadius;
+  }
+  const double focus[3] = { 0.0, 0.0, request.Renderer->GetActiveCamera()->GetDistance() };
+  return std::min(0.02 * request.Diagonal,
+    0.1 * std::sqrt(vtkMath::Distance2BetweenPoints(light.Position, focus)));
+}
+
+/// Returns from which distance on a lamp's map must see things. VTK projects them by matrices of single
+/// precision: their rounding, of as much as the scene is away from the origin, is one of depths near the lamp.
+double FindNearest(const vtkGodRaysSurfaceShadows::Request& request)
+{
+  return std::min(6e-5 * request.Away, 0.02 * request.Diagonal);
 }
 
 void Replace(std::string& text, const std::string& what, const std::string& with)
@@ -164,10 +183,19 @@ void vtkGodRaysSurfaceShadows::FindOccluders(const Request& request)
   const std::vector<vtkProp*>& all = this->Sorted.OccludingProps;
   this->Occluders[0].clear();
   this->Occluders[1].clear();
-  std::copy_if(all.begin(), all.end(), std::back_inserter(this->Occluders[0]), Casts);
-  std::copy_if(all.begin(), all.end(), std::back_inserter(this->Occluders[1]),
-    [](vtkProp* prop)
-    { return prop->HasTranslucentPolygonalGeometry() || vtkGodRaysVolumeHaze::GetVolume(prop); });
+  for (vtkProp* prop : all)
+  {
+    const bool hasSurfaces = HasSurfaces(prop);
+    if (hasSurfaces && prop->HasOpaqueGeometry())
+    {
+      this->Occluders[0].push_back(prop);
+    }
+    if (vtkGodRaysVolumeHaze::GetVolume(prop) ||
+      (hasSurfaces && prop->HasTranslucentPolygonalGeometry()))
+    {
+      this->Occluders[1].push_back(prop);
+    }
+  }
   // A volume has 16 layers, and no edges.
   this->LayerSize =
     std::any_of(this->Occluders[1].begin(), this->Occluders[1].end(),
@@ -188,6 +216,8 @@ bool vtkGodRaysSurfaceShadows::DrawMaps(
   scene.View = request.View;
   scene.Light = &light;
   scene.Compositor = request.Compositor;
+  scene.Nearest = FindNearest(request);
+  scene.Overlap = 0.14; // which the samples of a soft shadow reach, at most 0.06 of a face
   Caster caster;
   caster.Number = light.Number;
   for (int i = 0; i < 4; ++i)
@@ -211,13 +241,14 @@ bool vtkGodRaysSurfaceShadows::DrawMaps(
     size = kind == 1 ? this->LayerSize : size;
     scene.Occluders = &this->Occluders[kind];
     vtkGodRaysShadowMap& map = kept.Maps[kind];
-    const double share = kind == 0 ? FindShare(request, scene, size) : 1.0;
+    const double share =
+      kind == 0 ? FindShare(request, scene, size, map.GetNumberOfFaces() > 1) : 1.0;
     if (!map.Draw(scene, light.IsInfinite() ? size : size / 2, share < 1.0 ? MostLevels : 1, share))
     {
       return false;
     }
     this->Drawn += map.GetNumberOfFaces() == 0 || map.WasKept() ? 0 : 1;
-    Describe(map, *request.View, caster.Maps[kind]);
+    Describe(map, request, caster.Maps[kind]);
   }
   if (caster.Maps[0].Faces > 0 && this->IsSoft(request, light, kept.Maps[0].GetFaces()))
   {
@@ -246,7 +277,7 @@ bool vtkGodRaysSurfaceShadows::DrawMaps(
 // as pixels are where the camera looks, maps are nested about the eye, and the finest reaches past there.
 // Returns what share each is of the one before; 1 if one serves.
 double vtkGodRaysSurfaceShadows::FindShare(
-  const Request& request, const vtkGodRaysMediumIntegrator::Request& scene, int size)
+  const Request& request, const vtkGodRaysMediumIntegrator::Request& scene, int size, bool isNested)
 {
   vtkGodRaysView::Pinhole pinhole;
   if (!scene.Light->IsInfinite() || scene.View->Parallel ||
@@ -259,7 +290,9 @@ double vtkGodRaysSurfaceShadows::FindShare(
   const double* texels = whole.Grids.Grids[0].Texel;
   const double texel = std::max(texels[0], texels[1]);
   const double distance = scene.Renderer->GetActiveCamera()->GetDistance();
-  if (whole.Count == 0 || texel <= 2.0 * pinhole.PixelSize * distance)
+  // fewer for maps that are nested, so that no shader is built time and again while a camera moves
+  const double most = isNested ? 1.7 : 2.0;
+  if (whole.Count == 0 || texel <= most * pinhole.PixelSize * distance)
   {
     return 1.0;
   }
@@ -268,7 +301,7 @@ double vtkGodRaysSurfaceShadows::FindShare(
 }
 
 void vtkGodRaysSurfaceShadows::Describe(
-  const vtkGodRaysShadowMap& map, const vtkGodRaysView& view, Map& shaders)
+  const vtkGodRaysShadowMap& map, const Request& request, Map& shaders)
 {
   const vtkGodRaysShadowFaces& faces = map.GetFaces();
   shaders.Faces = faces.Count;
@@ -281,6 +314,7 @@ void vtkGodRaysSurfaceShadows::Describe(
   const double depth = grids.Range[1] - grids.Range[0];
   shaders.Texels[0] = static_cast<float>(faces.Size);
   shaders.Texels[1] = static_cast<float>(faces.GetColumns());
+  shaders.Texels[3] = static_cast<float>(grids.Point ? 2e-7 * request.Away : 0.0);
   // Window depth is affine in the distance, or in 1/distance of a lamp, whose texels widen with it.
   const double texel = std::max(grids.Grids[0].Texel[0], grids.Grids[0].Texel[1]);
   shaders.Unit[0] =
@@ -296,7 +330,7 @@ void vtkGodRaysSurfaceShadows::Describe(
   {
     double clip[16];
     double toFace[16];
-    vtkMatrix4x4::Multiply4x4(faces.ViewToMap[face], view.CameraToView, clip);
+    vtkMatrix4x4::Multiply4x4(faces.ViewToMap[face], request.View->CameraToView, clip);
     for (int column = 0; column < 4; ++column)
     {
       const double w = clip[12 + column];
@@ -657,7 +691,7 @@ bool vtkGodRaysSurfaceShadows::SetShaderParameters(
           ("godraysToFace" + name).c_str(), map.Faces, const_cast<float*>(map.ToFace));
         program->SetUniformMatrix4x4v(
           ("godraysToPlane" + name).c_str(), map.Faces, const_cast<float*>(map.ToPlane));
-        program->SetUniform3f(("godraysTexels" + name).c_str(), map.Texels);
+        program->SetUniform4f(("godraysTexels" + name).c_str(), map.Texels);
         program->SetUniform3f(("godraysUnit" + name).c_str(), map.Unit);
       }
     }

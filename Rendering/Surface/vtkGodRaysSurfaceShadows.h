@@ -61,8 +61,10 @@ public:
     bool UntaggedPropsOcclude = true;
     std::vector<vtkLight*> WithoutShadows; ///< lights that cast none
     double SunAngularRadius = 0.0;         ///< of lights that are infinitely far [radians]
-    double SourceRadius = 0.0;             ///< of others [scene units]
-    bool Soft = false;                     ///< whether shadows are as soft as these say
+    double SourceRadius = 0.0; ///< of others [scene units]; 0: as the scene's size suggests
+    double Diagonal = 0.0;     ///< of the scene
+    double Away = 0.0;         ///< how far it reaches from the origin
+    bool Soft = false;         ///< whether shadows are as soft as these say
     double MostDataShadow =
       1.0; ///< part of a light that shadows take from props coloured by scalars
     vtkGodRaysCompositor* Compositor = nullptr;
@@ -130,7 +132,7 @@ private:
     int Faces = 0;         // 0: there is none
     float ToFace[6 * 16];  // columns first
     float ToPlane[6 * 16]; // rows first, of the inverse
-    float Texels[3] = {};
+    float Texels[4] = {};
     float Unit[3] = {};
   };
   /// A light that casts shadows.
@@ -155,9 +157,9 @@ private:
   void FindLights(const Request& request, std::vector<vtkGodRaysLight>& lights);
   void FindOccluders(const Request& request);
   bool DrawMaps(const Request& request, const vtkGodRaysLight& light, Kept& kept);
-  static double FindShare(
-    const Request& request, const vtkGodRaysMediumIntegrator::Request& scene, int size);
-  static void Describe(const vtkGodRaysShadowMap& map, const vtkGodRaysView& view, Map& shaders);
+  static double FindShare(const Request& request, const vtkGodRaysMediumIntegrator::Request& scene,
+    int size, bool isNested);
+  static void Describe(const vtkGodRaysShadowMap& map, const Request& request, Map& shaders);
   bool IsSoft(
     const Request& request, const vtkGodRaysLight& light, const vtkGodRaysShadowFaces& faces) const;
   bool WriteLayers(vtkOpenGLRenderWindow* window, Kept& kept, Map& shaders);

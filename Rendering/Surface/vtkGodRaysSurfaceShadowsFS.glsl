@@ -9,7 +9,8 @@
 uniform sampler2D godraysMapNAME; // window depths, or layers of depth and what is dark beyond, one on another
 uniform mat4 godraysToFaceNAME[FACES]; // to (texels of the face, window depth, 1) w; 0 for a face that is not
 uniform mat4 godraysToPlaneNAME[FACES]; // planes to what is 0 at (texels, window depth, 1) of theirs
-uniform vec3 godraysTexelsNAME; // of a face: how many; faces side by side; layers
+// of a face: how many; faces side by side; layers; rounding of a lamp's depths at distance 1
+uniform vec4 godraysTexelsNAME;
 // window depth of a length, or of a texel of a lamp at distance 1; radius of the light as a blocker shows it,
 // for each unit of depth between [lengths or texels]
 uniform vec3 godraysUnitNAME;
@@ -102,13 +103,14 @@ vec3 GodRaysThroughNAME(vec3 place, vec3 normal, vec3 toLight)
   {
     return vec3(1.0); // beyond the map nothing casts a shadow
   }
-  // Window depths are affine in places of the map on each plane. What they change by for each texel, as
-  // far as 1.5 texels, by which the four texels are away from the place, is in the bias; and 0.2 texels
-  // along the light and 5e-7 for depths near 1, which are rounded, here and in the map.
+  // Window depths are affine in places of the map on each plane. What they change by as far as 1.5 texels, by
+  // which the four texels are away from the place, is in the bias; so are 0.2 texels along the light, and what
+  // depths are rounded by, here and in the map. A slope above 20 would let light through along edges.
   mat4 toFace = godraysToFaceNAME[face];
   vec2 texels = vec2(1.0); // for each unit of length
   vec3 axis = toLight;
   float unit = godraysUnitNAME.x;
+  float rounding = 5e-7;
   float facing = dot(normal, toLight);
   if (LAMP)
   {
@@ -116,6 +118,7 @@ vec3 GodRaysThroughNAME(vec3 place, vec3 normal, vec3 toLight)
     float ahead = dot(vec4(axis, toFace[3].w), vec4(place, 1.0));
     facing /= ahead;
     unit /= ahead;
+    rounding += godraysTexelsNAME.w / ahead;
   }
   else
   {
@@ -124,8 +127,8 @@ vec3 GodRaysThroughNAME(vec3 place, vec3 normal, vec3 toLight)
     unit /= min(texels.x, texels.y);
   }
   float along = dot(normal, axis);
-  float slope = min(sqrt(max(1.0 - along * along, 0.0)) / facing, 50.0);
-  float nearer = at.z - unit * (0.2 + 1.5 * slope) - 5e-7;
+  float slope = min(sqrt(max(1.0 - along * along, 0.0)) / facing, LAMP ? 50.0 : 20.0);
+  float nearer = at.z - unit * (0.2 + 1.5 * slope) - rounding;
   ivec2 corner =
     int(size) * ivec2(face % int(godraysTexelsNAME.y), face / int(godraysTexelsNAME.y));
   if (SOFT)

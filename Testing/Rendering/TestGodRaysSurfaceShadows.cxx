@@ -22,6 +22,7 @@
 #include "vtkGlyph3DMapper.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
@@ -914,6 +915,12 @@ const struct Row
   { "assemblies",
     { [](Zoo& zoo) { zoo.Assemble(zoo.Floor); }, [](Zoo& zoo) { zoo.Assemble(zoo.Plate); } } },
   { "lamp", { [](Zoo& zoo) { zoo.SetLamp(180.0, -1.0, -0.5, 3.5); } } },
+  { "lamp away from the origin",
+    { [](Zoo& zoo) { zoo.Place(1.0, 1e3); },
+      [](Zoo& zoo) { zoo.SetLamp(180.0, 1e3 - 1.0, -0.5, 3.5); } } },
+  { "lamp far from the origin",
+    { [](Zoo& zoo) { zoo.Place(1.0, 1e4); },
+      [](Zoo& zoo) { zoo.SetLamp(180.0, 1e4 - 1.0, -0.5, 3.5); } } },
   { "lamp in parallel projection",
     { [](Zoo& zoo) { zoo.SetLamp(180.0, -1.0, -0.5, 3.5); },
       [](Zoo& zoo) { zoo.Camera->ParallelProjectionOn(); } } },
