@@ -42,10 +42,10 @@ constexpr int LeastSize = 512; // of a map [pixels]
 constexpr int MostSize = 4096;
 constexpr int MostLevels = vtkGodRaysShadowGrids::MaximumLevels;
 
-/// Returns whether a prop shows surfaces that may cast shadows. Points, lines, and the spheres and tubes that
-/// stand for them, do not: they are so many pixels wide in a map as in the picture, or face the eye in the
-/// picture and the light in the map, and would shadow themselves. Annotations lay themselves out for the camera
-/// that draws them, and would for the light.
+/// Returns whether a prop shows surfaces that may cast shadows. Points, lines, and the spheres and
+/// tubes that stand for them, do not: they are so many pixels wide in a map as in the picture, or face
+/// the eye in the picture and the light in the map, and would shadow themselves. Annotations lay
+/// themselves out for the camera that draws them, and would for the light.
 bool HasSurfaces(vtkProp* prop)
 {
   auto actor = vtkActor::SafeDownCast(prop);
@@ -107,8 +107,9 @@ std::string GetName(const std::string& light, int kind)
   return light + (kind == 0 ? "Opaque" : "Layers");
 }
 
-/// Returns the tangent of a sun's angular radius, or the radius of a lamp's sphere. Where nobody has given one,
-/// it is a fiftieth of the scene, but a tenth at most of how far the lamp is from where the camera looks.
+/// Returns the tangent of a sun's angular radius, or the radius of a lamp's sphere. Where nobody has
+/// given one, it is a fiftieth of the scene, but a tenth at most of how far the lamp is from where the
+/// camera looks.
 double GetRadius(const vtkGodRaysSurfaceShadows::Request& request, const vtkGodRaysLight& light)
 {
   if (light.IsInfinite() || request.SourceRadius > 0.0)
@@ -121,7 +122,8 @@ double GetRadius(const vtkGodRaysSurfaceShadows::Request& request, const vtkGodR
 }
 
 /// Returns from which distance on a lamp's map must see things. VTK projects them by matrices of single
-/// precision: their rounding, of as much as the scene is away from the origin, is one of depths near the lamp.
+/// precision: their rounding, of as much as the scene is away from the origin, is one of depths near
+/// the lamp.
 double FindNearest(const vtkGodRaysSurfaceShadows::Request& request)
 {
   return std::min(6e-5 * request.Away, 0.02 * request.Diagonal);

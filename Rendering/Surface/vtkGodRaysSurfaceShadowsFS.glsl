@@ -103,9 +103,9 @@ vec3 GodRaysThroughNAME(vec3 place, vec3 normal, vec3 toLight)
   {
     return vec3(1.0); // beyond the map nothing casts a shadow
   }
-  // Window depths are affine in places of the map on each plane. What they change by as far as 1.5 texels, by
-  // which the four texels are away from the place, is in the bias; so are 0.2 texels along the light, and what
-  // depths are rounded by, here and in the map. A slope above 20 would let light through along edges.
+  // Window depths are affine in places of the map on each plane. What they change by as far as 1.5 texels,
+  // by which the four texels are away from the place, is in the bias; so are 0.2 texels along the light, and
+  // what depths are rounded by, here and in the map. A slope above 20 would let light through along edges.
   mat4 toFace = godraysToFaceNAME[face];
   vec2 texels = vec2(1.0); // for each unit of length
   vec3 axis = toLight;
