@@ -222,10 +222,13 @@ bool vtkGodRaysSurfaceShadows::DrawMaps(
   scene.Overlap = 0.14; // which the samples of a soft shadow reach, at most 0.06 of a face
   Caster caster;
   caster.Number = light.Number;
-  for (int i = 0; i < 4; ++i)
+  // Of length 1 if it is a direction: a camera may have a model transform, which scales.
+  const double* place = light.IsInfinite() ? light.Direction : light.Position;
+  for (int i = 0; i < 3; ++i)
   {
-    caster.Light[i] = static_cast<float>(i == 2 ? -light.Position[2] : light.Position[i]);
+    caster.Light[i] = static_cast<float>(i == 2 ? -place[2] : place[i]);
   }
+  caster.Light[3] = light.IsInfinite() ? 0.0f : 1.0f;
   // A light that has the colour below the air is dimmed already.
   double above[3];
   caster.Dimmed = request.Medium &&

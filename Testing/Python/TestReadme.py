@@ -78,7 +78,7 @@ class Readme(unittest.TestCase):
                 lightness = after.max(axis=2)[~data]
                 low, high = numpy.percentile(lightness, (10, 90))
                 self.assertGreater(high - low, 20)
-        self.assertEqual(pictures, 3)
+        self.assertEqual(pictures, 4)
         window.Finalize()
 
 

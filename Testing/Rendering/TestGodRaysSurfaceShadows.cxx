@@ -25,6 +25,7 @@
 #include "vtkInformation.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
+#include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
@@ -1282,6 +1283,27 @@ TEST(GodRaysSurfaceShadows, AreDimmedByTheMedium)
       EXPECT_NEAR(ratio, left, 0.03) << sigma << " " << c;
     }
   }
+}
+
+// A camera's model transform scales view coordinates, and directions in them.
+TEST(GodRaysSurfaceShadows, AreThoseOfACameraThatScales)
+{
+  Messages messages;
+  Zoo zoo;
+  const Pixels with = zoo.Draw();
+  const Pixels without = zoo.Draw(false);
+  zoo.Place(0.5);
+  zoo.Camera->SetPosition(3.0, -9.0, 7.0); // where it was
+  vtkNew<vtkMatrix4x4> twice;
+  for (int i = 0; i < 3; ++i)
+  {
+    twice->SetElement(i, i, 2.0);
+  }
+  zoo.Camera->SetModelTransformMatrix(twice);
+  zoo.Renderer->ResetCameraClippingRange();
+  EXPECT_LT(CountDifferentPixels(zoo.Draw(false), without, 2), 50);
+  EXPECT_LT(CountDifferentPixels(zoo.Draw(), with, 2), 100);
+  EXPECT_GT(CountDifferentPixels(with, without, 2), 1000);
 }
 
 TEST(GodRaysSurfaceShadows, FollowWhatCasts)
