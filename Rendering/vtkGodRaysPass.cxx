@@ -200,7 +200,7 @@ void vtkGodRaysPass::LightTheData(vtkRenderer* renderer)
 {
   Internals& self = *this->Internal;
   static const std::vector<vtkSmartPointer<vtkLight>> none;
-  self.DataLights.Shine(renderer, this->SurfaceShadows ? self.Lights : none);
+  self.DataLights.Shine(renderer, this->SurfaceShadows ? self.Lights : none, self.PlacedSun);
   if (!this->LightData || self.Lights.empty())
   {
     self.DataLights.Remove();

@@ -388,11 +388,11 @@ bool vtkGodRaysPass::DrawShadows(const vtkRenderState* s)
       const std::string concern =
         "no light casts shadows on surfaces: headlights do not. Add to the "
         "renderer a vtkLight with SetLightTypeToSceneLight()";
-      const auto& concerns = self.Concerns;
-      if (!self.Shadows->HasLights() &&
-        std::find(concerns.begin(), concerns.end(), concern) == concerns.end())
+      auto& concerns = self.Concerns; // the scene is drawn again once a sun is placed
+      concerns.erase(std::remove(concerns.begin(), concerns.end(), concern), concerns.end());
+      if (!self.Shadows->HasLights())
       {
-        self.Concerns.push_back(concern);
+        concerns.push_back(concern);
       }
       return true;
     }

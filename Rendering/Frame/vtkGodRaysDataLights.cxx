@@ -8,6 +8,7 @@
 #include "vtkCamera.h"
 #include "vtkLightCollection.h"
 #include "vtkMapper.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
@@ -66,6 +67,24 @@ double FindRim(vtkRenderer* renderer)
     }
   }
   return rim;
+}
+
+/// Moves a sun to an elevation of 25 degrees at least, where it is lower.
+void Raise(const double viewUp[3], const double target[3], double place[3])
+{
+  const double least = 0.4226; // the sine
+  double up[3] = { viewUp[0], viewUp[1], viewUp[2] };
+  double toSun[3];
+  vtkMath::Normalize(up);
+  vtkMath::Subtract(place, target, toSun);
+  vtkMath::Normalize(toSun);
+  const double rise = vtkMath::Dot(toSun, up);
+  const double across = std::sqrt(std::max(1.0 - rise * rise, 1e-12));
+  for (int i = 0; i < 3 && rise < least; ++i)
+  {
+    const double level = (toSun[i] - rise * up[i]) / across;
+    place[i] = target[i] + std::sqrt(1.0 - least * least) * level + least * up[i];
+  }
 }
 
 /// Makes VTK's headlight, which it makes only for a renderer without lights.
@@ -135,7 +154,7 @@ void vtkGodRaysDataLights::Remove()
 }
 
 void vtkGodRaysDataLights::Shine(
-  vtkRenderer* renderer, const std::vector<vtkSmartPointer<vtkLight>>& lights)
+  vtkRenderer* renderer, const std::vector<vtkSmartPointer<vtkLight>>& lights, vtkLight* placed)
 {
   std::vector<vtkLight*> lacking;
   for (vtkLight* light : lights)
@@ -165,10 +184,15 @@ void vtkGodRaysDataLights::Shine(
     }
     vtkLight* sun = this->Suns[i];
     double place[3];
+    double target[3];
     lacking[i]->GetTransformedPosition(place);
+    lacking[i]->GetTransformedFocalPoint(target);
+    if (lacking[i] == placed && !placed->GetPositional())
+    {
+      Raise(renderer->GetActiveCamera()->GetViewUp(), target, place);
+    }
     sun->SetPosition(place);
-    lacking[i]->GetTransformedFocalPoint(place);
-    sun->SetFocalPoint(place);
+    sun->SetFocalPoint(target);
     sun->SetPositional(lacking[i]->GetPositional());
     sun->SetConeAngle(lacking[i]->GetConeAngle());
     sun->SetExponent(lacking[i]->GetExponent());

@@ -40,9 +40,11 @@ public:
 
   /**
    * Adds copies of the lights that a renderer lacks, so that they shine on its surfaces; with the others
-   * goes what was added for them.
+   * goes what was added for them. A sun that was placed in the picture shines from 25 degrees above the
+   * horizon at least: a camera that looks down has it under the ground.
    */
-  void Shine(vtkRenderer* renderer, const std::vector<vtkSmartPointer<vtkLight>>& lights);
+  void Shine(vtkRenderer* renderer, const std::vector<vtkSmartPointer<vtkLight>>& lights,
+    vtkLight* placed = nullptr);
 
   /**
    * Returns rim and key light, which are no light of the scene.

@@ -1081,6 +1081,23 @@ TEST(GodRaysSurfaceShadows, HaveLightsOfTheRaysThatTheRendererLacks)
   }
 }
 
+// The camera looks down by 38 degrees, so that a sun behind the picture's middle is below the ground.
+TEST(GodRaysSurfaceShadows, OfAPlacedSunFallOnTheGround)
+{
+  Messages messages;
+  Zoo zoo;
+  zoo.Renderer->GetLights()->RemoveAllItems();
+  vtkLight* sun = zoo.Rays->PlaceSun(zoo.Renderer, 0.5, 0.6);
+  ASSERT_NE(sun, nullptr);
+  EXPECT_LT(sun->GetPosition()[2], 0.0);
+  EXPECT_GT(CountDifferentPixels(zoo.Draw(), zoo.Draw(false), 20), 500);
+  zoo.Draw();
+  EXPECT_EQ(zoo.Rays->GetAdvice(), "");
+  auto copy = vtkLight::SafeDownCast(zoo.Renderer->GetLights()->GetItemAsObject(1));
+  ASSERT_NE(copy, nullptr);
+  EXPECT_NEAR(GetVector(copy->GetPosition()).z - GetVector(copy->GetFocalPoint()).z, 0.4226, 1e-3);
+}
+
 TEST(GodRaysSurfaceShadows, OfLightsAdd)
 {
   Messages messages;
