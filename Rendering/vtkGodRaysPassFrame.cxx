@@ -107,6 +107,10 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   {
     this->TakeWindow(window);
   }
+  else if (!this->SurfaceShadows && self.HasShadows && self.Window)
+  {
+    self.Shadows->ReleaseGraphicsResources(self.Window); // maps take tens of megabytes
+  }
   self.HasShadows = reason.empty() && this->SurfaceShadows;
   reason = reason.empty() ? this->FindReasonForNoRays(s) : reason;
   const bool hasLayers = reason.empty();
@@ -466,7 +470,7 @@ bool vtkGodRaysPass::FindOccluders(const vtkRenderState* s, const vtkGodRaysView
   occlusion.Glow = this->BackgroundGlow;
   occlusion.Compositor = self.Compositor;
   self.Effect->SetUp(occlusion, self.Integrator);
-  // What lets light through covers the picture, too.
+  // Translucent props and volumes cover the picture, too.
   occlusion.Dims = occlusion.Dims || self.IsNewPicture;
 
   const bool depthServes = self.Occlusion->SceneDepthServes(occlusion);

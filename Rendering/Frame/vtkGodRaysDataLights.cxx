@@ -27,7 +27,7 @@ constexpr double ColoredRim = 0.12; // 0.2 alone changes colours by dE 3 to 4
 constexpr double Color[3] = { 1.0, 0.967, 0.913 };
 constexpr double KeyTowardsEye = 0.55;  // cosines of the angles from the direction to the eye
 constexpr double RimTowardsEye = -0.09; // 95 degrees
-// Of a copy, on which the renderer's own light comes, too: 1 would bleach what both shine on.
+// The intensity of a copy is at most this: the renderer's own light adds to it, and 1 would bleach surfaces.
 constexpr double MostOfSun = 0.6;
 constexpr double UpBias = 0.02; // sun straight behind the middle of the picture: its side is up
 

@@ -107,9 +107,8 @@ void GetAlong(
 }
 
 void vtkGodRaysShadowFaces::Fit(
-  const vtkGodRaysMediumIntegrator::Request& request, int size, int levels, double nested)
+  const vtkGodRaysMediumIntegrator::Request& request, int size, int levels)
 {
-  this->Share = nested;
   this->Levels = request.Light->IsInfinite() && !request.View->Parallel ? levels : 1;
   this->Count = 0;
   double bounds[6];
@@ -220,15 +219,16 @@ void vtkGodRaysShadowFaces::FitDirectional(const vtkGodRaysMediumIntegrator::Req
   this->Grids.Range[1] = -low[2] + around;
   this->SetFace(0, axes, Eye, low, high);
   this->Grids.Levels = 1;
-  this->Nest(axes, low, high);
+  this->Nest(axes, low, high, request.Share);
 }
 
 // Finer faces, each of a share of the one before about the axis through the eye. A face that the axis does
 // not go through ends where the coarsest one does.
-void vtkGodRaysShadowFaces::Nest(const double axes[3][3], const double low[2], const double high[2])
+void vtkGodRaysShadowFaces::Nest(
+  const double axes[3][3], const double low[2], const double high[2], double part)
 {
-  double share = this->Share;
-  for (int level = 1; level < this->Levels; ++level, share *= this->Share)
+  double share = part;
+  for (int level = 1; level < this->Levels; ++level, share *= part)
   {
     double ends[2][2];
     for (int k = 0; k < 2; ++k)

@@ -30,11 +30,10 @@ public:
   /**
    * Fit them to the occluders, of so many pixels on each side, or as many as the driver takes. For a light
    * that is infinitely far, seen in perspective, there are up to so many levels; more than one are faces of
-   * half as many pixels, nested about the axis through the eye, each a share as wide as the one before. All
-   * processes of a compositor call it.
+   * half as many pixels, nested about the axis through the eye, each as wide as the request's share of the
+   * one before. All processes of a compositor call it.
    */
-  void Fit(
-    const vtkGodRaysMediumIntegrator::Request& request, int size, int levels, double share = 0.5);
+  void Fit(const vtkGodRaysMediumIntegrator::Request& request, int size, int levels);
 
   int GetColumns() const { return this->Count == 1 ? 1 : this->Count == 6 ? 3 : 2; }
   int GetRows() const { return this->Count == 1 ? 1 : 2; }
@@ -47,13 +46,12 @@ public:
 private:
   void FitDirectional(const vtkGodRaysMediumIntegrator::Request& request);
   void FitPoint(const vtkGodRaysMediumIntegrator::Request& request);
-  void Nest(const double axes[3][3], const double low[2], const double high[2]);
+  void Nest(const double axes[3][3], const double low[2], const double high[2], double part);
   void SetFace(int face, const double axes[3][3], const double origin[3], const double low[2],
     const double high[2]);
   void SetSize(int size);
 
   int Levels = 1; // at most, of a light that is infinitely far
-  double Share = 0.5;
 };
 
 #endif

@@ -28,10 +28,10 @@ vtkGodRaysShadowMap::vtkGodRaysShadowMap() = default;
 vtkGodRaysShadowMap::~vtkGodRaysShadowMap() = default;
 
 bool vtkGodRaysShadowMap::Draw(
-  const vtkGodRaysMediumIntegrator::Request& request, int size, int levels, double share)
+  const vtkGodRaysMediumIntegrator::Request& request, int size, int levels)
 {
   this->Kept = false;
-  this->Faces.Fit(request, size, levels, share);
+  this->Faces.Fit(request, size, levels);
   if (this->Faces.Count == 0)
   {
     return true;

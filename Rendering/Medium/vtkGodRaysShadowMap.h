@@ -40,8 +40,7 @@ public:
    * Render the props that block into the faces that vtkGodRaysShadowFaces::Fit() places. All processes of a
    * compositor call it. Returns false when the driver refuses.
    */
-  bool Draw(
-    const vtkGodRaysMediumIntegrator::Request& request, int size, int levels, double share = 0.5);
+  bool Draw(const vtkGodRaysMediumIntegrator::Request& request, int size, int levels);
 
   /**
    * The faces as numbers, read back where they were drawn anew. They are valid until the next Draw().

@@ -222,7 +222,7 @@ bool vtkGodRaysSurfaceShadows::DrawMaps(
   scene.Overlap = 0.14; // which the samples of a soft shadow reach, at most 0.06 of a face
   Caster caster;
   caster.Number = light.Number;
-  // Of length 1 if it is a direction: a camera may have a model transform, which scales.
+  // A direction has length 1 also where a camera's model transform scales it.
   const double* place = light.IsInfinite() ? light.Direction : light.Position;
   for (int i = 0; i < 3; ++i)
   {
@@ -246,9 +246,8 @@ bool vtkGodRaysSurfaceShadows::DrawMaps(
     size = kind == 1 ? this->LayerSize : size;
     scene.Occluders = &this->Occluders[kind];
     vtkGodRaysShadowMap& map = kept.Maps[kind];
-    const double share =
-      kind == 0 ? FindShare(request, scene, size, map.GetNumberOfFaces() > 1) : 1.0;
-    if (!map.Draw(scene, light.IsInfinite() ? size : size / 2, share < 1.0 ? MostLevels : 1, share))
+    scene.Share = kind == 0 ? FindShare(request, scene, size, map.GetNumberOfFaces() > 1) : 1.0;
+    if (!map.Draw(scene, light.IsInfinite() ? size : size / 2, scene.Share < 1.0 ? MostLevels : 1))
     {
       return false;
     }
@@ -377,7 +376,7 @@ bool vtkGodRaysSurfaceShadows::IsSoft(
     : middle > 0.0                               ? std::min(nearest, middle)
                                                  : 0.0;
   const bool was = std::any_of(this->Shaders.begin(), this->Shaders.end(),
-    [&](const Text& text) { return text[0] == light.Number && text[3] != 0; });
+    [&](const Text& text) { return text.Number == light.Number && text.IsSoft; });
   return width > (was ? 0.5 : 1.0) * pinhole.PixelSize * distance;
 }
 
@@ -503,9 +502,8 @@ bool vtkGodRaysSurfaceShadows::Begin(const Request& request)
   std::vector<Text> shaders;
   for (const Caster& caster : this->Casting)
   {
-    shaders.push_back({ caster.Number, caster.Maps[0].Faces, caster.Maps[1].Faces,
-      caster.Maps[0].Unit[1] > 0.0f ? 1 : 0, caster.Light[3] > 0.0f ? 1 : 0,
-      caster.Dimmed ? 1 : 0 });
+    shaders.push_back({ caster.Number, { caster.Maps[0].Faces, caster.Maps[1].Faces },
+      caster.Maps[0].Unit[1] > 0.0f, caster.Light[3] > 0.0f, caster.Dimmed });
   }
   if (shaders != this->Shaders)
   {
@@ -542,6 +540,7 @@ void vtkGodRaysSurfaceShadows::End()
   this->SetActive(false);
   this->SetProps(false);
   this->Props.clear();
+  this->Shining.clear(); // lights may be deleted between frames
   this->Nothing.GetColor()->Deactivate();
 }
 
@@ -572,7 +571,7 @@ bool vtkGodRaysSurfaceShadows::PostReplaceShaderValues(
   const bool hasPlace = has("vec4 vertexVC = ") && has("//VTK::GodRays::Impl");
   for (const Text& light : this->Shaders)
   {
-    const std::string number = std::to_string(light[0]);
+    const std::string number = std::to_string(light.Number);
     if (!hasPlace || !has("uniform vec3 lightColor" + number + ";"))
     {
       continue; // this mapper does not shade with it
@@ -592,28 +591,28 @@ bool vtkGodRaysSurfaceShadows::PostReplaceShaderValues(
       "    {\n"
       "      through = vec3(1.0);\n"
       "      vec3 left = vec3(1.0);\n"; // of linear light
-    if (light[5] != 0)
+    if (light.IsDimmed)
     {
       isDimmed = true;
       lights += "      left = GodRaysAir(vertexVC.xyz, " + toLight + ");\n";
     }
     for (int kind = 0; kind < 2; ++kind)
     {
-      if (light[1 + kind] > 0)
+      if (light.Faces[kind] > 0)
       {
         const std::string name = GetName(number, kind);
         std::string map = vtkGodRaysSurfaceShadowsFS;
         Replace(map, "NAME", name);
-        Replace(map, "FACES", std::to_string(light[1 + kind]));
-        Replace(map, "SOFT", kind == 0 && light[3] != 0 ? "true" : "false");
-        Replace(map, "LAMP", light[4] != 0 ? "true" : "false");
+        Replace(map, "FACES", std::to_string(light.Faces[kind]));
+        Replace(map, "SOFT", kind == 0 && light.IsSoft ? "true" : "false");
+        Replace(map, "LAMP", light.IsLamp ? "true" : "false");
         Replace(map, "LAYERED", kind == 0 ? "false" : "true");
         declarations += map;
         lights += std::string("      ") + (kind == 0 ? "through" : "left") + " *= GodRaysThrough" +
           name + "(vertexVC.xyz, godraysNormal, toLight);\n";
       }
     }
-    if (light[2] > 0 || light[5] != 0)
+    if (light.Faces[1] > 0 || light.IsDimmed)
     {
       lights += isLinear ? "      through *= left;\n" : "      through *= EncodeDisplay(left);\n";
     }
@@ -667,9 +666,9 @@ bool vtkGodRaysSurfaceShadows::SetShaderParameters(
   }
   for (const Text& light : this->Shaders)
   {
-    const std::string number = std::to_string(light[0]);
+    const std::string number = std::to_string(light.Number);
     const auto caster = std::find_if(this->Casting.begin(), this->Casting.end(),
-      [&](const Caster& each) { return each.Number == light[0]; });
+      [&](const Caster& each) { return each.Number == light.Number; });
     const bool isShadowed = this->Active && caster != this->Casting.end();
     if (isShadowed && program->IsUniformUsed(("godraysLight" + number).c_str()))
     {
@@ -678,7 +677,7 @@ bool vtkGodRaysSurfaceShadows::SetShaderParameters(
     for (int kind = 0; kind < 2; ++kind)
     {
       const std::string name = GetName(number, kind);
-      if (light[1 + kind] == 0 || !program->IsUniformUsed(("godraysMap" + name).c_str()))
+      if (light.Faces[kind] == 0 || !program->IsUniformUsed(("godraysMap" + name).c_str()))
       {
         continue;
       }

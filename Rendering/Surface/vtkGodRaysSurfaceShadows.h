@@ -94,7 +94,7 @@ public:
   };
 
   /**
-   * What was drawn, for the plan.
+   * Tells for the plan what was drawn.
    */
   std::string Describe() const;
 
@@ -143,16 +143,28 @@ private:
     bool Dimmed = false; // by the medium
     Map Maps[2];         // of what is opaque, and of what lets light through
   };
-  /// What is kept of it from frame to frame.
+  /// Holds what stays of a light from frame to frame.
   struct Kept
   {
     vtkGodRaysShadowMap Maps[2];
     vtkGodRaysTarget Layers;
     unsigned int Version = 0; // of the grids that these are of
   };
-  /// Lights in the shaders' text: number, faces of the maps; whether shadows are soft, whether it is a lamp,
-  /// and whether the medium dims it.
-  using Text = std::array<int, 6>;
+  /// Says what the shaders' text depends on for a light.
+  struct Text
+  {
+    int Number;
+    std::array<int, 2> Faces; // of its maps
+    bool IsSoft;
+    bool IsLamp;
+    bool IsDimmed;
+    bool operator==(const Text& other) const
+    {
+      return this->Number == other.Number && this->Faces == other.Faces &&
+        this->IsSoft == other.IsSoft && this->IsLamp == other.IsLamp &&
+        this->IsDimmed == other.IsDimmed;
+    }
+  };
 
   void FindLights(const Request& request, std::vector<vtkGodRaysLight>& lights);
   void FindOccluders(const Request& request);

@@ -91,7 +91,7 @@ public:
   {
   }
 
-  /// Whether a ray hits before from + reach * along; sets reach to the nearest hit, and the facet's normal.
+  /// Returns whether a ray hits before from + reach * along; sets reach to the nearest hit, and the normal.
   bool Hit(const Vec3& from, const Vec3& along, double& reach, Vec3* facet = nullptr) const
   {
     const Vec3 inverse = 1.0 / along;
@@ -155,7 +155,7 @@ private:
   vtkGodRays::TriangleTree Tree;
 };
 
-/// What a pixel shows of the triangles, and how much of a light reaches it; Facet is towards the eye.
+/// Holds what a pixel shows, and how much of a light reaches it there; Facet points towards the eye.
 struct Seen
 {
   Vec3 Place;
@@ -1284,7 +1284,7 @@ TEST(GodRaysSurfaceShadows, AreDimmedByTheMedium)
     const auto plain = GetMiddle(zoo);
     return plain;
   };
-  // What is between floor and eye takes the same with and without: the ratio is that of the light's way.
+  // The way from the floor to the eye dims both pictures alike: their ratio is that of the light's way.
   zoo.Floor->GetProperty()->SetAmbient(0.0);
   for (const double sigma : { 0.02, 0.1, 0.2 })
   {
