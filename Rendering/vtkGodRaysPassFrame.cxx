@@ -433,7 +433,7 @@ bool vtkGodRaysPass::RenderRays(
 {
   Internals& self = *this->Internal;
   const vtkGodRaysStateKeeper keeper(self.Window->GetState());
-  const vtkGodRaysOwnShaders shaders(s, self.Shadows);
+  const vtkGodRaysOwnShaders shaders(s);
   int viewport[4];
   vtkGodRaysScene::GetViewport(s, viewport);
   const vtkGodRaysFramebuffer bound;

@@ -32,7 +32,6 @@ namespace
 constexpr double SunRadius = 0.6;
 constexpr double SkyExposure = 2.5; // a white wall in the sun is about as bright as can be shown
 // of a light from the eye; 1 is VTK's headlight, which shows colours as they are without rays
-constexpr double FillBesideSun = 0.5;
 constexpr double FillOfPlain = 0.85;
 constexpr double FillOfColors = 1.0;
 // as vtkGodRaysPass::PlaceSun() has them
@@ -78,32 +77,30 @@ bool CanBeOccluded(const vtkSmartPointer<vtkProp3D>& prop)
 
 //------------------------------------------------------------------------------
 /**
- * Light from the sky and from the eye, so that sides away from the sun keep their colours; from the eye
- * alone where the sun lights nothing.
+ * Light from the eye, so that sides away from the sun keep their colours, and on terrain, which is seen at a
+ * grazing angle, from above. Under a sky, which lights the data itself, there is none unless it is asked for.
  */
 void AddFill(vtkRenderer* renderer, const Scene& scene, const Options& options)
 {
-  const bool isPhysical = SunLightsData(options);
   const bool isColored = std::any_of(scene.Props.begin(), scene.Props.end(), IsColored);
-  const double fill = options.Fill.value_or(isPhysical ? FillBesideSun
-      : isColored                                      ? FillOfColors
-                                                       : FillOfPlain);
-  if (isPhysical ||
-    scene.IsTerrain()) // which is seen at a grazing angle, where a light from the eye is weak
+  const double fill = options.Fill.value_or(SunLightsData(options) ? 0.0
+      : isColored                                                  ? FillOfColors
+                                                                   : FillOfPlain);
+  if (fill == 0.0)
   {
-    vtkNew<vtkLight> sky;
-    sky->SetPosition(scene.Up.data());
-    sky->SetFocalPoint(0.0, 0.0, 0.0);
-    sky->SetColor(0.70, 0.82, 1.0);
-    sky->SetIntensity(fill);
-    renderer->AddLight(sky);
+    return;
+  }
+  if (scene.IsTerrain())
+  {
+    vtkNew<vtkLight> above;
+    above->SetPosition(scene.Up.data());
+    above->SetFocalPoint(0.0, 0.0, 0.0);
+    above->SetColor(0.70, 0.82, 1.0);
+    above->SetIntensity(fill);
+    renderer->AddLight(above);
   }
   vtkNew<vtkLight> eye;
   eye->SetLightTypeToHeadlight();
-  if (isPhysical)
-  {
-    eye->SetColor(0.85, 0.90, 1.0);
-  }
   eye->SetIntensity(fill);
   renderer->AddLight(eye);
 }
@@ -111,9 +108,10 @@ void AddFill(vtkRenderer* renderer, const Scene& scene, const Options& options)
 //------------------------------------------------------------------------------
 /**
  * The exposure of the physical sky: less than SkyExposure where a haze about the sun would be a sheet of
- * white.
+ * white in the picture. Away is how far the sun is from the middle of it [degrees].
  */
-double ChooseExposure(vtkGodRaysSkyPass* sky, double azimuth, double elevation)
+double ChooseExposure(
+  vtkGodRaysSkyPass* sky, double azimuth, double elevation, double away, double viewAngle)
 {
   const double turn = vtkMath::RadiansFromDegrees(azimuth);
   const double height = vtkMath::RadiansFromDegrees(elevation + AboveSun);
@@ -121,7 +119,8 @@ double ChooseExposure(vtkGodRaysSkyPass* sky, double azimuth, double elevation)
     std::cos(height) * std::cos(turn), std::sin(height) };
   double radiance[3];
   sky->GetSkyColor(direction, radiance);
-  const double brightest = *std::max_element(radiance, radiance + 3);
+  const double seen = std::clamp((0.75 * viewAngle - away) / AboveSun + 1.0, 0.0, 1.0);
+  const double brightest = seen * *std::max_element(radiance, radiance + 3);
   return SkyExposure / std::max(1.0, SkyExposure * brightest);
 }
 
@@ -381,7 +380,12 @@ void Stage::MoveSkySun()
   vtkGodRaysSkyPass* sky = vtkGodRaysSkyPass::Find(this->Renderer);
   sky->SetSunAzimuth(azimuth);
   sky->SetSunElevation(elevation);
-  sky->SetExposure(this->ExposureFactor * ChooseExposure(sky, azimuth, elevation));
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  const bool turns = this->Settings.Turntable > 0;
+  const double away = vtkMath::DegreesFromRadians(vtkMath::AngleBetweenVectors(
+    camera->GetDirectionOfProjection(), this->View.LightDirection.data()));
+  sky->SetExposure(this->ExposureFactor *
+    ChooseExposure(sky, azimuth, elevation, turns ? 0.0 : away, camera->GetViewAngle()));
   sky->UpdateLight(this->Light);
 }
 

@@ -4,6 +4,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
+#include "vtkGodRaysKronrod.h"
 #include "vtkGodRaysProgress.h"
 #include "vtkGodRaysSetGet.h"
 #include "vtkGodRaysSkyAtmosphere.h"
@@ -18,7 +19,11 @@
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 vtkStandardNewMacro(vtkGodRaysSkySource);
@@ -84,6 +89,11 @@ public:
       ? this->Integrator.MarchRadiance(direction, this->Source->NumberOfSteps)
       : this->Integrator.GetRadiance(direction, this->Multiple);
   }
+
+  const Vec3& GetSunDirection() const { return this->Sun; }
+
+  std::array<double, 48> Forms{};
+  vtkMTimeType FormsTime = 0; // of the source when they were made
 
   // What is left of the sun's light.
   Vec3 GetSunTransmittance() const { return this->Integrator.GetTransmittance(this->Sun); }
@@ -328,6 +338,113 @@ bool vtkGodRaysSkySource::GetSunLight(double irradiance[3])
     irradiance[c] = transmittance[c] * this->Atmosphere->GetSunIrradiance()[c];
   }
   return true;
+}
+
+// The harmonics' terms of irradiance are m0/4, m1 n/2 and 5/16 (3 n^T m2 n - m0)/2, where m0, m1 and m2 are
+// moments of radiance: integrals of L, L d and L d d^T over directions d. All of them are in that of
+// (d, 1) (d, 1)^T. Places of Kronrod's rule are dense at the horizon and about the sun, where radiance
+// changes fastest; azimuths beyond the sun's meridian mirror the others.
+bool vtkGodRaysSkySource::GetIrradianceForms(double forms[48])
+{
+  std::fill_n(forms, 48, 0.0);
+  if (!this->Prepare())
+  {
+    return false;
+  }
+  std::array<double, 48>& kept = this->Internals->Forms;
+  if (this->Internals->FormsTime == this->GetMTime())
+  {
+    std::copy(kept.begin(), kept.end(), forms);
+    return true;
+  }
+  const Vec3& sun = this->Internals->GetSunDirection();
+  const double azimuth = std::atan2(sun.y, sun.x);
+  const double half = 0.5 * vtkMath::Pi();
+  const double ends[4] = { -half, 0.0, std::max(std::asin(std::min(sun.z, 1.0)), 0.0), half };
+  const auto place = [](int i) // of 15, from 0 to 1
+  { return 0.5 + (i < 7 ? -0.5 : 0.5) * vtkGodRays::KronrodPlaces[i < 7 ? i : 14 - i]; };
+  const auto weight = [](int i) { return 0.5 * vtkGodRays::KronrodWeights[i < 7 ? i : 14 - i]; };
+  std::array<std::array<glm::dmat4, 3>, 45> moments{}; // of rows of directions, by colour
+  vtkSMPTools::For(0, 45, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        const int i = static_cast<int>(row % 15);
+        const double low = ends[row / 15];
+        const double width = ends[row / 15 + 1] - low;
+        const double u = place(i);
+        const double height = low + width * u * u * (3.0 - 2.0 * u);
+        const double band = weight(i) * width * 6.0 * u * (1.0 - u) * std::cos(height);
+        for (int k = 0; k < 15 && band > 0.0; ++k)
+        {
+          const double v = place(k);
+          const auto look = [&](double turn)
+          {
+            return glm::dvec4(std::cos(height) * std::cos(azimuth + turn),
+              std::cos(height) * std::sin(azimuth + turn), std::sin(height), 1.0);
+          };
+          const glm::dvec4 one = look(vtkMath::Pi() * v * v);
+          const glm::dvec4 other = look(-vtkMath::Pi() * v * v);
+          const glm::dmat4 both = glm::outerProduct(one, one) + glm::outerProduct(other, other);
+          const Vec3 light =
+            weight(k) * 2.0 * vtkMath::Pi() * v * band * this->Internals->GetRadiance(Vec3(one));
+          for (int c = 0; c < 3; ++c)
+          {
+            moments[row][c] += light[c] * both;
+          }
+        }
+      }
+    });
+  const Vec3 albedo = vtkGodRays::ToVec3(this->Atmosphere->GetGroundAlbedo());
+  for (int c = 0; c < 3; ++c)
+  {
+    glm::dmat4 sum(0.0);
+    double onGround = 0.0;
+    for (int row = 0; row < 45; ++row)
+    {
+      sum += moments[row][c];
+      onGround += row < 15 ? 0.0 : moments[row][c][3].z;
+    }
+    // The ground reflects light of the sky, too, all ways below.
+    const double ground = albedo[c] * onGround;
+    for (int i = 0; i < 3; ++i)
+    {
+      sum[i][i] += 2.0 / 3.0 * ground;
+    }
+    sum[3] += glm::dvec4(0.0, 0.0, -ground, 2.0 * ground);
+    for (int i = 0; i < 4; ++i)
+    {
+      for (int j = 0; j < 4; ++j)
+      {
+        const double factor = i < 3 && j < 3 ? 15.0 / 32.0 : i < 3 || j < 3 ? 0.25 : 3.0 / 32.0;
+        kept[16 * c + 4 * i + j] = factor * (i < 3 && j == 3 ? sum[3][i] : sum[i][j]);
+      }
+    }
+  }
+  this->Internals->FormsTime = this->GetMTime();
+  std::copy(kept.begin(), kept.end(), forms);
+  return true;
+}
+
+bool vtkGodRaysSkySource::GetIrradiance(const double normal[3], double irradiance[3])
+{
+  std::fill_n(irradiance, 3, 0.0);
+  const double size = vtkMath::Norm(normal);
+  if (!(size > 0.0) || !std::isfinite(size))
+  {
+    vtkErrorMacro("Cannot compute light of the sky: the normal must be finite and not 0.");
+    return false;
+  }
+  double forms[48];
+  const bool done = this->GetIrradianceForms(forms);
+  const double n[4] = { normal[0] / size, normal[1] / size, normal[2] / size, 1.0 };
+  for (int i = 0; i < 48; ++i)
+  {
+    irradiance[i / 16] += forms[i] * n[i / 4 % 4] * n[i % 4];
+  }
+  std::transform(irradiance, irradiance + 3, irradiance, [](double e) { return std::max(e, 0.0); });
+  return done;
 }
 
 bool vtkGodRaysSkySource::GetMultipleScattering(vtkImageData* table)

@@ -192,6 +192,19 @@ public:
    */
   bool GetSunLight(double irradiance[3]);
 
+  ///@{
+  /**
+   * The irradiance of a surface with this normal (x east, y north, z up; of any length but 0) by the light of
+   * the sky and of the ground, without the sun, from the harmonics of radiance to the second order
+   * [Ramamoorthi2001]; Documentation/Sky.md has the error. Forms are all of it: for red, green and blue a
+   * symmetric matrix of 4 x 4 each, with which irradiance is (n, 1)^T matrix (n, 1) for a normal n of length
+   * 1, or 0 where that is less. They are kept until something changes. The ground has light of the sky, too.
+   * Returns false after an error, with 0.
+   */
+  bool GetIrradiance(const double normal[3], double irradiance[3]);
+  bool GetIrradianceForms(double forms[48]);
+  ///@}
+
   /**
    * The table by which MultipleScattering goes, whatever that is set to: light that arrives at a point
    * after two scatterings or more, from everywhere alike, for an irradiance of 1 [1/sr]. A row for each of

@@ -210,7 +210,7 @@ bool vtkGodRaysHiddenProps::IsHidden(vtkProp* prop)
   return std::find(hidden.begin(), hidden.end(), prop) != hidden.end();
 }
 
-vtkGodRaysOwnShaders::vtkGodRaysOwnShaders(const vtkRenderState* s, vtkObjectBase* own)
+vtkGodRaysOwnShaders::vtkGodRaysOwnShaders(const vtkRenderState* s)
 {
   vtkInformationObjectBaseVectorKey* key = vtkOpenGLRenderPass::RenderPasses();
   for (int i = 0; i < s->GetPropArrayCount(); ++i)
@@ -221,19 +221,23 @@ vtkGodRaysOwnShaders::vtkGodRaysOwnShaders(const vtkRenderState* s, vtkObjectBas
     {
       const auto kept = vtkSmartPointer<vtkInformation>::New();
       kept->CopyEntry(keys, key);
-      bool stays = false;
+      std::vector<vtkObjectBase*> own;
       for (int k = 0; k < key->Length(keys); ++k)
       {
-        stays = stays || (own && key->Get(keys, k) == own);
+        vtkObjectBase* pass = key->Get(keys, k);
+        if (std::string(pass->GetClassName()).rfind("vtkGodRays", 0) == 0)
+        {
+          own.push_back(pass);
+        }
       }
-      if (stays && key->Length(keys) == 1)
+      if (static_cast<int>(own.size()) == key->Length(keys))
       {
         continue;
       }
       keys->Remove(key);
-      if (stays)
+      for (vtkObjectBase* pass : own)
       {
-        key->Append(keys, own);
+        key->Append(keys, pass);
       }
       this->Passes.emplace_back(prop, kept);
     }

@@ -80,12 +80,12 @@ private:
   std::vector<vtkSmartPointer<vtkProp>> StandIns;
 };
 
-/// While it lives, passes around this one, such as vtkSSAOPass, add nothing to shaders of a state's props.
-/// One pass may stay.
+/// While it lives, passes around this one, such as vtkSSAOPass, add nothing to shaders of a state's props;
+/// those of this module do.
 class vtkGodRaysOwnShaders
 {
 public:
-  explicit vtkGodRaysOwnShaders(const vtkRenderState* s, vtkObjectBase* own = nullptr);
+  explicit vtkGodRaysOwnShaders(const vtkRenderState* s);
   ~vtkGodRaysOwnShaders();
   vtkGodRaysOwnShaders(const vtkGodRaysOwnShaders&) = delete;
   void operator=(const vtkGodRaysOwnShaders&) = delete;

@@ -36,6 +36,7 @@ namespace
 int NumberOfFailures = 0;
 
 const std::string TopicMark = "//VTK::GodRays::";
+const std::string TypesName = "Types";
 
 const char* const SystemTag = "//VTK::System::Dec";
 const char* const MainTag = "//VTK::GodRays::Main";
@@ -128,7 +129,11 @@ std::string IncludeTopics(const std::string& text, std::set<std::string>& includ
     }
     else if (included.insert(name).second)
     {
-      result += IncludeTopics(topic, included);
+      // Passes that take part in a mapper's shader may both need a topic.
+      const std::string guard = "GODRAYS_HAS_" + name + "\n";
+      const std::string formulas = IncludeTopics(topic, included);
+      result += name == TypesName ? formulas
+                                  : "#ifndef " + guard + "#define " + guard + formulas + "#endif\n";
     }
   }
   return result;
@@ -318,8 +323,9 @@ void vtkGodRaysQuad::EndCompute(vtkGodRaysTarget& result)
 std::string vtkGodRaysQuad::Include(const std::string& text)
 {
   std::set<std::string> included;
-  std::string result = IncludeTopics(text, included);
-  std::istringstream lines(result);
+  const std::string types = IncludeTopics(TopicMark + TypesName, included);
+  std::string result = types + IncludeTopics(text, included);
+  std::istringstream lines(types);
   for (std::string word; lines >> word;)
   {
     if (word == "#define" && lines >> word)

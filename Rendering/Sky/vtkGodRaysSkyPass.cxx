@@ -3,6 +3,7 @@
 #include "vtkGodRaysSkyPass.h"
 
 #include "vtkActor.h"
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysAttachment.h"
@@ -23,6 +24,7 @@
 #include "vtkGodRaysSkySource.h"
 #include "vtkGodRaysSkyTable.h"
 #include "vtkGodRaysSun.h"
+#include "vtkGodRaysSurfaceSky.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkGodRaysTransfer.h"
 #include "vtkGodRaysView.h"
@@ -100,6 +102,7 @@ struct vtkGodRaysSkyPass::Internals
   vtkNew<vtkTexture> Environment;
   vtkMTimeType EnvironmentTime = 0;  // of the source when its picture was made
   Vec3 EnvironmentGain = Vec3(-1.0); // of that picture
+  vtkNew<vtkGodRaysSurfaceSky> Surfaces;
 
   vtkGodRaysAttachment Attachment;
   vtkSmartPointer<vtkGodRaysCompositor> Compositor;
@@ -126,8 +129,10 @@ struct vtkGodRaysSkyPass::Internals
     this->Air.Release(window);
     this->Scene.Release(window);
     this->Quad.Release();
+    this->Surfaces->Remove();
     this->Window = nullptr;
   }
+  ~Internals() { this->Surfaces->Remove(); }
 };
 
 vtkGodRaysSkyPass::vtkGodRaysSkyPass()
@@ -273,6 +278,15 @@ bool vtkGodRaysSkyPass::GetSkyColor(const double direction[3], double radiance[3
   const bool done = this->Internal->Source->GetRadiance(direction, radiance);
   const Vec3 weights = GetWeights(this);
   std::transform(radiance, radiance + 3, &weights[0], radiance, std::multiplies<>());
+  return done;
+}
+
+bool vtkGodRaysSkyPass::GetSkyIrradiance(const double normal[3], double irradiance[3])
+{
+  this->PrepareSource();
+  const bool done = this->Internal->Source->GetIrradiance(normal, irradiance);
+  const Vec3 weights = GetWeights(this);
+  std::transform(irradiance, irradiance + 3, &weights[0], irradiance, std::multiplies<>());
   return done;
 }
 
@@ -422,6 +436,11 @@ void vtkGodRaysSkyPass::Render(const vtkRenderState* s)
   if (const char* reason = this->FindReasonForNoSky(s, window))
   {
     self.Plan = std::string("sky: none, ") + reason + "\n";
+    if (self.Compositor &&
+      !self.Compositor->IsRoot()) // the joined picture has this process's surfaces
+    {
+      this->LightSurfaces(s);
+    }
     this->RenderScene(s);
     return;
   }
@@ -446,6 +465,7 @@ void vtkGodRaysSkyPass::Render(const vtkRenderState* s)
   }
   self.Plan = self.Observer.Describe();
 
+  this->LightSurfaces(s);
   vtkGodRaysOverlays overlays(s);
   const int failures = vtkGodRaysQuad::GetNumberOfFailures();
   bool drawn = true;
@@ -502,8 +522,50 @@ void vtkGodRaysSkyPass::RenderScene(const vtkRenderState* s)
   self.DrawsScene = true;
   scene->Render(s);
   self.DrawsScene = false;
+  self.Surfaces->End();
   vtkOpenGLClearErrorMacro(); // of VTK's passes, which a VTK without debugging does not tell of
   this->NumberOfRenderedProps = scene->GetNumberOfRenderedProps();
+}
+
+// Why surfaces have no light of the sky, or null.
+const char* vtkGodRaysSkyPass::FindReasonForNoLight(const vtkRenderState* s)
+{
+  if (!this->SurfaceLight)
+  {
+    return "SurfaceLight is off";
+  }
+  double bounds[6];
+  s->GetRenderer()->ComputeVisiblePropBounds(bounds);
+  const vtkBoundingBox box(bounds);
+  if (box.IsValid() &&
+    box.GetDiagonalLength() * this->WorldUnitInMeters >
+      0.05 * this->GetAtmosphere()->GetGroundRadius())
+  {
+    return "the scene is so large that it has more than one sky";
+  }
+  double sun[3];
+  const bool hasSky = this->GetAtmosphere()->FindFault().empty() &&
+    this->GetSun()->GetDirection(s->GetRenderer()->GetActiveCamera(), sun);
+  return hasSky ? nullptr : "there is none";
+}
+
+// For the scene that is drawn next.
+void vtkGodRaysSkyPass::LightSurfaces(const vtkRenderState* s)
+{
+  Internals& self = *this->Internal;
+  if (const char* reason = this->FindReasonForNoLight(s))
+  {
+    self.Plan += std::string("surfaces: without light of the sky, ") + reason + "\n";
+    self.Surfaces->Remove();
+    return;
+  }
+  vtkGodRaysSurfaceSky::Request request;
+  this->PrepareSource();
+  self.Source->GetIrradianceForms(request.Forms);
+  request.Gain = this->Exposure / vtkMath::Pi() * GetWeights(this);
+  this->GetSun()->GetAxes(s->GetRenderer()->GetActiveCamera(), request.Up, request.North);
+  self.Surfaces->Begin(s->GetRenderer(), request);
+  self.Plan += "surfaces: light of the sky\n";
 }
 
 // Why there is no air before the scene, or null.
@@ -726,6 +788,7 @@ void vtkGodRaysSkyPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HighlightShoulder: " << (this->HighlightShoulder ? "on" : "off") << "\n";
   os << indent << "SunDisc: " << (this->SunDisc ? "on" : "off") << "\n";
   os << indent << "AerialPerspective: " << (this->AerialPerspective ? "on" : "off") << "\n";
+  os << indent << "SurfaceLight: " << (this->SurfaceLight ? "on" : "off") << "\n";
   os << indent << "MultipleScattering: " << (this->MultipleScattering ? "on" : "off") << "\n";
   os << indent << "NumberOfTables: " << this->NumberOfTables << "\n";
   os << indent << "Sun:\n";

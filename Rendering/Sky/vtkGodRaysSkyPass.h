@@ -201,6 +201,20 @@ public:
 
   ///@{
   /**
+   * Set/Get whether the sky lights the scene's surfaces, in proportion to what it is: blue by day, dark at
+   * night. It is the light of GetSkyIrradiance() by each normal, which nothing in the scene takes away; so
+   * let vtkSSAOPass darken what is narrow. Surfaces in physically based shading mirror it, too, as dull ones
+   * do; where VTK lights them by an environment, it stays away. So it does from surfaces without lights,
+   * from volumes, and from scenes that reach across a twentieth of the planet's radius, which have more than
+   * one sky. Default is on.
+   */
+  vtkSetMacro(SurfaceLight, bool);
+  vtkGetMacro(SurfaceLight, bool);
+  vtkBooleanMacro(SurfaceLight, bool);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get whether light that is scattered more than once is added, as vtkGodRaysSkySource does. It takes
    * a table that depends on the atmosphere alone. Default is on.
    */
@@ -232,6 +246,13 @@ public:
    * times Exposure it is linear light. Returns false after an error, with 0.
    */
   bool GetSkyColor(const double direction[3], double radiance[3]);
+
+  /**
+   * The irradiance of a surface at Origin, on the ground, by the light of the sky and the ground, without the
+   * sun: vtkGodRaysSkySource::GetIrradiance(), with WhiteBalance. Times Exposure/pi it is the radiance of a
+   * white surface, as linear light. Returns false after an error, with 0.
+   */
+  bool GetSkyIrradiance(const double normal[3], double irradiance[3]);
 
   /**
    * Make a light that of the sun, as vtkGodRaysSun::UpdateLight() does, in the colour that the air leaves it.
@@ -279,6 +300,8 @@ private:
   const char* FindReasonForNoAir(const vtkRenderState* s);
   void SetObserver(const vtkRenderState* s);
   void RenderScene(const vtkRenderState* s);
+  const char* FindReasonForNoLight(const vtkRenderState* s);
+  void LightSurfaces(const vtkRenderState* s);
   void PrepareSource();
   bool UpdateTable(vtkGodRaysSkyTable& table, const char* name);
   bool JoinsPictures() const;
@@ -304,6 +327,7 @@ private:
   bool HighlightShoulder = false;
   bool SunDisc = true;
   bool AerialPerspective = true;
+  bool SurfaceLight = true;
   bool MultipleScattering = true;
   int NumberOfTables = 0;
 };

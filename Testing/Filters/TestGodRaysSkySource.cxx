@@ -551,3 +551,84 @@ TEST(SkySource, GivesItsTableOfMultipleScattering)
   EXPECT_EQ(table->GetNumberOfPoints(), 0);
   EXPECT_EQ(errors.Texts.size(), 1u);
 }
+
+//------------------------------------------------------------------------------
+// Irradiance by the forms against sums over all directions; of the brightest of a sky, as its share of a
+// surface that nothing else lights is.
+TEST(SkySource, FormsAreTheIrradianceOfTheSky)
+{
+  double worst = 0.0;
+  double worstFromAbove = 0.0;
+  double control = 0.0; // of the sky from above for every normal
+  for (const int preset : { Atmosphere::EARTH_CLEAR, Atmosphere::EARTH_HAZY })
+  {
+    for (const double elevation : { 50.0, 6.0, -3.0 })
+    {
+      vtkNew<Source> source;
+      source->SetAtmospherePreset(preset);
+      source->MultipleScatteringOn();
+      source->SetObserverHeight(0.0);
+      source->SetSunElevation(elevation);
+      source->SetSunAzimuth(75.0);
+      double forms[48];
+      ASSERT_TRUE(source->GetIrradianceForms(forms));
+      constexpr int rows = 40;
+      std::vector<Vec3> rays;
+      std::vector<Vec3> lights; // times solid angle
+      for (int k = 0; k < rows * rows; ++k)
+      {
+        const double height = pi / rows * (k / rows + 0.5) - 0.5 * pi;
+        const double turn = 2.0 * pi / rows * (k % rows + 0.5);
+        const Vec3 ray(
+          std::cos(height) * std::sin(turn), std::cos(height) * std::cos(turn), std::sin(height));
+        Vec3 light;
+        ASSERT_TRUE(source->GetRadiance(&ray[0], &light[0]));
+        rays.push_back(ray);
+        lights.push_back(2.0 * pi * pi / (rows * rows) * std::cos(height) * light);
+      }
+      const auto sum = [&](const Vec3& normal, const Vec3& ground) // and of that much from below
+      {
+        Vec3 irradiance = 0.5 * pi * (1.0 - normal.z) * ground;
+        for (std::size_t k = 0; k < rays.size(); ++k)
+        {
+          irradiance += std::max(dot(normal, rays[k]), 0.0) * lights[k];
+        }
+        return irradiance;
+      };
+      const Vec3 up(0.0, 0.0, 1.0);
+      const Vec3 above = sum(up, Vec3(0.0));
+      const double* albedo = source->GetAtmosphere()->GetGroundAlbedo();
+      const Vec3 ground = Vec3(albedo[0], albedo[1], albedo[2]) / pi * above;
+      const double turn = vtkMath::RadiansFromDegrees(75.0);
+      const Vec3 sun(std::sin(turn), std::cos(turn), 0.0);
+      const Vec3 normals[] = { up, sun, -sun, normalize(sun + up), Vec3(sun.y, -sun.x, 0.0) };
+      std::vector<Vec3> truths;
+      double brightest = 0.0;
+      for (const Vec3& normal : normals)
+      {
+        truths.push_back(sum(normal, ground));
+        brightest = std::max({ brightest, truths.back().x, truths.back().y, truths.back().z });
+      }
+      for (std::size_t k = 0; k < truths.size(); ++k)
+      {
+        const double n[4] = { normals[k].x, normals[k].y, normals[k].z, 1.0 };
+        for (int c = 0; c < 3; ++c)
+        {
+          double found = 0.0;
+          for (int i = 0; i < 16; ++i)
+          {
+            found += forms[16 * c + i] * n[i / 4] * n[i % 4];
+          }
+          const double error = std::abs(found - truths[k][c]) / brightest;
+          worst = std::max(worst, error);
+          worstFromAbove = std::max(worstFromAbove, k == 0 ? error : 0.0);
+          control = std::max(control, std::abs(above[c] - truths[k][c]) / brightest);
+        }
+      }
+    }
+  }
+  std::cout << "irradiance by forms: " << worst << " of the brightest off, from above "
+            << worstFromAbove << "; that from above for all " << control << std::endl;
+  EXPECT_LT(worst, 0.06);
+  EXPECT_GT(control, 0.4);
+}

@@ -8,6 +8,15 @@
 #include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysAtmosphereModel.h"
 
+#include "vtkActor.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkLight.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderStepsPass.h"
 #include "vtkTexture.h"
 
 #include <algorithm>
@@ -353,4 +362,125 @@ TEST_F(GodRaysSkyPass, HasAnEnvironment)
   this->Sky->SetSunElevation(31.0);
   EXPECT_EQ(this->Sky->GetEnvironmentTexture(), texture);
   EXPECT_GT(texture->GetInput()->GetMTime(), time);
+}
+
+//------------------------------------------------------------------------------
+// A surface in each kind of shading has its light and that of the sky, as linear light; without SurfaceLight
+// it is what it is without a sky, and so it is for another renderer that has it, too.
+TEST_F(GodRaysSkyPass, LightsSurfaces)
+{
+  vtkNew<vtkPlaneSource> plane;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(plane->GetOutputPort());
+  vtkNew<vtkActor> surface;
+  surface->SetMapper(mapper);
+  this->Renderer->AddActor(surface);
+  this->Renderer->AutomaticLightCreationOff();
+  vtkNew<vtkLight> lamp;
+  lamp->SetLightTypeToHeadlight();
+  lamp->SetIntensity(0.4);
+  this->Renderer->AddLight(lamp);
+  this->Sky->AerialPerspectiveOff();
+  this->Sky->SetExposure(3.0);
+  const Vec3 color(0.9, 0.5, 0.2);
+  surface->GetProperty()->SetColor(color.x, color.y, color.z);
+  const auto see = [&](double elevation, const Vec3& normal, bool sky)
+  {
+    plane->SetCenter(0.0, 0.0, 0.0);
+    plane->SetNormal(normal.x, normal.y, normal.z);
+    const Vec3 side = cross(normal, std::abs(normal.z) > 0.5 ? Vec3(1, 0, 0) : Vec3(0, 0, 1));
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    const Vec3 eye = 0.2 * normal + Vec3(0.0, 0.0, 2.0);
+    camera->SetPosition(eye.x, eye.y, eye.z);
+    camera->SetFocalPoint(0.0, 0.0, 2.0);
+    camera->SetViewUp(side.x, side.y, side.z);
+    camera->SetClippingRange(0.01, 10.0);
+    surface->SetPosition(0.0, 0.0, 2.0);
+    this->SetSun(elevation);
+    this->Sky->SetSurfaceLight(sky);
+    return this->Render()[Size * Size / 2 + Size / 2];
+  };
+  vtkNew<vtkRenderStepsPass> steps;
+  double errors[2] = {};
+  for (const bool isPhysical : { false, true })
+  {
+    surface->GetProperty()->SetInterpolation(isPhysical ? VTK_PBR : VTK_PHONG);
+    for (const double elevation : { 40.0, 5.0, -4.0, -30.0 })
+    {
+      for (const Vec3& normal : { Vec3(0.0, 0.0, 1.0), Vec3(0.0, -1.0, 0.0), Vec3(0.0, 1.0, 0.0),
+             normalize(Vec3(1.0, 1.0, -1.0)) })
+      {
+        this->Floats->SetDelegatePass(steps);
+        const Vec3 without = see(elevation, normal, false);
+        this->Floats->SetDelegatePass(this->Sky);
+        EXPECT_EQ(see(elevation, normal, false), without);
+        EXPECT_FALSE(surface->GetPropertyKeys() &&
+          surface->GetPropertyKeys()->Has(vtkOpenGLRenderPass::RenderPasses()));
+        const Vec3 with = see(elevation, normal, true);
+        EXPECT_TRUE(Says(this->Sky->GetPlan(), "surfaces: light of the sky"));
+        Vec3 light;
+        ASSERT_TRUE(this->Sky->GetSkyIrradiance(&normal[0], &light[0]));
+        light *= 3.0 / vtkMath::Pi();
+        for (int c = 0; c < 3; ++c)
+        {
+          // VTK's physically based shading takes colours for linear ones, and 2.2 for the curve
+          const double shown[2] = { vtkGodRays::EncodeDisplay(without[c]),
+            vtkGodRays::EncodeDisplay(with[c]) };
+          const double truth = isPhysical
+            ? std::pow(shown[0], 2.2) + color[c] * light[c] / vtkMath::Pi()
+            : color[c] *
+              vtkGodRays::EncodeDisplay(vtkGodRays::DecodeDisplay(shown[0] / color[c]) + light[c]);
+          // and mirrors a few hundredths of it
+          const double found = isPhysical ? std::pow(shown[1], 2.2) : shown[1];
+          errors[isPhysical] = std::max(errors[isPhysical], std::abs(found - truth));
+        }
+        if (elevation < -20.0)
+        {
+          EXPECT_LT(length(with - without), 1e-3);
+        }
+        else if (elevation > 0.0)
+        {
+          EXPECT_GT(length(with - without), 0.005);
+        }
+      }
+    }
+  }
+  std::cout << "light of the sky on surfaces: " << errors[0] << " off, physically based "
+            << errors[1] << std::endl;
+  EXPECT_LT(errors[0], 1e-4);
+  EXPECT_LT(errors[1], 0.01);
+
+  // What shows its colours without lights, and scenes as wide as countries, stay as they are.
+  surface->GetProperty()->SetInterpolationToPhong();
+  surface->GetProperty()->LightingOff();
+  const Vec3 up(0.0, 0.0, 1.0);
+  EXPECT_EQ(see(40.0, up, true), see(40.0, up, false));
+  surface->GetProperty()->LightingOn();
+  this->Sky->SetWorldUnitInMeters(1e6);
+  const Vec3 large = see(40.0, up, true);
+  EXPECT_TRUE(Says(this->Sky->GetPlan(), "it has more than one sky"));
+  EXPECT_EQ(large, see(40.0, up, false));
+  this->Sky->SetWorldUnitInMeters(1.0);
+
+  // Another renderer with a sky of its own, and one without.
+  const Vec3 day = see(40.0, up, true);
+  vtkNew<vtkRenderer> other;
+  other->SetActiveCamera(this->Renderer->GetActiveCamera());
+  other->SetAutomaticLightCreation(false);
+  other->AddLight(lamp);
+  other->AddActor(surface);
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(true);
+  window->SetSize(Size, Size);
+  window->AddRenderer(other);
+  const auto plain = GetPixels(window);
+  EXPECT_EQ(see(40.0, up, true), day);
+  EXPECT_EQ(GetPixels(window), plain);
+  auto night = vtkGodRaysSkyPass::Attach(other);
+  night->SetSunElevation(-30.0);
+  GetPixels(window);
+  EXPECT_EQ(see(40.0, up, true), day);
+  vtkGodRaysSkyPass::Detach(other);
+  EXPECT_EQ(see(40.0, up, true), day);
+  other->RemoveActor(surface);
 }

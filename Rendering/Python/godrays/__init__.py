@@ -342,6 +342,7 @@ def sky(
     *,
     exposure: float | None = None,
     aerial_perspective: bool | None = None,
+    surface_light: bool | None = None,
     multiple_scattering: bool | None = None,
     sun_disc: bool | None = None,
     white_balance: float | None = None,

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGodRaysSurfaceSky
+ * @brief   light of the sky on a renderer's surfaces; private to this module
+ *
+ * Takes part in the mappers' shaders after VTK's own text for lights, as vtkGodRaysSurfaceShadows does before
+ * it: to the light that a surface scatters comes that of the sky and the ground, by its normal. Surfaces
+ * without lights, and those that VTK lights by an environment, stay as they are.
+ *
+ * The renderer's props keep this pass from frame to frame, so that all that draws them has one shader; it
+ * shines between Begin() and End().
+ */
+
+#ifndef vtkGodRaysSurfaceSky_h
+#define vtkGodRaysSurfaceSky_h
+
+#include "vtkGodRaysMath.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkProp.h" // For vtkWeakPointer
+#include "vtkWeakPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkRenderer;
+
+class vtkGodRaysSurfaceSky : public vtkOpenGLRenderPass
+{
+public:
+  static vtkGodRaysSurfaceSky* New();
+  vtkTypeMacro(vtkGodRaysSurfaceSky, vtkOpenGLRenderPass);
+
+  struct Request
+  {
+    double Forms[48];      ///< see vtkGodRaysSkySource::GetIrradianceForms()
+    vtkGodRays::Vec3 Gain; ///< from irradiance to linear light of a white surface
+    double Up[3];          ///< of the frame that forms are in
+    double North[3];
+  };
+
+  /**
+   * Shine on the props of a renderer, until End().
+   */
+  void Begin(vtkRenderer* renderer, const Request& request);
+  void End();
+
+  /**
+   * Leave the props.
+   */
+  void Remove();
+
+  ///@{
+  /// For VTK.
+  void Render(const vtkRenderState*) override {}
+  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
+  ///@}
+
+protected:
+  vtkGodRaysSurfaceSky() = default;
+  ~vtkGodRaysSurfaceSky() override = default;
+
+private:
+  vtkGodRaysSurfaceSky(const vtkGodRaysSurfaceSky&) = delete;
+  void operator=(const vtkGodRaysSurfaceSky&) = delete;
+
+  void RemoveFrom(vtkProp* prop);
+
+  std::vector<vtkWeakPointer<vtkProp>> Props;
+  float Forms[48] = {}; // in the camera's coordinates
+};
+
+#endif
