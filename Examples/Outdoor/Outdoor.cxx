@@ -132,9 +132,10 @@ int main(int argc, char* argv[])
   sky->SetSunElevation(11.0);
   sky->SetSunAzimuth(176.0);
   sky->SetExposure(4.0);
+  sky->SurfaceLightOff(); // which a sky without clouds would give
   vtkNew<vtkLight> sun;
   sky->UpdateLight(sun);
-  vtkNew<vtkLight> shade; // the light of the sky
+  vtkNew<vtkLight> shade; // what the clouds leave of it
   shade->SetPosition(-0.5, -1.0, 1.0);
   shade->SetColor(0.2, 0.22, 0.26);
   renderer->AddLight(sun);

@@ -105,9 +105,10 @@ sky.SetNorth(0, -1, 0)
 sky.SetSunElevation(11)
 sky.SetSunAzimuth(176)
 sky.SetExposure(4)
+sky.SurfaceLightOff()  # which a sky without clouds would give
 sun = vtk.vtkLight()
 sky.UpdateLight(sun)
-shade = vtk.vtkLight()  # the light of the sky
+shade = vtk.vtkLight()  # what the clouds leave of it
 shade.SetPosition(-0.5, -1, 1)
 shade.SetColor(0.2, 0.22, 0.26)
 renderer.AddLight(sun)

@@ -11,7 +11,6 @@
 #include "vtkDataArray.h"
 #include "vtkGodRaysPass.h"
 #include "vtkGodRaysSkyPass.h"
-#include "vtkGodRaysSkySource.h"
 #include "vtkGodRaysSunPosition.h"
 #include "vtkGodRaysTerrainSource.h"
 #include "vtkImageData.h"
@@ -130,15 +129,10 @@ int main(int argc, char* argv[])
   renderer->AddActor(ground);
 
   vtkNew<vtkLight> sun;
-  vtkNew<vtkLight> shade; // what the sky gives the ground
-  shade->SetPosition(0.0, 0.0, 1.0);
   renderer->AddLight(sun);
-  renderer->AddLight(shade);
   const double center[2] = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]) };
   vtkGodRaysSkyPass* sky = vtkGodRaysSkyPass::Attach(renderer);
   sky->SetOrigin(center[0], center[1], bounds[4]);
-  vtkNew<vtkGodRaysSkySource> zenith;
-  zenith->SetSun(sky->GetSun());
   vtkNew<vtkGodRaysPass> rays;
   rays->AddLight(sun);
   rays->ApplyPreset("low-sun");
@@ -164,14 +158,6 @@ int main(int argc, char* argv[])
     const double height = std::max(std::sin(vtkMath::RadiansFromDegrees(elevation)), 0.0);
     sky->SetExposure(3.0 / (1.0 + 1.5 * height));
     sky->UpdateLight(sun);
-    const double up[3] = { 0.0, 0.0, 1.0 };
-    double light[3];
-    zenith->GetRadiance(up, light);
-    for (double& each : light)
-    {
-      each = std::pow(std::min(sky->GetExposure() * each, 1.0), 1.0 / 2.2);
-    }
-    shade->SetColor(light);
     // The sun is a little to the right, and low in the picture while it is low.
     const double azimuth = vtkMath::RadiansFromDegrees(day->GetAzimuth() - 8.0);
     const double distance = 0.35 * std::min(bounds[1] - bounds[0], bounds[3] - bounds[2]);
@@ -183,7 +169,7 @@ int main(int argc, char* argv[])
     vtkCamera* camera = renderer->GetActiveCamera();
     camera->SetPosition(eye);
     camera->SetFocalPoint(eye[0] + ahead[0], eye[1] + ahead[1], eye[2] + 0.12 * distance);
-    camera->SetViewUp(up);
+    camera->SetViewUp(0.0, 0.0, 1.0);
     camera->SetViewAngle(50.0);
     camera->SetClippingRange(0.01 * distance, 10.0 * distance);
   };

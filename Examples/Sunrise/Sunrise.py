@@ -68,14 +68,9 @@ renderer = vtk.vtkRenderer()
 renderer.AddActor(ground)
 
 sun = vtk.vtkLight()
-shade = vtk.vtkLight()  # what the sky gives the ground
-shade.SetPosition(0, 0, 1)
 renderer.AddLight(sun)
-renderer.AddLight(shade)
 sky = godrays.vtkGodRaysSkyPass.Attach(renderer)
 sky.SetOrigin((west + east) / 2, (south + north) / 2, low)
-zenith = godrays.vtkGodRaysSkySource()
-zenith.SetSun(sky.GetSun())
 rays = godrays.enable(
     renderer,
     light=sun,
@@ -100,9 +95,6 @@ def set_time(hours):
     # As for a camera or an eye, less light is needed of a higher sun.
     sky.SetExposure(3 / (1 + 1.5 * max(math.sin(math.radians(day.GetElevation())), 0)))
     sky.UpdateLight(sun)
-    light = [0, 0, 0]
-    zenith.GetRadiance((0, 0, 1), light)
-    shade.SetColor([min(sky.GetExposure() * each, 1) ** (1 / 2.2) for each in light])
     # The sun is a little to the right, and low in the picture while it is low.
     azimuth = math.radians(day.GetAzimuth() - 8)
     distance = 0.35 * min(east - west, north - south)

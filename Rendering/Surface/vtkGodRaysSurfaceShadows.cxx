@@ -219,6 +219,7 @@ bool vtkGodRaysSurfaceShadows::DrawMaps(
   scene.Light = &light;
   scene.Compositor = request.Compositor;
   scene.Nearest = FindNearest(request);
+  scene.Still = true;
   scene.Overlap = 0.14; // which the samples of a soft shadow reach, at most 0.06 of a face
   Caster caster;
   caster.Number = light.Number;
@@ -300,8 +301,10 @@ double vtkGodRaysSurfaceShadows::FindShare(
   {
     return 1.0;
   }
-  const double finest = 3.0 * distance / (texel * size); // of the whole
-  return std::min(std::max(std::pow(finest, 1.0 / (MostLevels - 1)), 0.05), 0.5);
+  const double finest = 1.8 * distance / (texel * size); // of the whole
+  const double share = std::pow(finest, 1.0 / (MostLevels - 1));
+  // One of few shares, so that maps stay while the camera comes nearer.
+  return std::min(0.5, std::exp2(0.125 * std::ceil(8.0 * std::log2(std::max(share, 0.05)))));
 }
 
 void vtkGodRaysSurfaceShadows::Describe(
@@ -558,7 +561,7 @@ bool vtkGodRaysSurfaceShadows::PreReplaceShaderValues(
 }
 
 bool vtkGodRaysSurfaceShadows::PostReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
 {
   ++this->Built;
   const auto has = [&](const std::string& text)
@@ -621,6 +624,11 @@ bool vtkGodRaysSurfaceShadows::PostReplaceShaderValues(
   }
   if (lights.empty())
   {
+    auto actor = vtkActor::SafeDownCast(prop);
+    if (!this->Shaders.empty() && (!actor || actor->GetProperty()->GetLighting()))
+    {
+      this->WithoutLights.insert(mapper->GetClassName());
+    }
     return true;
   }
   // Spheres and tubes that stand for points and lines move vertexVC later on: their normal is the drawn one.
@@ -708,6 +716,12 @@ std::string vtkGodRaysSurfaceShadows::Describe() const
   std::ostringstream text;
   text << "surfaces: shadows of " << this->Casting.size() << " of " << this->Shining.size()
        << " lights, " << this->Drawn << " maps drawn, " << this->Built << " shaders built";
+  for (const std::string& mapper : this->WithoutLights)
+  {
+    text << (mapper == *this->WithoutLights.begin() ? "; none on what has no lights of VTK's: "
+                                                    : ", ")
+         << mapper;
+  }
   return text.str();
 }
 
@@ -720,5 +734,6 @@ void vtkGodRaysSurfaceShadows::ReleaseGraphicsResources(vtkWindow* window)
   }
   this->Lights.clear();
   this->Casting.clear();
+  this->WithoutLights.clear();
   this->Nothing.Release(window);
 }

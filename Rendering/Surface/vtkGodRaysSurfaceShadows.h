@@ -31,6 +31,7 @@
 
 #include <array>
 #include <deque>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -199,8 +200,9 @@ private:
   float Air[8];                                   // of the medium, as shaders have it
   float Vertical[4];
   float Planet = 0.0f;
-  int Drawn = 0; // maps that were drawn anew
-  int Built = 0; // shaders of this frame
+  int Drawn = 0;                       // maps that were drawn anew
+  int Built = 0;                       // shaders of this frame
+  std::set<std::string> WithoutLights; // mappers whose shaders have none
 };
 
 #endif

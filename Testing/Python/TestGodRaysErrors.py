@@ -107,7 +107,7 @@ class Properties(unittest.TestCase):
             one = make(cls)
             of_models |= {to_snake(name) for name in get_names(one)} if one else set()
         # which tags volumes, and which is a short name
-        self.assertEqual(keywords - of_pass - of_models, {"medium", "shadows"})
+        self.assertEqual(keywords - of_pass - of_models, {"ambient_occlusion", "medium", "shadows"})
         self.assertGreater(len(keywords), 50)
         sky = {to_snake(name) for name in get_names(godrays.vtkGodRaysSkyPass())}
         self.assertEqual(set(godrays.sky.__kwdefaults__) - sky, set())

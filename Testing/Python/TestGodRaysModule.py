@@ -488,6 +488,23 @@ class Shadows(unittest.TestCase):
         godrays.enable(self.renderer, intensity=0)
         self.assertEqual(godrays.enable(self.renderer).intensity, 0)
 
+    def test_ambient_occlusion_is_where_it_is_narrow(self):
+        """A wall on the floor: its foot is darker, a floor far from it is not."""
+        self.renderer.AddActor(make_actor(make_box(1.5, 1.7, -3, 3, 0, 2)))
+        rays = godrays.enable(self.renderer, light=BEHIND, intensity=0)
+        before = pixels(self.window)
+
+        def column(x):
+            now = pixels(self.window)
+            rows = range(20, 70)
+            return sum(before[3 * (120 * y + x)] - now[3 * (120 * y + x)] for y in rows) / len(rows)
+
+        self.assertIs(godrays.enable(self.renderer, ambient_occlusion=True), rays)
+        self.assertGreater(column(60 + 29), 6)
+        self.assertLess(abs(column(60 - 40)), 3)
+        godrays.enable(self.renderer, ambient_occlusion=False)
+        self.assertEqual(pixels(self.window), before)
+
     def test_a_short_name(self):
         for differing in ({"surface_shadows": False}, {"SurfaceShadows": False}):
             with self.assertRaisesRegex(ValueError, "shadows=True and .*=False differ"):

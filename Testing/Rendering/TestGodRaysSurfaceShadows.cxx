@@ -1436,3 +1436,25 @@ TEST(GodRaysSurfaceShadows, AreOfEachRendererOfAWindow)
   EXPECT_GT(countChanged(left, 1), 500);
   rays->Detach(other);
 }
+
+// Over wide ground, too, edges of shadows stay where they are in the world: most frames of a camera that
+// moves draw no map.
+TEST(GodRaysSurfaceShadows, StayOverWideGroundWhileTheCameraMoves)
+{
+  Messages messages;
+  Zoo zoo;
+  zoo.Spread(300.0);
+  zoo.Rays->SetSoftShadows(false);
+  zoo.Renderer->ResetCameraClippingRange();
+  zoo.Draw();
+  int drawn = 0;
+  for (int frame = 0; frame < 60; ++frame)
+  {
+    // 0.05 is two pixels where it looks
+    zoo.Camera->SetPosition(3.0 + 0.05 * frame, -9.0, 7.0 - 0.02 * frame);
+    zoo.Camera->SetFocalPoint(0.03 * frame, 0.0, 0.0);
+    zoo.Draw();
+    drawn += Says(zoo.Rays->GetPlan(), " 0 maps drawn, 0 shaders built") ? 0 : 1;
+  }
+  EXPECT_LE(drawn, 6);
+}

@@ -104,6 +104,7 @@ def enable(
     *,
     medium: Props | None = (),
     shadows: bool | None = None,
+    ambient_occlusion: bool | None = None,
     # of the pass
     intensity: float | None = None,
     model: vtkGodRaysModel | Model | None = None,
@@ -191,6 +192,8 @@ def enable(
         do so in the medium of the model or preset; where neither is given and the model is a look, alone,
         as by model="volume".
     shadows: a short name of surface_shadows; both given must be the same. Without rays, see shadows().
+    ambient_occlusion: darken what is narrow, by VTK's vtkSSAOPass with a radius for the scene that is there;
+        call enable() again when its size changes. VTK shows the first colour of a gradient behind it.
     preset: the name of a look or of a medium, see vtkGodRaysPresets.ListNames. It chooses the model that
         has it, unless one is given.
     sun_at: a place in the picture, from (0, 0) at its lower left to (1, 1), at which a sun is put with the
@@ -216,7 +219,7 @@ def enable(
     keywords = enable.__kwdefaults__ or {}
     parameters.update(
         {name: given[name] for name in keywords
-            if name not in ("medium", "shadows") and given[name] is not None})
+            if name not in ("ambient_occlusion", "medium", "shadows") and given[name] is not None})
     if shadows is not None:
         names = {name.replace("_", "").lower(): name for name in parameters}
         name = names.get("surfaceshadows", "surface_shadows")
@@ -235,7 +238,8 @@ def enable(
     ):
         parameters = {**parameters, "model": "volume"}
     parameters = _add_model(rays, preset, parameters)
-    others = ("ignored", "light", "medium", "occluders", "preset", "shadows", "sun_at")
+    others = (
+        "ambient_occlusion", "ignored", "light", "medium", "occluders", "preset", "shadows", "sun_at")
     settings = _find_settings(rays, parameters, others)
     if getattr(rays, "_has_shadows_alone", False) and rays.GetIntensity() == 0:  # by shadows()
         settings.setdefault("Intensity", 1.0)
@@ -279,8 +283,21 @@ def enable(
 
     if sun_at is not None:
         rays.PlaceSun(renderer, *sun_at)
+    if ambient_occlusion is not None:
+        _occlude(renderer, ambient_occlusion)
     rays._has_shadows_alone = False
     return _attach(rays, renderer, target)
+
+
+def _occlude(renderer: Any, on: bool) -> None:
+    """Switch VTK's ambient occlusion, for a scene of this size, as the program has it."""
+    bounds = renderer.ComputeVisiblePropBounds()
+    diagonal = sum((high - low) ** 2 for low, high in zip(bounds[::2], bounds[1::2])) ** 0.5
+    renderer.SetUseSSAO(on)
+    if on and bounds[0] <= bounds[1]:
+        renderer.SetSSAORadius(0.05 * diagonal)
+        renderer.SetSSAOBias(0.002 * diagonal)
+        renderer.SetSSAOBlur(True)
 
 
 def _attach(rays: Any, renderer: Any, target: Any) -> vtkGodRaysPass:
