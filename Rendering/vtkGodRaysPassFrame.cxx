@@ -564,6 +564,9 @@ bool vtkGodRaysPass::DrawOutput(
   if (this->Output == COMPOSITE)
   {
     self.Effect->Join(request);
+    double above[3];
+    std::any_of(self.Lights.begin(), self.Lights.end(),
+      [&](vtkLight* each) { return vtkGodRaysGetLightAboveAir(each, above, request.SkyLight); });
   }
   request.Screen = this->Blend == MODEL_BLEND ? request.Screen : this->Blend == SCREEN;
   bool drawn = true;

@@ -32,6 +32,7 @@ uniform vec3 mediumUp;
 uniform float eyeHeight;
 uniform float planetRadius;
 uniform float farLimit;
+uniform vec3 skyLight;        // of a sky, times how much of what the medium takes it scatters
 uniform float dataExposure;  // of the rays over data that are seen, as a part of that elsewhere
 uniform float darkExposure;  // the same over data that are dark
 uniform float dataGain;      // on data, at most as much as the medium takes of their light
@@ -64,6 +65,7 @@ uniform vec2 cells;          // of the pictures that a meter reads
 // exponential: whether the medium's density falls with height
 // hasSecond: whether it has two components
 // grey: whether it dims all colours alike
+// skyLit: whether it scatters light of a sky, too
 // shoulder: whether sums stay below white rather than being clipped
 // surround: whether rays darken the background, which is light
 // sparesData: whether rays are weaker over data
@@ -194,6 +196,11 @@ void main()
     return;
   }
   light = max(light, vec3(0.0)); // data and haze are rounded apart
+  vec3 transmittance = dimmed ? SceneTransmittance(pixel, uv) : vec3(1.0);
+  if (skyLit)
+  {
+    light += intensity * skyLight * (1.0 - transmittance);
+  }
   if (!metered && !dimmed && !any(greaterThan(light, vec3(0.0))) && sceneGain == 1.0 &&
     !surround)
   {
@@ -207,7 +214,6 @@ void main()
   vec3 base = sceneGain * before;
   if (dimmed)
   {
-    vec3 transmittance = SceneTransmittance(pixel, uv);
     base *= transmittance;
     if (gainsData)
     {

@@ -23,6 +23,7 @@ void SetMedium(vtkShaderProgram* program, const vtkGodRaysBlendPass::Request& re
 {
   const vtkGodRaysMedium& medium = *request.Medium;
   double extinction[2][3] = {};
+  double scattering[3] = {};
   float scaleHeight[2] = { 0.0f, 0.0f };
   for (int i = 0; i < medium.NumberOfComponents; ++i)
   {
@@ -30,11 +31,19 @@ void SetMedium(vtkShaderProgram* program, const vtkGodRaysBlendPass::Request& re
     for (int c = 0; c < 3; ++c)
     {
       extinction[i][c] = component.Scattering[c] + component.Absorption[c];
+      scattering[c] += component.Scattering[c];
     }
     scaleHeight[i] = static_cast<float>(component.ScaleHeight);
   }
   vtkGodRaysQuad::SetVector(program, "extinction", extinction[0]);
   vtkGodRaysQuad::SetVector(program, "secondExtinction", extinction[1]);
+  double sky[3];
+  for (int c = 0; c < 3; ++c)
+  {
+    const double both = extinction[0][c] + extinction[1][c];
+    sky[c] = both > 0.0 ? request.SkyLight[c] * scattering[c] / both : 0.0;
+  }
+  vtkGodRaysQuad::SetVector(program, "skyLight", sky);
   program->SetUniform2f("scaleHeight", scaleHeight);
   vtkGodRaysQuad::SetVector(program, "mediumUp", medium.Up);
   program->SetUniformf("eyeHeight", static_cast<float>(medium.EyeHeight));
@@ -98,6 +107,9 @@ bool vtkGodRaysBlendPass::Draw(const Request& request)
       { "exponential", request.Medium && request.Medium->HasExponentialDensity() },
       { "hasSecond", request.Medium && request.Medium->NumberOfComponents > 1 },
       { "grey", request.Medium && request.Medium->IsGrey() },
+      { "skyLit",
+        request.Medium &&
+          std::any_of(request.SkyLight, request.SkyLight + 3, [](double c) { return c > 0.0; }) },
       { "shoulder", request.Shoulder && !request.Screen }, { "lightnessAlone", lightnessAlone },
       { "surround", surround }, { "sparesData", sparesData }, { "gainsData", gainsData },
       { "responds", request.Rays && request.Response != nullptr },

@@ -102,6 +102,7 @@ public:
     /// A medium that dims the scene; null for none.
     const vtkGodRaysMedium* Medium = nullptr;
     const vtkGodRaysView* View = nullptr;
+    double SkyLight[3] = {}; ///< the mean radiance of a sky, in linear light
     ///@}
 
     vtkTextureObject* Veil = nullptr;  ///< what else the scene is times, of its size; null for none

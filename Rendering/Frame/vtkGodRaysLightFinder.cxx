@@ -30,7 +30,7 @@ namespace
 vtkInformationDoubleVectorKey* GetAboveAirKey()
 {
   static vtkInformationDoubleVectorKey* const key =
-    vtkInformationDoubleVectorKey::MakeKey("ABOVE_AIR", "vtkGodRaysSkyPass", 7);
+    vtkInformationDoubleVectorKey::MakeKey("ABOVE_AIR", "vtkGodRaysSkyPass", 10);
   return key;
 }
 
@@ -88,7 +88,7 @@ void GetWorldPlace(
 }
 }
 
-void vtkGodRaysSetLightAboveAir(vtkLight* light, const double above[3])
+void vtkGodRaysSetLightAboveAir(vtkLight* light, const double above[3], const double sky[3])
 {
   vtkNew<vtkInformation> note;
   if (vtkInformation* former = light->GetInformation())
@@ -96,13 +96,13 @@ void vtkGodRaysSetLightAboveAir(vtkLight* light, const double above[3])
     note->Copy(former);
   }
   const double* color = light->GetDiffuseColor();
-  const double values[7] = { above[0], above[1], above[2], color[0], color[1], color[2],
-    light->GetIntensity() };
-  note->Set(GetAboveAirKey(), values, 7);
+  const double values[10] = { above[0], above[1], above[2], color[0], color[1], color[2],
+    light->GetIntensity(), sky[0], sky[1], sky[2] };
+  note->Set(GetAboveAirKey(), values, 10);
   light->SetInformation(note);
 }
 
-bool vtkGodRaysGetLightAboveAir(vtkLight* light, double above[3])
+bool vtkGodRaysGetLightAboveAir(vtkLight* light, double above[3], double sky[3])
 {
   vtkInformation* note = light->GetInformation();
   const double* values = note ? note->Get(GetAboveAirKey()) : nullptr;
@@ -112,7 +112,12 @@ bool vtkGodRaysGetLightAboveAir(vtkLight* light, double above[3])
   }
   for (int c = 0; c < 3; ++c)
   {
-    above[c] = values[c] * (values[6] > 0.0 ? light->GetIntensity() / values[6] : 1.0);
+    const double part = values[6] > 0.0 ? light->GetIntensity() / values[6] : 1.0;
+    above[c] = part * values[c];
+    if (sky)
+    {
+      sky[c] = part * values[7 + c];
+    }
   }
   return true;
 }

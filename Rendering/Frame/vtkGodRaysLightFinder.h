@@ -23,10 +23,11 @@ struct vtkGodRaysView;
 
 ///@{
 /// Note on a light what it is above the air: its colour times its intensity, in linear light, where the
-/// light itself has what the air leaves of that. The note holds while its colour stays; a change of the
-/// intensity is a factor. Returns false if there is none.
-void vtkGodRaysSetLightAboveAir(vtkLight* light, const double above[3]);
-bool vtkGodRaysGetLightAboveAir(vtkLight* light, double above[3]);
+/// light itself has what the air leaves of that; and the mean radiance of its sky, where that lights the
+/// scene. The note holds while its colour stays; a change of the intensity is a factor. Returns false if
+/// there is none.
+void vtkGodRaysSetLightAboveAir(vtkLight* light, const double above[3], const double sky[3]);
+bool vtkGodRaysGetLightAboveAir(vtkLight* light, double above[3], double sky[3] = nullptr);
 ///@}
 
 class vtkGodRaysLightFinder

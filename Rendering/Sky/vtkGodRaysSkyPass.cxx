@@ -305,15 +305,16 @@ bool vtkGodRaysSkyPass::UpdateLight(vtkLight* light)
   }
   light->SetColor(color);
   light->SetIntensity(brightest * this->Exposure / vtkMath::Pi());
-  // An atmosphere's model dims it itself.
-  double above[3];
-  this->GetAtmosphere()->GetSunIrradiance(above);
-  const Vec3 weights = GetWeights(this);
-  for (int c = 0; c < 3; ++c)
+  // An atmosphere's model dims it itself. The last number of a form is 3/32 of the integral of radiance.
+  Vec3 above = this->Exposure * GetWeights(this);
+  double forms[48] = {};
+  if (this->SurfaceLight)
   {
-    above[c] *= weights[c] * this->Exposure / vtkMath::Pi();
+    this->Internal->Source->GetIrradianceForms(forms);
   }
-  vtkGodRaysSetLightAboveAir(light, above);
+  Vec3 sky = above * 8.0 / 3.0 / vtkMath::Pi() * Vec3(forms[15], forms[31], forms[47]);
+  above *= ToVec3(this->GetAtmosphere()->GetSunIrradiance()) / vtkMath::Pi();
+  vtkGodRaysSetLightAboveAir(light, &above[0], &sky[0]);
   return true;
 }
 

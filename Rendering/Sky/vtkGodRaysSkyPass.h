@@ -201,8 +201,9 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the sky lights the scene's surfaces, in proportion to what it is: blue by day, dark at
-   * night. It is the light of GetSkyIrradiance() by each normal, which nothing in the scene takes away; so
+   * Set/Get whether the sky lights the scene, in proportion to what it is: blue by day, dark at night. The
+   * media of rays whose light is that of UpdateLight() scatter its mean radiance, which nothing dims. On
+   * surfaces it is the light of GetSkyIrradiance() by each normal, which nothing in the scene takes away; so
    * let vtkSSAOPass darken what is narrow. Surfaces in physically based shading mirror it, too, as dull ones
    * do; where VTK lights them by an environment, it stays away. So it does from surfaces without lights,
    * from volumes, and from scenes that reach across a twentieth of the planet's radius, which have more than

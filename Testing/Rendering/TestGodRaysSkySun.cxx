@@ -7,6 +7,7 @@
 
 #include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysAtmosphereModel.h"
+#include "vtkGodRaysHomogeneousModel.h"
 
 #include "vtkActor.h"
 #include "vtkInformation.h"
@@ -483,4 +484,60 @@ TEST_F(GodRaysSkyPass, LightsSurfaces)
   vtkGodRaysSkyPass::Detach(other);
   EXPECT_EQ(see(40.0, up, true), day);
   other->RemoveActor(surface);
+}
+
+//------------------------------------------------------------------------------
+// After sunset fog has the light of the sky alone: its mean radiance, as much as fog takes of what is behind
+// it, times the albedo. Without SurfaceLight it is black, and so it is at night.
+TEST_F(GodRaysSkyPass, LightsMedia)
+{
+  const double depth = 0.7;
+  const double albedo = 0.6;
+  vtkNew<vtkGodRaysHomogeneousModel> fog;
+  fog->SetScatteringCoefficient(
+    albedo * depth / 10.0, albedo * depth / 10.0, albedo * depth / 10.0);
+  fog->SetAbsorptionCoefficient(
+    (1.0 - albedo) * depth / 10.0, (1.0 - albedo) * depth / 10.0, (1.0 - albedo) * depth / 10.0);
+  vtkNew<vtkGodRaysPass> rays;
+  rays->SetModel(fog);
+  rays->SetDelegatePass(this->Sky);
+  this->Floats->SetDelegatePass(rays);
+  this->SetView(2.0, 180.0, 0.0, 20.0);
+  this->Renderer->GetActiveCamera()->SetClippingRange(1.0, 100.0);
+  auto wall = MakeBox({ 0.0, -15.0, 2.0 }, { 20.0, 10.0, 20.0 }); // its face is 10 away
+  wall->GetProperty()->LightingOff();
+  wall->GetProperty()->SetColor(0.0, 0.0, 0.0);
+  this->Renderer->AddActor(wall);
+  this->Sky->AerialPerspectiveOff();
+  this->Sky->SetExposure(5.0);
+  vtkNew<vtkLight> sun;
+  rays->AddLight(sun);
+  const auto see = [&](double elevation, bool shines)
+  {
+    this->SetSun(elevation);
+    this->Sky->SetSurfaceLight(shines);
+    EXPECT_TRUE(this->Sky->UpdateLight(sun));
+    return this->Render()[Size * Size / 2 + Size / 2];
+  };
+  Vec3 mean(0.0);
+  const Vec3 dusk = see(-3.0, true);
+  const Vec3 up(0.0, 0.0, 1.0);
+  Vec3 above;
+  ASSERT_TRUE(this->Sky->GetSkyIrradiance(&up[0], &above[0]));
+  this->Truth->SetObserverHeight(0.0);
+  for (int k = 0; k < 40 * 40; ++k)
+  {
+    const double height = -90.0 + 4.5 * (k / 40 + 0.5);
+    const Vec3 ray = GetDirection(9.0 * (k % 40 + 0.5), height);
+    const Vec3 ground =
+      ToVec3(this->Sky->GetAtmosphere()->GetGroundAlbedo()) * above / vtkMath::Pi();
+    mean += std::cos(vtkMath::RadiansFromDegrees(height)) * vtkMath::Pi() / 2.0 / (40 * 40) *
+      (this->GetTruth(ray) + (ray.z < 0.0 ? ground : Vec3(0.0)));
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    EXPECT_NEAR(dusk[c] / (5.0 * albedo * (1.0 - std::exp(-depth)) * mean[c]), 1.0, 0.03) << c;
+  }
+  EXPECT_EQ(see(-3.0, false), Vec3(0.0));
+  EXPECT_LT(GetBrightest(see(-20.0, true)), 1e-4);
 }
