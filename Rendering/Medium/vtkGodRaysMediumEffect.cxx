@@ -155,6 +155,12 @@ std::string vtkGodRaysMediumEffect::Describe() const
 // Between the limits pictures are believable.
 std::string vtkGodRaysMediumEffect::FindConcern() const
 {
+  if (this->Data.IsSplit())
+  {
+    return "volumes tagged MEDIUM are drawn by their mappers: on several processes their light is "
+           "not "
+           "computed. Give them another role";
+  }
   const bool hides = this->SceneDepth > 5.0;
   if (!hides && !(this->SceneDepth > 0.0 && this->SceneDepth < 0.01))
   {

@@ -55,10 +55,11 @@ std::string vtkGodRaysVolumeMedium::Take(vtkRenderer* renderer, vtkGodRaysCompos
 {
   this->Props = FindProps(renderer);
   std::string fault;
-  const bool distributed = compositor && compositor->IsDistributed();
-  if (distributed && vtkGodRaysCompositor::Any(compositor, !this->Props.empty()))
+  this->Split = compositor && compositor->IsDistributed() &&
+    vtkGodRaysCompositor::Any(compositor, !this->Props.empty());
+  if (this->Split)
   {
-    fault = "volumes tagged MEDIUM are drawn on one process alone. Give them another role";
+    this->Props.clear();
   }
   else if (this->Props.size() > vtkGodRaysGridPicture::MaximumGrids)
   {

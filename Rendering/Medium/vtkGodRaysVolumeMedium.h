@@ -45,6 +45,11 @@ public:
   const std::vector<vtkProp*>& GetProps() const { return this->Props; }
   bool IsEmpty() const { return this->Props.empty(); }
 
+  /**
+   * Whether there are some on several processes, each of which has a part: then mappers draw them.
+   */
+  bool IsSplit() const { return this->Split; }
+
   ///@{
   /// Media of the props, and a number that changes whenever they do.
   const std::vector<vtkGodRaysGrid>& GetGrids() const { return this->Grids; }
@@ -97,6 +102,7 @@ private:
     unsigned int ExtinctionVersion = 0;
   };
 
+  bool Split = false;
   std::vector<vtkProp*> Props;
   std::vector<vtkGodRaysGrid> Grids;
   std::vector<vtkGodRaysVolumeImage> Images;

@@ -212,6 +212,30 @@ class Mistakes(unittest.TestCase):
             godrays.sky(self.renderer, atmosphere="venus")
         self.assertNotIn("rayleigh", str(raised.exception))  # a constant, but no atmosphere
 
+    def test_a_name_that_the_rays_have_not(self):
+        """Those of the model are forwarded to it; others are errors, where VTK lets a class be extended."""
+        rays = godrays.enable(self.renderer)
+        rays.density = 0.4
+        self.assertEqual((rays.density, rays.GetModel().density), (0.4, 0.4))
+        with self.assertRaisesRegex(AttributeError, "visibility is of the model homogeneous, not of vtkGodRaysRadial"):
+            rays.visibility = 100
+        rays.SetModel(godrays.vtkGodRaysHomogeneousModel())
+        with self.assertRaisesRegex(AttributeError, "density is of the model radial or published, not of"):
+            rays.density
+        if hasattr(godrays.vtkGodRaysPass, "override"):
+            with self.assertRaisesRegex(AttributeError, "no property intensty; did you mean intensity"):
+                godrays.vtkGodRaysPass().intensty = 2
+
+    def test_a_number_out_of_range(self):
+        """C++ clamps it; here it is an error, and nothing changes."""
+        rays = godrays.enable(self.renderer, density=0.5, intensity=2)
+        for name, value in {"intensity": -1, "density": 7, "background_glow": 2}.items():
+            former = getattr(rays, name)
+            for set_it in (functools.partial(setattr, rays, name), lambda x: godrays.enable(self.renderer, **{name: x})):
+                with self.assertRaisesRegex(ValueError, rf"{name}={value} is out of range: it must be in .*stays {former}"):
+                    set_it(value)
+            self.assertEqual(getattr(rays, name), former)
+
     def test_a_model_by_its_name(self):
         rays = godrays.vtkGodRaysPass()
         rays.model = "homogeneous"

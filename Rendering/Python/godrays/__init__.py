@@ -64,6 +64,7 @@ from ._parameters import MODELS as _MODELS
 from ._parameters import add_model as _add_model
 from ._parameters import find_names as _find_names
 from ._parameters import find_settings as _find_settings
+from ._parameters import forward as _forward
 from ._parameters import get_names as _get_names
 from ._parameters import make_model as _make_model
 from ._properties import set_value as _set_value
@@ -557,6 +558,9 @@ for _name, _attribute in {
     "__exit__": _exit,
 }.items():
     _property.add(vtkGodRaysPass, _name, _attribute)
+for _name in {_property.snake(each) for cls in _MODELS.values() for each in _get_names(cls())}:
+    if not hasattr(vtkGodRaysPass, _name):
+        _property.add(vtkGodRaysPass, _name, _forward(_name))
 _arrays.document(enable, vtkGodRaysPass, *_MODELS.values())
 _arrays.document(shadows, vtkGodRaysPass)
 _arrays.document(sky, vtkGodRaysSkyPass)

@@ -39,6 +39,21 @@ def get_names(owner):
     } - {"Role"}
 
 
+def forward(name):
+    """A property of the pass that is one of its model's, where the model has it."""
+
+    def find(rays):
+        if not hasattr(type(rays.GetModel()), name):
+            has = [each for each, cls in MODELS.items() if hasattr(cls, name)]
+            model = rays.GetModel().GetClassName()
+            raise AttributeError(f"{name} is of the model {' or '.join(has)}, not of {model}")
+        return rays.GetModel()
+
+    return property(
+        lambda rays: getattr(find(rays), name), lambda rays, value: setattr(find(rays), name, value), None,
+        f"The {name} of the pass's model.")
+
+
 def make_model(model):
     """A model by its name; others as they are."""
     if not isinstance(model, str):

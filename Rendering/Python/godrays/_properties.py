@@ -61,16 +61,27 @@ def _text(method: Any) -> str:
 
 
 def set_value(owner: Any, name: str, value: Any) -> None:
-    """Call an owner's SetName() with one value or several, a constant by its name; errors are raised."""
+    """Call an owner's SetName() with one value or several, a constant by its name; errors are raised.
+
+    So is what C++ clamps: a number that is not what it was set to is out of range, and changes nothing.
+    """
     method = getattr(owner, "Set" + name)
     if isinstance(value, str) and not re.search(rf"Set{name}\(self,\s+\w+:(?:str|Path)", method.__doc__):
         value = constant(owner, name, value)
     is_list = hasattr(value, "__iter__") and not isinstance(value, str) and not hasattr(value, "IsA")
+    get = getattr(owner, "Get" + name, None)
+    former = get() if get and isinstance(value, (int, float)) else None
     with raising():
         if is_list:
             method(*value)
         else:
             method(value)
+    if isinstance(former, (int, float)) and get and get() != value and not isinstance(value, bool):
+        taken = get()
+        method(former)
+        bounds = re.search(r"Valid range: (\[.*?\])", describe(type(owner), name))
+        within = f" must be in {bounds[1]}" if bounds else f" can be {taken}"
+        raise ValueError(f"{snake(name)}={value} is out of range: it{within}; it stays {former}")
 
 
 def install(classes: list[type]) -> None:
@@ -88,7 +99,7 @@ def install(classes: list[type]) -> None:
 
 
 def _with_keywords(cls: Any) -> type:
-    """A class whose constructor takes properties, as VTK's do since 9.4, but only those that VTK has made."""
+    """A class whose constructor takes properties, as VTK's do since 9.4, and that takes no others later."""
 
     def init(self: Any, *arguments: Any, **properties: Any) -> None:
         cls.__init__(self, *arguments)
@@ -97,8 +108,16 @@ def _with_keywords(cls: Any) -> type:
                 raise TypeError(f"{cls.__name__} has no property {name}")
             setattr(self, name, value)
 
-    return type(cls.__name__, (cls,), {
-        "__init__": init, "__module__": cls.__module__, "__doc__": cls.__doc__})
+    def put(self: Any, name: str, value: Any) -> None:
+        if type(self) is made and not name.startswith("_") and not hasattr(cls, name):
+            names = [each for each in dir(cls) if isinstance(getattr(cls, each), property)]
+            what = f"{cls.__name__} has no property {name}"
+            raise AttributeError(what + tell_names(name, names))
+        cls.__setattr__(self, name, value)
+
+    made = type(cls.__name__, (cls,), {
+        "__init__": init, "__setattr__": put, "__module__": cls.__module__, "__doc__": cls.__doc__})
+    return made
 
 
 def _make(cls: type, name: str) -> property:
