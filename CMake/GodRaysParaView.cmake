@@ -121,30 +121,36 @@ function(godrays_find_panel result)
   set(${result} "${missing}" PARENT_SCOPE)
 endfunction()
 
-# godrays_configure_entries(<folder>)
+# godrays_write_entries(<variable>)
 #
-# Write the ParaView entries of all classes into a folder. What depends on a list of the C++ code comes from
-# there: @godrays_phase_functions@ is the phase functions of vtkGodRaysPhaseFunction.h, as <Entry/>s.
-function(godrays_configure_entries folder)
-  set(header "${PROJECT_SOURCE_DIR}/Filters/Math/vtkGodRaysPhaseFunction.h")
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${header}")
-  set(line [[Each\(([A-Z_]+), ([0-9]+), "([^"])([^"]*)"]])
-  file(READ "${header}" text)
-  string(REGEX MATCHALL "${line}" found "${text}")
-  set(godrays_phase_functions "")
-  foreach(each IN LISTS found)
-    string(REGEX MATCH "${line}" matched "${each}")
-    set(number "${CMAKE_MATCH_2}")
-    set(rest "${CMAKE_MATCH_4}")
-    string(TOUPPER "${CMAKE_MATCH_3}" first)
-    list(APPEND godrays_phase_functions "<Entry text=\"${first}${rest}\" value=\"${number}\"/>")
+# Write ParaView's XML of all classes, from their headers and from Plugin/Views/*.xml.in, and set a variable
+# to the files. CMake runs again when a header or a template changes. It needs Python, but no ParaView.
+function(godrays_write_entries result)
+  set(writer "${PROJECT_SOURCE_DIR}/CMake/write_entries.py")
+  set(classes "")
+  foreach(list suffix IN ZIP_LISTS "models;integrators;algorithms" "Model;Integrator;")
+    get_property(stems GLOBAL PROPERTY "godrays_${list}")
+    list(TRANSFORM stems REPLACE ".*/(.*)" "vtkGodRays\\1${suffix}")
+    list(APPEND classes ${stems})
   endforeach()
-  list(JOIN godrays_phase_functions "\n          " godrays_phase_functions)
-  file(GLOB entries CONFIGURE_DEPENDS
-    "${PROJECT_SOURCE_DIR}/Filters/*/*.xml" "${PROJECT_SOURCE_DIR}/Rendering/*.xml"
-    "${PROJECT_SOURCE_DIR}/Rendering/*/*.xml")
-  foreach(entry IN LISTS entries)
-    cmake_path(GET entry FILENAME name)
-    configure_file("${entry}" "${folder}/${name}" @ONLY)
-  endforeach()
+  list(JOIN classes "," classes)
+  file(GLOB templates CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/Plugin/Views/*.xml.in")
+  if(NOT Python3_EXECUTABLE)
+    find_package(Python3 REQUIRED COMPONENTS Interpreter)
+  endif()
+  file(MAKE_DIRECTORY "${godrays_entries}")
+  execute_process(
+    COMMAND "${Python3_EXECUTABLE}" "${writer}"
+      "${PROJECT_SOURCE_DIR}" "${godrays_entries}" "${classes}" ${templates}
+    RESULT_VARIABLE failed
+    OUTPUT_VARIABLE headers
+    ERROR_VARIABLE  problem
+    OUTPUT_STRIP_TRAILING_WHITESPACE)
+  if(failed)
+    message(FATAL_ERROR "ParaView's XML cannot be written.\n${problem}")
+  endif()
+  string(REPLACE "\n" ";" headers "${headers}")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${headers} ${templates} "${writer}")
+  list(TRANSFORM templates REPLACE ".*/(.*)[.]in" "${godrays_entries}/\\1")
+  set(${result} ${templates} PARENT_SCOPE)
 endfunction()

@@ -210,17 +210,15 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the strength of the rays is chosen by the picture, before Intensity, so that shafts
-   * are seen
-   * and data stay readable. The rays are up to four times as strong as their parameters say: until their
-   * mean is
-   * 0.08, or their 99th percentile 1.2; in a medium 0.18 and 1.5 [linear light, 1 is white]. Over data, each
-   * pixel has at most 0.1 of them; and on average, data that are lit, and, where most are, all, change by at
-   * most 9 in CIE 1976 L*a*b* and keep 90 % of their chroma, to which a look adds 10 % at most or, where data
-   * are nearly grey, 2. What a medium takes of the data's light on average is made up for, up to twofold.
-   * While the user drags the camera, the strength changes gradually. Published sums of shown values are as
-   * published. Off, Intensity and the model's parameters are the strength, and a medium dims data by all that
-   * it takes. Default is on.
+   * Set/Get whether the strength of the rays is chosen by the picture, before Intensity, so that shafts are
+   * seen and data stay readable. The rays are up to four times as strong as their parameters say: until
+   * their mean is 0.08, or their 99th percentile 1.2; in a medium 0.18 and 1.5 [linear light, 1 is white].
+   * Over data, each pixel has at most 0.1 of them; and on average, data that are lit, and, where most are,
+   * all, change by at most 9 in CIE 1976 L*a*b* and keep 90 % of their chroma, to which a look adds 10 % at
+   * most or, where data are nearly grey, 2. What a medium takes of the data's light on average is made up
+   * for, up to twofold. While the user drags the camera, the strength changes gradually. Published sums of
+   * shown values are as published. Off, Intensity and the model's parameters are the strength, and a medium
+   * dims data by all that it takes. Default is on.
    */
   vtkSetMacro(AutomaticExposure, bool);
   vtkGetMacro(AutomaticExposure, bool);
@@ -252,11 +250,10 @@ public:
 
   ///@{
   /**
-   * Set/Get whether shadows darken a light background, to a cool grey, sRGB's (178, 189, 208) of white:
-   * from a
-   * lightness of 60 on, all of it from 80 on [CIE 1976 L*, white is 100]. From 75 to 90 on, rays themselves
-   * fade, over data, too, so that these keep their colours. Off, rays are hardly seen there. Published
-   * sums of shown values do without. Default is on.
+   * Set/Get whether shadows darken a light background, to a cool grey, sRGB's (178, 189, 208) of white: from
+   * a lightness of 60 on, all of it from 80 on [CIE 1976 L*, white is 100]. From 75 to 90 on, rays
+   * themselves fade, over data, too, so that these keep their colours. Off, rays are hardly seen there.
+   * Published sums of shown values do without. Default is on.
    */
   vtkSetMacro(DarkenLightBackground, bool);
   vtkGetMacro(DarkenLightBackground, bool);
@@ -266,25 +263,30 @@ public:
   ///@{
   /**
    * Set/Get whether rays, and a medium before them, change nothing of the data's colours but their
-   * lightness, and that by at most MostDataLightness [CIE 1976 L*, white is 100]: for figures whose colours
-   * stand for numbers. Data are the pixels in which something is drawn. Published sums of shown values do
-   * without. Defaults are off and 10. Valid range of the second: [0, 100].
+   * lightness, and that by at most MostDataLightness: for figures whose colours stand for numbers. Data are
+   * the pixels in which something is drawn. Published sums of shown values do without. Default is off.
    */
   vtkSetMacro(DataFirst, bool);
   vtkGetMacro(DataFirst, bool);
   vtkBooleanMacro(DataFirst, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get by how much rays change the lightness of data at most with DataFirst [CIE 1976 L*, white is
+   * 100]. Valid range: [0, 100]. Default is 10.
+   */
   void SetMostDataLightness(double lightness);
   vtkGetMacro(MostDataLightness, double);
   ///@}
 
   ///@{
   /**
-   * Set/Get whether the first light of the rays also lights the data: two lights are added to the
-   * renderer, a rim
-   * light that grazes the data from the sun's side of the picture, and a soft key light from there. Where a
-   * prop is coloured by data or by a texture, there is only a weak rim light, which changes these colours by
-   * less than 4 in CIE 1976 L*a*b* on average. The renderer's other lights are left alone, and Detach() takes
-   * both off again. Default is off.
+   * Set/Get whether the first light of the rays also lights the data: two lights are added to the renderer,
+   * a rim light that grazes the data from the sun's side of the picture, and a soft key light from there.
+   * Where a prop is coloured by data or by a texture, there is only a weak rim light, which changes these
+   * colours by less than 4 in CIE 1976 L*a*b* on average. The renderer's other lights are left alone, and
+   * Detach() takes both off again. Default is off.
    */
   vtkSetMacro(LightData, bool);
   vtkGetMacro(LightData, bool);
@@ -293,21 +295,32 @@ public:
 
   ///@{
   /**
-   * Set/Get whether lights cast shadows on surfaces. Those of the renderer that stand in the scene do,
-   * headlights do not; at most four, the strongest ones. Lights of the rays that the renderer lacks are
+   * Set/Get whether lights that stand in the scene, those of the rays, too, cast shadows on surfaces: at
+   * most four, the strongest ones. Headlights cast none. Lights of the rays that the renderer lacks are
    * added to it, with an intensity of at most 0.6, until Detach(). What blocks the light of rays casts a
-   * shadow, but for points and lines; whatever VTK shades by its lights receives it. With SoftShadows,
-   * shadows are as soft as the size of the light makes them, SunAngularRadius or SourceRadius, where
-   * that is more than a pixel. Of surfaces that are coloured by data, shadows take at most
-   * MostDataShadow of a light [fraction], so that colours can be compared with a colour bar. Intensity 0
-   * leaves shadows without rays. Defaults are off, on and 0.5. Valid range of the last: [0, 1].
+   * shadow, but for points and lines; whatever VTK shades by its lights receives it. Intensity 0 leaves
+   * shadows without rays. Default is off.
    */
   vtkSetMacro(SurfaceShadows, bool);
   vtkGetMacro(SurfaceShadows, bool);
   vtkBooleanMacro(SurfaceShadows, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether shadows on surfaces are as soft as the size of the light makes them, SunAngularRadius or
+   * SourceRadius, where that is more than a pixel. Default is on.
+   */
   vtkSetMacro(SoftShadows, bool);
   vtkGetMacro(SoftShadows, bool);
   vtkBooleanMacro(SoftShadows, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how much of a light shadows take at most from surfaces that are coloured by data [fraction], so
+   * that colours can be compared with a colour bar. Valid range: [0, 1]. Default is 0.5.
+   */
   void SetMostDataShadow(double part);
   vtkGetMacro(MostDataShadow, double);
   ///@}
@@ -337,7 +350,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether props without a tag block light. Default is on.
+   * Set/Get whether props without a role block light. Default is on.
    */
   vtkSetMacro(UntaggedPropsOcclude, bool);
   vtkGetMacro(UntaggedPropsOcclude, bool);
@@ -404,7 +417,7 @@ public:
   /// How rays join the picture.
   enum BlendMode
   {
-    MODEL_BLEND = 0, ///< as the model has it; ADD but for some published sums
+    MODEL_BLEND = 0, ///< ADD but for some published sums
     ADD = 1,         ///< scene + rays
     SCREEN = 2       ///< scene + rays - min(scene * rays, 1)
   };

@@ -14,7 +14,7 @@
 /**
  * Each phase function: its constant; its number, counted from 0; its name, of which ParaView shows the
  * first letter as a capital; whether it depends on the asymmetry g, above 0 for light that goes on rather
- * than back. CMake/GodRaysParaView.cmake reads these lines, too.
+ * than back. CMake/write_entries.py reads these lines, too.
  */
 // clang-format off
 #define vtkGodRaysPhaseFunctionsMacro(Each)                                                        \

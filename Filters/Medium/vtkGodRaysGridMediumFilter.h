@@ -54,8 +54,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the single-scattering albedo of data, for each colour: what part of extinction is scattering.
-   * Valid range: [0, 1]. Default is 1: nothing is absorbed.
+   * Set/Get the single-scattering albedo of data, for red, green and blue: what part of extinction is
+   * scattering. Valid range: [0, 1]. Default is 1: nothing is absorbed.
    */
   void SetDataAlbedo(const double albedo[3]);
   void SetDataAlbedo(double red, double green, double blue);
@@ -64,11 +64,18 @@ public:
 
   ///@{
   /**
-   * Set/Get the phase function of data, one of PhaseFunctionType, and its asymmetry g. Valid range of that:
-   * [-0.99, 0.99]. Defaults are HENYEY_GREENSTEIN and 0.6.
+   * Set/Get into which directions data scatter light, one of PhaseFunctionType. Default is
+   * HENYEY_GREENSTEIN.
    */
   vtkSetClampMacro(DataPhaseFunction, int, ISOTROPIC, vtkGodRaysLastPhaseFunction);
   vtkGetMacro(DataPhaseFunction, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the asymmetry g of the phase function of data [no unit]: above 0, light goes on rather than
+   * back. Valid range: [-0.99, 0.99]. Default is 0.6.
+   */
   void SetDataAsymmetry(double g);
   vtkGetMacro(DataAsymmetry, double);
   ///@}

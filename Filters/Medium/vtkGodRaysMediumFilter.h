@@ -50,13 +50,26 @@ public:
 
   ///@{
   /**
-   * Set/Get where the eye is, what it looks at, and what is up [scene units]. Default: in the origin,
-   * along -z, y up, so that world coordinates are view coordinates.
+   * Set/Get where the eye is [scene units]. Valid range: [-1e15, 1e15] each. Default is (0, 0, 0): world
+   * coordinates are view coordinates.
    */
   vtkSetVector3Macro(CameraPosition, double);
   vtkGetVector3Macro(CameraPosition, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get what the eye looks at [scene units]. Valid range: [-1e15, 1e15] each. Default is (0, 0, -1).
+   */
   vtkSetVector3Macro(CameraFocalPoint, double);
   vtkGetVector3Macro(CameraFocalPoint, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get what is up in the picture: a direction of any length, not that of view. Valid range: [-1e15,
+   * 1e15] each. Default is (0, 1, 0).
+   */
   vtkSetVector3Macro(CameraViewUp, double);
   vtkGetVector3Macro(CameraViewUp, double);
   ///@}
@@ -90,7 +103,7 @@ public:
 
   ///@{
   /**
-   * Set/Get how much light is scattered and absorbed, for each colour [1/scene unit]. Valid range:
+   * Set/Get how much light is scattered and absorbed, for red, green and blue [1/scene unit]. Valid range:
    * [0, 1e3]. Default is 0.05 and 0.
    */
   vtkSetVector3Macro(ScatteringCoefficient, double);
@@ -107,7 +120,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the phase function, one of PhaseFunctionType. Default is HENYEY_GREENSTEIN.
+   * Set/Get into which directions light is scattered, one of PhaseFunctionType. Default is
+   * HENYEY_GREENSTEIN.
    */
   vtkSetClampMacro(PhaseFunction, int, ISOTROPIC, vtkGodRaysLastPhaseFunction);
   vtkGetMacro(PhaseFunction, int);
@@ -115,8 +129,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the asymmetry g of the phase functions that have one: above 0, light goes on rather than
-   * back. Valid range: [-0.99, 0.99]. Default is 0.6.
+   * Set/Get the asymmetry g of the phase functions that have one [no unit]: above 0, light goes on rather
+   * than back. Valid range: [-0.99, 0.99]. Default is 0.6.
    */
   void SetAsymmetry(double g);
   vtkGetMacro(Asymmetry, double);
@@ -124,14 +138,27 @@ public:
 
   ///@{
   /**
-   * Set/Get a second phase function that is mixed with the first, say a peak to the back: the phase
-   * function is (1 - SecondWeight) first + SecondWeight second. Valid ranges: PhaseFunctionType,
-   * [-0.99, 0.99], [0, 1]. Defaults are HENYEY_GREENSTEIN, -0.3 and 0.
+   * Set/Get a second phase function that is mixed with the first, say a peak to the back, one of
+   * PhaseFunctionType: together they are (1 - SecondWeight) first + SecondWeight second. Default is
+   * HENYEY_GREENSTEIN.
    */
   vtkSetClampMacro(SecondPhaseFunction, int, ISOTROPIC, vtkGodRaysLastPhaseFunction);
   vtkGetMacro(SecondPhaseFunction, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the asymmetry g of the second phase function [no unit]. Valid range: [-0.99, 0.99]. Default is
+   * -0.3.
+   */
   void SetSecondAsymmetry(double g);
   vtkGetMacro(SecondAsymmetry, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how much the second phase function counts [fraction]. Valid range: [0, 1]. Default is 0.
+   */
   void SetSecondWeight(double weight);
   vtkGetMacro(SecondWeight, double);
   ///@}
@@ -147,38 +174,65 @@ public:
 
   ///@{
   /**
-   * Set/Get the second component: what it scatters and absorbs, into which directions, and over which
-   * height its density falls, as above. Defaults are 0, 0, RAYLEIGH, 0 and 0.
+   * Set/Get how much light the second component of the medium scatters and absorbs, for red, green and blue
+   * [1/scene unit]. Valid range: [0, 1e3]. Default is 0 and 0.
    */
   vtkSetVector3Macro(GasScatteringCoefficient, double);
   vtkGetVector3Macro(GasScatteringCoefficient, double);
   vtkSetVector3Macro(GasAbsorptionCoefficient, double);
   vtkGetVector3Macro(GasAbsorptionCoefficient, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get into which directions the second component scatters light, one of PhaseFunctionType. Default is
+   * RAYLEIGH.
+   */
   vtkSetClampMacro(GasPhaseFunction, int, ISOTROPIC, vtkGodRaysLastPhaseFunction);
   vtkGetMacro(GasPhaseFunction, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the asymmetry g of the phase function of the second component [no unit]. Valid range: [-0.99,
+   * 0.99]. Default is 0.
+   */
   void SetGasAsymmetry(double g);
   vtkGetMacro(GasAsymmetry, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get over which height the density of the second component falls to 1/e [scene units]; 0: it is
+   * homogeneous. Valid range: [0, 1e9]. Default is 0.
+   */
   void SetGasScaleHeight(double height);
   vtkGetMacro(GasScaleHeight, double);
   ///@}
 
   ///@{
   /**
-   * Set/Get the direction in which the density of a medium with a scale height falls, in world
-   * coordinates and of any length but 0, and how far along it the plane is where its coefficients are
-   * given [scene units]. Valid range of the level: [-1e15, 1e15]. Defaults are (0, 1, 0) and 0.
+   * Set/Get the direction in which the density of a medium with a scale height falls, in world coordinates
+   * and of any length but 0. Valid range: [-1e15, 1e15] each. Default is (0, 1, 0).
    */
   vtkSetVector3Macro(MediumUp, double);
   vtkGetVector3Macro(MediumUp, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how far along MediumUp the plane is where the coefficients of such a medium are given [scene
+   * units]. Valid range: [-1e15, 1e15]. Default is 0.
+   */
   void SetGroundLevel(double level);
   vtkGetMacro(GroundLevel, double);
   ///@}
 
   ///@{
   /**
-   * Set/Get the radius of a planet whose ground it is [scene units], and about whose centre, that far
-   * below the ground along MediumUp from the origin, the density of media falls. Its ground ends view
-   * rays and hides lights. It should be above 500 scale heights. 0: the ground is a plane, which hides
+   * Set/Get the radius of a planet whose ground is at GroundLevel [scene units], and about whose centre,
+   * that far below the ground along MediumUp from the origin, the density of media falls. Its ground ends
+   * view rays and hides lights. It should be above 500 scale heights. 0: the ground is a plane, which hides
    * nothing. Valid range: [0, 1e15]. Default is 0.
    */
   void SetPlanetRadius(double radius);
@@ -196,9 +250,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the light in homogeneous world coordinates: (x, y, z)/w is the position of a point light;
-   * w = 0 is a directional light in the direction (x, y, z), of any length but 0. Default is
-   * (0, 1, 0, 0).
+   * Set/Get the light in homogeneous world coordinates: (x, y, z)/w is the position of a point light; w = 0
+   * is a directional light in the direction (x, y, z), of any length but 0. Valid range: [-1e15, 1e15] each.
+   * Default is (0, 1, 0, 0).
    */
   vtkSetVector4Macro(Light, double);
   vtkGetVector4Macro(Light, double);
@@ -207,7 +261,7 @@ public:
   ///@{
   /**
    * Set/Get the irradiance across a directional light [radiance sr], or the intensity of a point light
-   * [radiance (scene unit)^2], for each colour. Valid range: [0, 1e30]. Default is 1.
+   * [radiance (scene unit)^2], for red, green and blue. Valid range: [0, 1e30]. Default is 1.
    */
   vtkSetVector3Macro(LightColor, double);
   vtkGetVector3Macro(LightColor, double);
@@ -215,14 +269,27 @@ public:
 
   ///@{
   /**
-   * Set/Get half the angle of a point light's cone [degrees], the direction of its axis, of any length
-   * but 0, and how light fades from the axis: cos(angle)^SpotExponent, as vtkLight has it. From 90 degrees
-   * on it shines everywhere alike. Valid ranges: [1e-3, 180], [0, 128]. Defaults are 180, (0, -1, 0), 0.
+   * Set/Get half the angle of a point light's cone [degrees]. From 90 degrees on it shines everywhere alike.
+   * Valid range: [1e-3, 180]. Default is 180.
    */
   void SetConeAngle(double angle);
   vtkGetMacro(ConeAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the direction of the axis of a point light's cone, of any length but 0. Valid range: [-1e15,
+   * 1e15] each. Default is (0, -1, 0).
+   */
   vtkSetVector3Macro(SpotDirection, double);
   vtkGetVector3Macro(SpotDirection, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how light fades from the cone's axis: by cos(angle)^SpotExponent. That is as vtkLight has it.
+   * Valid range: [0, 128]. Default is 0.
+   */
   void SetSpotExponent(double exponent);
   vtkGetMacro(SpotExponent, double);
   ///@}

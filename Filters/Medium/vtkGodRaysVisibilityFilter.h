@@ -58,7 +58,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how long the scene's unit is [m]. Valid range: [1e-12, 1e12]. Default is 1.
+   * Set/Get how long the scene's unit is [m], for distances, ranges and the irradiance of a point light.
+   * Coefficients are in 1/scene unit. Valid range: [1e-12, 1e12]. Default is 1.
    */
   void SetWorldUnitInMeters(double meters);
   vtkGetMacro(WorldUnitInMeters, double);
@@ -84,7 +85,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether there is the array Irradiance. Default is on.
+   * Set/Get whether there is the array Irradiance: of the light after the medium. Default is on.
    */
   vtkSetMacro(ComputeIrradiance, bool);
   vtkGetMacro(ComputeIrradiance, bool);

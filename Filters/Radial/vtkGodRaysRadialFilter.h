@@ -31,9 +31,9 @@ public:
 
   ///@{
   /**
-   * Set/Get how far towards the light the march goes [fraction of the way]. Above 1 it goes past
-   * the light. 0 leaves every pixel by itself, times G. NaN and infinities are an error and change
-   * nothing, as for all real parameters. Valid range: [0, 2]. Default is 0.97.
+   * Set/Get how far towards the light the march goes [fraction of the way]. Above 1 it goes past the light.
+   * 0 leaves every pixel by itself. NaN and infinities are an error and change nothing, as for all real
+   * parameters. Valid range: [0, 2]. Default is 0.97.
    */
   void SetDensity(double density);
   vtkGetMacro(Density, double);
@@ -79,9 +79,10 @@ public:
   ///@{
   /**
    * Set/Get the light's clip coordinates (X, Y, w): it is seen at (X/w, Y/w), where (-1, -1) is the
-   * picture's lower left corner and (1, 1) its upper right one; w = 0 is a light at infinity, w < 0
-   * one behind the camera. Infinite numbers and NaN are an error and change nothing. Valid range:
-   * [-1e30, 1e30] each. Default is (0, 0, 1), the picture's centre.
+   * picture's lower left corner and (1, 1) its upper right one; it may lie outside. With w = 0 it is at
+   * infinity, and its shafts are parallel; with w < 0 it is behind the camera. Infinite numbers and NaN are
+   * an error and change nothing. Valid range: [-1e30, 1e30] each. Default is (0, 0, 1), the picture's
+   * centre.
    */
   void SetLightClip(double x, double y, double w);
   void SetLightClip(const double light[3]) { this->SetLightClip(light[0], light[1], light[2]); }
@@ -90,8 +91,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the factor of vtkGodRays::MarchVector [1/clip unit]: 1/w marches exactly to the light.
-   * Valid range: [-1e30, 1e30]. Default is 1.
+   * Set/Get the march's length in units of the way to the light, times 1/w [1/clip unit]: 1/w marches
+   * exactly to the light. See vtkGodRays::MarchVector. Valid range: [-1e30, 1e30]. Default is 1.
    */
   void SetMarchScale(double scale);
   vtkGetMacro(MarchScale, double);

@@ -75,8 +75,8 @@ public:
   enum MethodType
   {
     AUTOMATIC = 0, ///< SWEEP where it keeps the tolerance, TAPS elsewhere
-    SWEEP = 1,     ///< SWEEP also where only speed speaks against it: for tests
-    TAPS = 2       ///< taps, closely spaced: slow
+    SWEEP = 1,     ///< also where only speed speaks against it: for tests
+    TAPS = 2       ///< closely spaced: slow
   };
 
   ///@{

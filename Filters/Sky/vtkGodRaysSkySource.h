@@ -55,7 +55,7 @@ public:
 
   ///@{
   /**
-   * Set/Get which preset the atmosphere was last set to by this, one of vtkGodRaysAtmosphere::PresetType.
+   * Set/Get the preset to which this has set the atmosphere last, one of vtkGodRaysAtmosphere::PresetType.
    * Setting it sets all of the atmosphere's parameters. Default is EARTH_CLEAR.
    */
   void SetAtmospherePreset(int preset);
@@ -81,10 +81,16 @@ public:
 
   ///@{
   /**
-   * Set/Get the sun's elevation, in [-90, 90], and azimuth [degrees], forwarded to it. Defaults: 45 and 180.
+   * Set/Get the sun's elevation above the horizontal plane [degrees]. Valid range: [-90, 90]. Default is 45.
    */
   void SetSunElevation(double degrees);
   double GetSunElevation();
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the sun's azimuth, from north by east [degrees]. Any finite number is valid. Default is 180.
+   */
   void SetSunAzimuth(double degrees);
   double GetSunAzimuth();
   ///@}
@@ -130,7 +136,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the steps of STEPS. Valid range: [1, 100000]. Default is 64.
+   * Set/Get the number of steps of STEPS. Valid range: [1, 100000]. Default is 64.
    */
   vtkSetClampMacro(NumberOfSteps, int, 1, 100000);
   vtkGetMacro(NumberOfSteps, int);

@@ -62,13 +62,21 @@ public:
 
   ///@{
   /**
-   * Set/Get which way is up, and north, for UP_AND_NORTH: directions of the world of any length but 0; of
-   * north the horizontal part counts. That they are parallel is an error when the direction is asked for.
-   * Valid range: [-1e30, 1e30] each. Default is (0, 0, 1) and (0, 1, 0), those of a map.
+   * Set/Get where up is in the world, for UP_AND_NORTH [no unit]: a direction of any length but 0, not
+   * parallel to North, which is an error when the direction of the sun is asked for. Valid range: [-1e30,
+   * 1e30] each. Default is (0, 0, 1), as on a map.
    */
   void SetUp(double x, double y, double z);
   void SetUp(const double direction[3]) VTK_SIZEHINT(3);
   vtkGetVector3Macro(Up, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get where north is in the world, for UP_AND_NORTH [no unit]: a direction of any length but 0. Only
+   * the part of it at right angles to Up counts. Valid range: [-1e30, 1e30] each. Default is (0, 1, 0), as
+   * on a map.
+   */
   void SetNorth(double x, double y, double z);
   void SetNorth(const double direction[3]) VTK_SIZEHINT(3);
   vtkGetVector3Macro(North, double);
@@ -83,7 +91,9 @@ public:
 
   ///@{
   /**
-   * Set/Get what says where the sun stands, one of PositionType. Default is AZIMUTH_AND_ELEVATION.
+   * Set/Get what says where the sun stands in Frame, one of PositionType. By date and place, for which a
+   * frame of the world is best, it does not shine while it is below the horizon. Default is
+   * AZIMUTH_AND_ELEVATION.
    */
   void SetPosition(int position);
   vtkGetMacro(Position, int);

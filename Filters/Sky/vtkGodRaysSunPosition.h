@@ -35,8 +35,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the date at the place. Valid: days of the calendar from 1900-01-01 to 2100-12-31. Others are
-   * an error, and the date stays. Default is 2000-06-21.
+   * Set/Get the date at the place: year, month and day, a day of the calendar from 1900-01-01 to 2100-12-31.
+   * Others are an error, and the date stays. Default is 2000-06-21.
    */
   void SetDate(int year, int month, int day);
   vtkGetMacro(Year, int);
@@ -76,11 +76,18 @@ public:
 
   ///@{
   /**
-   * Set/Get the place: latitude, positive to the north, and longitude, positive to the east [degrees].
-   * Valid ranges: [-90, 90] and [-180, 180]. Default is 0 and 0.
+   * Set/Get the latitude of the place, positive to the north [degrees]. Valid range: [-90, 90]. Default is
+   * 0.
    */
   void SetLatitude(double degrees);
   vtkGetMacro(Latitude, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the longitude of the place, positive to the east [degrees]. Valid range: [-180, 180]. Default is
+   * 0.
+   */
   void SetLongitude(double degrees);
   vtkGetMacro(Longitude, double);
   ///@}

@@ -32,7 +32,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the exposure is found from the picture. Default is on.
+   * Set/Get whether the exposure is found from the picture: the geometric mean of its luminance becomes Key.
+   * Default is on.
    */
   vtkSetMacro(AutomaticExposure, bool);
   vtkGetMacro(AutomaticExposure, bool);
@@ -67,7 +68,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the curve, one of CurveType. Default is REINHARD.
+   * Set/Get how exposed light c is shown, one of CurveType. Default is REINHARD.
    */
   vtkSetClampMacro(Curve, int, CLAMP, REINHARD);
   vtkGetMacro(Curve, int);

@@ -50,7 +50,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the form of the layer, one of ShapeType; others are an error. Default is PLANE.
+   * Set/Get the form of the layer, one of ShapeType. Others are an error. Default is PLANE.
    */
   void SetShape(int shape);
   vtkGetMacro(Shape, int);
@@ -58,22 +58,32 @@ public:
 
   ///@{
   /**
-   * Set/Get the width of the layer along x and y, and its height above the ground [world unit]. Valid
-   * ranges: [1e-6, 1e9] and [-1e9, 1e9]. Default is 1000 and 100.
+   * Set/Get the width of the layer along x and y [world unit]. Valid range: [1e-6, 1e9]. Default is 1000.
    */
   void SetWidth(double width);
   vtkGetMacro(Width, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the height of the layer above the ground [world unit]. Valid range: [-1e9, 1e9]. Default is 100.
+   */
   void SetAltitude(double altitude);
   vtkGetMacro(Altitude, double);
   ///@}
 
   ///@{
   /**
-   * Set/Get the number of points along a side of the geometry, and of the texture. Valid ranges: [2, 4096]
-   * and [2, 16384]. Default is 129 and 512.
+   * Set/Get the number of points along a side of the geometry. Valid range: [2, 4096]. Default is 129.
    */
   vtkSetClampMacro(Resolution, int, 2, 4096);
   vtkGetMacro(Resolution, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the number of points along a side of the texture. Valid range: [2, 16384]. Default is 512.
+   */
   vtkSetClampMacro(TextureResolution, int, 2, 16384);
   vtkGetMacro(TextureResolution, int);
   ///@}
@@ -88,11 +98,16 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of octaves, each twice as fine, and their height as a fraction of the one before.
-   * Valid ranges: [1, 16] and [0, 1]. Default is 6 and 0.5.
+   * Set/Get the number of octaves of noise, each twice as fine. Valid range: [1, 16]. Default is 6.
    */
   vtkSetClampMacro(Octaves, int, 1, 16);
   vtkGetMacro(Octaves, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the height of an octave as a fraction of the one before. Valid range: [0, 1]. Default is 0.5.
+   */
   void SetGain(double gain);
   vtkGetMacro(Gain, double);
   ///@}
@@ -125,10 +140,16 @@ public:
 
   ///@{
   /**
-   * Set/Get the largest opacity, and the colour. Valid range: [0, 1] each. Default is 0.95 and (1, 1, 1).
+   * Set/Get the largest opacity. Valid range: [0, 1]. Default is 0.95.
    */
   void SetOpacity(double opacity);
   vtkGetMacro(Opacity, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the colour of clouds. Valid range: [0, 1] each. Default is (1, 1, 1).
+   */
   void SetColor(double red, double green, double blue);
   void SetColor(const double color[3]);
   vtkGetVector3Macro(Color, double);
@@ -136,11 +157,17 @@ public:
 
   ///@{
   /**
-   * Set/Get how fast [world unit/s] and whereto the wind blows [degrees from x, counterclockwise seen from
-   * above]. Valid ranges: [0, 1e6] and [-360, 360]. Default is 10 and 0.
+   * Set/Get how fast the wind blows [world unit/s]. Valid range: [0, 1e6]. Default is 10.
    */
   void SetWindSpeed(double speed);
   vtkGetMacro(WindSpeed, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whereto the wind blows [degrees from x, counterclockwise seen from above]. Valid range: [-360,
+   * 360]. Default is 0.
+   */
   void SetWindDirection(double degrees);
   vtkGetMacro(WindDirection, double);
   ///@}

@@ -43,7 +43,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the largest number of particles. Valid range: [1, 10000000]. Default is 20000.
+   * Set/Get the largest number of particles; the oldest are left out. Valid range: [1, 10000000]. Default is
+   * 20000.
    */
   vtkSetClampMacro(Capacity, int, 1, 10000000);
   vtkGetMacro(Capacity, int);
@@ -51,11 +52,16 @@ public:
 
   ///@{
   /**
-   * Set/Get how many particles are born [1/s], and how long they live [s]. Valid ranges: [0, 1e9] and
-   * [1e-3, 1e6]. Default is 1500 and 1.2.
+   * Set/Get how many particles are born [1/s]. Valid range: [0, 1e9]. Default is 1500.
    */
   void SetSpawnRate(double rate);
   vtkGetMacro(SpawnRate, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how long particles live [s]. Valid range: [1e-3, 1e6]. Default is 1.2.
+   */
   void SetLifetime(double seconds);
   vtkGetMacro(Lifetime, double);
   ///@}
@@ -78,61 +84,97 @@ public:
 
   ///@{
   /**
-   * Set/Get where particles are born: within a ball of radius PositionRandomness about Center [world unit].
-   * Valid ranges: [-1e9, 1e9] and [0, 1e9]. Default is (0, 0, 0) and 0.25.
+   * Set/Get the centre of the ball where particles are born [world unit]. Valid range: [-1e9, 1e9] each.
+   * Default is (0, 0, 0).
    */
   void SetCenter(double x, double y, double z);
   void SetCenter(const double center[3]);
   vtkGetVector3Macro(Center, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the radius of the ball where particles are born [world unit]. Valid range: [0, 1e9]. Default is
+   * 0.25.
+   */
   void SetPositionRandomness(double radius);
   vtkGetMacro(PositionRandomness, double);
   ///@}
 
   ///@{
   /**
-   * Set/Get the mean velocity of particles, and the largest deviation from it [world unit/s]. Valid ranges:
-   * [-1e6, 1e6] and [0, 1e6]. Default is (0, 0, 1.2) and 0.25.
+   * Set/Get the mean velocity of particles [world unit/s]. Valid range: [-1e6, 1e6] each. Default is (0, 0,
+   * 1.2).
    */
   void SetVelocity(double x, double y, double z);
   void SetVelocity(const double velocity[3]);
   vtkGetVector3Macro(Velocity, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the largest deviation from the velocity [world unit/s]. Valid range: [0, 1e6]. Default is 0.25.
+   */
   void SetVelocityRandomness(double speed);
   vtkGetMacro(VelocityRandomness, double);
   ///@}
 
   ///@{
   /**
-   * Set/Get the bound of the speed at which eddies carry particles along each axis [world unit/s], and the
-   * size of eddies [world unit]. Valid ranges: [0, 1e6] and [1e-6, 1e6]. Default is 0.4 and 0.4.
+   * Set/Get the bound of the speed at which eddies carry particles along each axis [world unit/s]. Valid
+   * range: [0, 1e6]. Default is 0.4.
    */
   void SetTurbulence(double speed);
   vtkGetMacro(Turbulence, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the size of eddies [world unit]. Valid range: [1e-6, 1e6]. Default is 0.4.
+   */
   void SetTurbulenceSize(double size);
   vtkGetMacro(TurbulenceSize, double);
   ///@}
 
   ///@{
   /**
-   * Set/Get the size of particles at birth [world unit], and its largest deviation [fraction]. Valid ranges:
-   * [0, 1e9] and [0, 1]. Default is 0.08 and 0.5.
+   * Set/Get the size of particles at birth [world unit]. Valid range: [0, 1e9]. Default is 0.08.
    */
   void SetSize(double size);
   vtkGetMacro(Size, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the largest deviation of the size [fraction]. Valid range: [0, 1]. Default is 0.5.
+   */
   void SetSizeRandomness(double fraction);
   vtkGetMacro(SizeRandomness, double);
   ///@}
 
   ///@{
   /**
-   * Set/Get the colours at birth and at the end, and the largest deviation of each component [fraction].
-   * Valid range: [0, 1] each. Default is (1, 0.62, 0.2), (0.75, 0.08, 0.01) and 0.2.
+   * Set/Get the colour at birth. Valid range: [0, 1] each. Default is (1, 0.62, 0.2).
    */
   void SetStartColor(double red, double green, double blue);
   void SetStartColor(const double color[3]);
   vtkGetVector3Macro(StartColor, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the colour at the end. Valid range: [0, 1] each. Default is (0.75, 0.08, 0.01).
+   */
   void SetEndColor(double red, double green, double blue);
   void SetEndColor(const double color[3]);
   vtkGetVector3Macro(EndColor, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the largest deviation of each component of the colour [fraction]. Valid range: [0, 1]. Default
+   * is 0.2.
+   */
   void SetColorRandomness(double fraction);
   vtkGetMacro(ColorRandomness, double);
   ///@}

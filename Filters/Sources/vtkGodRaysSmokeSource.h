@@ -49,8 +49,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of points along each axis. Valid range: [1, 1024] each, and at most 2^28 in all.
-   * Default is 64, 64, 96.
+   * Set/Get the number of points along each axis, at most 2^28 in all; 1 along x or y makes a plane. Valid
+   * range: [1, 1024] each. Default is 64, 64, 96.
    */
   void SetDimensions(int x, int y, int z);
   void SetDimensions(const int dimensions[3])
@@ -70,8 +70,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the step of time [s]. Valid range: [1e-6, 1000]; more than GetLargestTimeStep() is an error
-   * when the source executes. Default is 0.02.
+   * Set/Get the step of time [s]. One that is too long for the speeds is an error that names the longest.
+   * GetLargestTimeStep() tells it before. Valid range: [1e-6, 1000]. Default is 0.02.
    */
   void SetTimeStep(double seconds);
   vtkGetMacro(TimeStep, double);
@@ -108,22 +108,34 @@ public:
 
   ///@{
   /**
-   * Set/Get the largest speed at which smoke sways along x [world unit/s], and the time from one swing to
-   * the next [s]. Valid ranges: [0, 1e6] and [1e-3, 1e6]. Default is 0.25 and 4.
+   * Set/Get the largest speed at which smoke sways along x [world unit/s]. Valid range: [0, 1e6]. Default is
+   * 0.25.
    */
   void SetSwaySpeed(double speed);
   vtkGetMacro(SwaySpeed, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the time from one swing to the next [s]. Valid range: [1e-3, 1e6]. Default is 4.
+   */
   void SetSwayPeriod(double seconds);
   vtkGetMacro(SwayPeriod, double);
   ///@}
 
   ///@{
   /**
-   * Set/Get the bound of the speed of eddies along each axis [world unit/s], and the size of the largest of
-   * them [world unit]. Valid ranges: [0, 1e6] and [1e-6, 1e6]. Default is 0.4 and 0.4.
+   * Set/Get the bound of the speed of eddies along each axis [world unit/s]. Valid range: [0, 1e6]. Default
+   * is 0.4.
    */
   void SetTurbulence(double speed);
   vtkGetMacro(Turbulence, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the size of the largest eddies [world unit]. Valid range: [1e-6, 1e6]. Default is 0.4.
+   */
   void SetTurbulenceSize(double size);
   vtkGetMacro(TurbulenceSize, double);
   ///@}
@@ -147,23 +159,35 @@ public:
 
   ///@{
   /**
-   * Set/Get centre and radius of the sphere from which smoke comes [world unit]. Valid ranges: [-1e9, 1e9]
-   * and [0, 1e9]. Default is (0, 0, 0.4) and 0.2.
+   * Set/Get the centre of the sphere from which smoke comes [world unit]. Valid range: [-1e9, 1e9] each.
+   * Default is (0, 0, 0.4).
    */
   void SetSourceCenter(double x, double y, double z);
   void SetSourceCenter(const double center[3]);
   vtkGetVector3Macro(SourceCenter, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the radius of the sphere from which smoke comes [world unit]. Valid range: [0, 1e9]. Default is
+   * 0.2.
+   */
   void SetSourceRadius(double radius);
   vtkGetMacro(SourceRadius, double);
   ///@}
 
   ///@{
   /**
-   * Set/Get the density that the source adds [1/s], and until when [s]. Valid ranges: [0, 1e6] and
-   * [0, 1e6]. Default is 3 and 1e6.
+   * Set/Get the density that the source adds [1/s]. Valid range: [0, 1e6]. Default is 3.
    */
   void SetSourceRate(double rate);
   vtkGetMacro(SourceRate, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get until when the source adds smoke [s]. Valid range: [0, 1e6]. Default is 1e6.
+   */
   void SetSourceDuration(double seconds);
   vtkGetMacro(SourceDuration, double);
   ///@}

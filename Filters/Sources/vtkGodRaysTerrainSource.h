@@ -63,7 +63,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the bound of heights above and below 0 [world unit]. Valid range: [0, 1e9]. Default is 30.
+   * Set/Get the bound of heights above and below 0 [world unit]; a typical height is 0.15 of it. Valid
+   * range: [0, 1e9]. Default is 30.
    */
   void SetHeight(double height);
   vtkGetMacro(Height, double);
@@ -80,22 +81,33 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of octaves, and of those of the smooth normals, which are never more. Valid range:
-   * [1, 16] each. Default is 9 and 4.
+   * Set/Get the number of octaves of noise. Valid range: [1, 16]. Default is 9.
    */
   vtkSetClampMacro(Octaves, int, 1, 16);
   vtkGetMacro(Octaves, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the number of octaves of the smooth normals, never more than those of noise. Valid range: [1,
+   * 16]. Default is 4.
+   */
   vtkSetClampMacro(SmoothOctaves, int, 1, 16);
   vtkGetMacro(SmoothOctaves, int);
   ///@}
 
   ///@{
   /**
-   * Set/Get the height of an octave as a fraction of the one before, and how many times finer it is. Valid
-   * ranges: [0, 1] and [1, 4]. Default is 0.5 and 2.
+   * Set/Get the height of an octave as a fraction of the one before. Valid range: [0, 1]. Default is 0.5.
    */
   void SetGain(double gain);
   vtkGetMacro(Gain, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how many times finer an octave is than the one before. Valid range: [1, 4]. Default is 2.
+   */
   void SetLacunarity(double lacunarity);
   vtkGetMacro(Lacunarity, double);
   ///@}

@@ -66,16 +66,16 @@ public:
   };
 
   /**
-   * Set where the light comes from, one of LightSourceMode. Any other number is an error and changes
-   * nothing. Default is SUN.
+   * Set where the light comes from, besides what is tagged as a light, one of LightSourceMode. Any other
+   * number is an error and changes nothing. Default is SUN.
    */
   void SetLightSource(int mode);
 
   /**
    * Set whether the next still frame in which something is seen places the sun where it makes the most
-   * shafts, see vtkGodRaysSunPlacer, in the upper half of the picture, by setting the sun's azimuth and
-   * elevation; it does so once. A parallel projection, which sees no sun but straight ahead, waits, and so
-   * does another light source than SUN. Default is off; that of ParaView's property is on.
+   * shafts, in the upper half of the picture, by setting the sun's azimuth and elevation; it does so once.
+   * See vtkGodRaysSunPlacer. A parallel projection, which sees no sun but straight ahead, waits, and so does
+   * another light source than SUN. Default is off; that of ParaView's property is on.
    */
   void SetPlaceSun(bool place);
 
@@ -87,8 +87,9 @@ public:
 
   /**
    * Set whether the sky is drawn behind the scene, in the light of the sun, whatever the source of the rays
-   * is. With SunFrame CAMERA, the eye stands on the ground and the horizon is straight ahead. Default is
-   * off.
+   * is; rays then have the colour that the air leaves the sun. With SunFrame CAMERA, the eye stands on the
+   * ground and the horizon is straight ahead; else the planet is under SkyOrigin. With another LightSource
+   * than SUN, the sun stays where it was. Default is off.
    */
   void SetUseSky(bool use);
 
@@ -100,9 +101,9 @@ public:
   void SetPreset(const char* name);
 
   /**
-   * Set how long the scene's unit is for media by name and for the sky [m]. 0 says that nobody knows: media
-   * are then as dense as suits the scene, and for the sky it counts as 1. Valid range: [1e-12, 1e12], and 0.
-   * Default is 0.
+   * Set how long the scene's unit is for media by name and for the sky [m]: clear air shows over kilometres,
+   * fog over metres. 0 says that nobody knows: media are then as dense as suits the scene, and for the sky
+   * it counts as 1. Valid range: [1e-12, 1e12], and 0. Default is 0.
    */
   void SetWorldUnitInMeters(double meters);
 

@@ -53,8 +53,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how much light molecules scatter at GroundLevel, for each colour [1/m]. Valid range:
-   * [0, 1e15]. Default is that of the Earth, see SetAtmosphere(): 5.802e-6, 13.558e-6, 33.10e-6.
+   * Set/Get how much light molecules scatter at GroundLevel, for red, green and blue [1/m]. Valid range: [0,
+   * 1e15]. Default is that of the Earth, see SetAtmosphere(): 5.802e-6, 13.558e-6, 33.10e-6.
    */
   void SetRayleighScattering(double red, double green, double blue);
   void SetRayleighScattering(const double coefficient[3]) VTK_SIZEHINT(3);
@@ -63,8 +63,8 @@ public:
 
   ///@{
   /**
-   * Set/Get over which height their density falls to 1/e [m]. Valid range: [1e-6, 1e9]. Default is
-   * 8000.
+   * Set/Get over which height the density of molecules falls to 1/e [m]. Valid range: [1e-6, 1e9]. Default
+   * is 8000.
    */
   void SetRayleighScaleHeight(double height);
   vtkGetMacro(RayleighScaleHeight, double);
@@ -72,8 +72,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how much light aerosols scatter and absorb at GroundLevel, for each colour [1/m]. Valid
-   * range: [0, 1e15]. Defaults are 3.996e-6 and 4.44e-7.
+   * Set/Get how much light aerosols scatter and absorb at GroundLevel, for red, green and blue [1/m]. More
+   * of it makes shafts. Valid range: [0, 1e15]. Defaults are 3.996e-6 and 4.44e-7.
    */
   void SetMieScattering(double red, double green, double blue);
   void SetMieScattering(const double coefficient[3]) VTK_SIZEHINT(3);
@@ -85,7 +85,7 @@ public:
 
   ///@{
   /**
-   * Set/Get over which height their density falls to 1/e [m]. Valid range: [1e-6, 1e9]. Default is
+   * Set/Get over which height the density of aerosols falls to 1/e [m]. Valid range: [1e-6, 1e9]. Default is
    * 1200.
    */
   void SetMieScaleHeight(double height);
@@ -94,7 +94,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the asymmetry g of aerosols [no unit]. Valid range: [-0.99, 0.99]. Default is 0.8.
+   * Set/Get the asymmetry g of aerosols [no unit]: the mean cosine of the angle into which they scatter.
+   * Valid range: [-0.99, 0.99]. Default is 0.8.
    */
   void SetMieAsymmetry(double g);
   vtkGetMacro(MieAsymmetry, double);

@@ -38,7 +38,7 @@ public:
 
   ///@{
   /**
-   * Set/Get how much light is scattered and absorbed, for each colour [1/m]. Valid range: [0, 1e15].
+   * Set/Get how much light is scattered and absorbed, for red, green and blue [1/m]. Valid range: [0, 1e15].
    * Default is 0.02 and 0.
    */
   void SetScatteringCoefficient(double red, double green, double blue);
@@ -62,7 +62,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the phase function, one of PhaseFunctionType. Default is HENYEY_GREENSTEIN.
+   * Set/Get into which directions light is scattered, one of PhaseFunctionType. Default is
+   * HENYEY_GREENSTEIN.
    */
   void SetPhaseFunction(int phaseFunction);
   vtkGetMacro(PhaseFunction, int);
@@ -79,13 +80,27 @@ public:
 
   ///@{
   /**
-   * Set/Get a second phase function, its asymmetry, and how much of the light it scatters [fraction]:
-   * (1 - w) p + w p2. Valid ranges as of the first, and [0, 1]. Defaults are ISOTROPIC, 0 and 0: none.
+   * Set/Get a second phase function, of a part of the light, one of PhaseFunctionType: together they are (1
+   * - SecondWeight) first + SecondWeight second. Default is ISOTROPIC.
    */
   void SetSecondPhaseFunction(int phaseFunction);
   vtkGetMacro(SecondPhaseFunction, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the asymmetry g of the second phase function [no unit]. Valid range: [-0.99, 0.99]. Default is
+   * 0.
+   */
   void SetSecondAsymmetry(double g);
   vtkGetMacro(SecondAsymmetry, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how much of the light the second phase function scatters [fraction]. Valid range: [0, 1].
+   * Default is 0: none.
+   */
   void SetSecondWeight(double weight);
   vtkGetMacro(SecondWeight, double);
   ///@}

@@ -60,7 +60,8 @@ public:
   ///@{
   /**
    * Set/Get how long the scene's unit is [m]. Coefficients are in 1/m. 0 says that nobody knows: it counts
-   * as 1, but for vtkGodRaysHomogeneousModel::OpticalDepth. Valid range: [1e-12, 1e12], and 0. Default is 0.
+   * as 1. Then vtkGodRaysHomogeneousModel::SetOpticalDepth() scales them. Valid range: [1e-12, 1e12], and 0.
+   * Default is 0.
    */
   void SetWorldUnitInMeters(double meters);
   vtkGetMacro(WorldUnitInMeters, double);
@@ -88,8 +89,8 @@ public:
 
   ///@{
   /**
-   * Set/Get what the extinction of volumes tagged MEDIUM is times: above 1, data are denser than their
-   * opacity says. Valid range: [0, 1e9]. Default is 1 [no unit].
+   * Set/Get what the extinction of volumes with the role MEDIUM is times: above 1, data are denser than
+   * their opacity says. Valid range: [0, 1e9]. Default is 1 [no unit].
    */
   void SetDataScale(double scale);
   vtkGetMacro(DataScale, double);
@@ -97,8 +98,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the single-scattering albedo of these volumes where their colour is white: what part of
-   * extinction is scattering, for each colour. Valid range: [0, 1]. Default is 1: nothing is absorbed.
+   * Set/Get the single-scattering albedo of volumes with the role MEDIUM where their colour is white: what
+   * part of extinction is scattering, for red, green and blue. Valid range: [0, 1]. Default is 1: nothing is
+   * absorbed.
    */
   void SetDataAlbedo(double red, double green, double blue);
   void SetDataAlbedo(const double albedo[3]) VTK_SIZEHINT(3);
@@ -107,20 +109,28 @@ public:
 
   ///@{
   /**
-   * Set/Get the phase function of these volumes, one of PhaseFunctionType, and its asymmetry g [no unit].
-   * Valid range of that: [-0.99, 0.99]. Defaults are HENYEY_GREENSTEIN and 0.6.
+   * Set/Get into which directions volumes with the role MEDIUM scatter light, one of PhaseFunctionType.
+   * Default is HENYEY_GREENSTEIN.
    */
   void SetDataPhaseFunction(int phaseFunction);
   vtkGetMacro(DataPhaseFunction, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the asymmetry g of their phase function [no unit]: the mean cosine of the angle into which they
+   * scatter. Valid range: [-0.99, 0.99]. Default is 0.6.
+   */
   void SetDataAsymmetry(double g);
   vtkGetMacro(DataAsymmetry, double);
   ///@}
 
   ///@{
   /**
-   * Set/Get how many points along an axis an image has at most to which other grids of these volumes are
-   * resampled: along the longest one of cells of any shape; rectilinear and AMR grids take no more than
-   * suits their shortest cells. The plan tells the error. Valid range: [8, 1024]. Default is 128.
+   * Set/Get how many points along an axis an image has at most to which volumes with the role MEDIUM on
+   * other grids are resampled: along the longest one of cells of any shape; rectilinear and AMR grids take
+   * no more than suits their shortest cells. The plan tells the error. Valid range: [8, 1024]. Default is
+   * 128.
    */
   vtkSetClampMacro(DataResolution, int, 8, 1024);
   vtkGetMacro(DataResolution, int);

@@ -66,9 +66,9 @@ public:
 
   ///@{
   /**
-   * Set/Get whose sum is evaluated, one of FormulationType. The parameters stay as they are: use
-   * ApplyPreset() for the authors' own. Any other number is an error and changes nothing.
-   * Default is MITCHELL.
+   * Set/Get whose sum is evaluated, one of FormulationType. The parameters stay as they are; presets have
+   * the authors' own. See ApplyPreset(). Any other number is an error and changes nothing. Default is
+   * MITCHELL.
    */
   void SetFormulation(int formulation);
   vtkGetMacro(Formulation, int);

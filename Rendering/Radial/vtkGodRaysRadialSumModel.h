@@ -77,10 +77,10 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of samples that Decay and Weight refer to [no unit]. Of a
-   * vtkGodRaysPublishedModel it is the number of taps, as the authors count them; of a
-   * vtkGodRaysRadialModel it is no cost: the integrator takes the taps that it needs. Valid range:
-   * [1, 10000]. Default is 100.
+   * Set/Get the number of samples that Decay and Weight refer to [no unit]. Of a vtkGodRaysPublishedModel it
+   * is the number of taps, as the authors count them (THREE_JS reads Exposure alone); of a
+   * vtkGodRaysRadialModel it is no cost: the integrator takes the taps that it needs. Valid range: [1,
+   * 10000]. Default is 100.
    */
   vtkSetClampMacro(NumberOfSamples, int, 1, 10000);
   vtkGetMacro(NumberOfSamples, int);

@@ -37,8 +37,9 @@ public:
 
   ///@{
   /**
-   * Set/Get how many taps a pixel takes [no unit]. 0 takes the model's NumberOfSamples. The
-   * brightness does not depend on it, only banding and cost do. Valid range: [0, 4096]. Default is 0.
+   * Set/Get how many taps a pixel takes [no unit]. 0 takes the model's NumberOfSamples. The brightness does
+   * not depend on it, only banding and cost do. Published sums take the taps of their authors. Valid range:
+   * [0, 4096]. Default is 0.
    */
   vtkSetClampMacro(NumberOfTaps, int, 0, 4096);
   vtkGetMacro(NumberOfTaps, int);
@@ -57,12 +58,12 @@ public:
 
   ///@{
   /**
-   * Set/Get in how many passes, each on the result of the one before, the sum is evaluated [no
-   * unit]. p passes take m taps each, m being the p-th root of the number of taps, rounded, and stand
-   * for m^p of them: each pass strides m times as far as the one before. This is the customary
-   * shortcut, there for comparison: exact where all shafts are parallel, but for repeated
-   * interpolation; elsewhere each pass starts from where the one before has led, so that marches come
-   * short of the light. Valid range: [1, 4]. Default is 1.
+   * Set/Get in how many passes, each on the result of the one before, the sum is evaluated [no unit]: the
+   * customary shortcut, there for comparison. p passes take m taps each, m being the p-th root of the number
+   * of taps, rounded, and stand for m^p of them: each pass strides m times as far as the one before. It is
+   * exact where all shafts are parallel, but for repeated interpolation; elsewhere each pass starts from
+   * where the one before has led, so that marches come short of the light. Valid range: [1, 4]. Default is
+   * 1.
    */
   vtkSetClampMacro(NumberOfPasses, int, 1, 4);
   vtkGetMacro(NumberOfPasses, int);

@@ -32,7 +32,7 @@ public:
   enum BackendType
   {
     AUTOMATIC = 0, ///< PROCESSOR where OpenGL is software, GRAPHICS elsewhere
-    PROCESSOR = 1, ///< by vtkSMPTools
+    PROCESSOR = 1, ///< on the processor
     GRAPHICS =
       2, ///< in shaders: where there is a choice, in compute shaders if OpenGL has them (4.3)
     FRAGMENTS = 3 ///< in fragment shaders
@@ -40,12 +40,12 @@ public:
 
   ///@{
   /**
-   * Set/Get at how many pixels of a frame, at most all, chosen at random but the same every time,
-   * one in each of as many equal parts of the picture, the result is compared with the exact one, see
-   * GetErrorEstimate() [no unit]. 0 does not. Of a vtkGodRaysRadialModel the exact sum is that of 2048
-   * taps in double precision. Of a medium it is single scattering among the opaque polygons of the scene,
-   * to 1e-6, which needs the scene on one process. Published sums are not compared. It costs some 0.1 ms
-   * a pixel, and reading the result. Valid range: [0, 1000000]. Default is 0.
+   * Set/Get at how many pixels of a frame, at most all, chosen at random but the same every time, one in
+   * each of as many equal parts of the picture, the result is compared with the exact one [no unit]; 0 does
+   * not. See GetErrorEstimate(). It costs some 0.1 ms a pixel, and reading the result. Of a
+   * vtkGodRaysRadialModel the exact sum is that of 2048 taps in double precision. Of a medium it is single
+   * scattering among the opaque polygons of the scene, to 1e-6, which needs the scene on one process.
+   * Published sums are not compared. Valid range: [0, 1000000]. Default is 0.
    */
   vtkSetClampMacro(VerifyPixels, int, 0, 1000000);
   vtkGetMacro(VerifyPixels, int);
@@ -53,9 +53,9 @@ public:
 
   ///@{
   /**
-   * Set/Get in every how many still frames VerifyPixels are compared, beginning with the first. A frame
-   * is still unless the user drags, which the window's DesiredUpdateRate of at least 1 tells; others are
-   * never compared. Valid range: [1, 1000000]. Default is 1.
+   * Set/Get in every how many still frames VerifyPixels are compared [frames], beginning with the first. A
+   * frame is still unless the user drags, which the window's DesiredUpdateRate of at least 1 tells; others
+   * are never compared. Valid range: [1, 1000000]. Default is 1.
    */
   vtkSetClampMacro(VerifyInterval, int, 1, 1000000);
   vtkGetMacro(VerifyInterval, int);

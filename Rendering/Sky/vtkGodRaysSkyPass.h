@@ -116,8 +116,8 @@ public:
 
   ///@{
   /**
-   * Set/Get a point of the scene that is on the planet's ground [scene units]; the planet's centre is
-   * under it. Valid range: [-1e30, 1e30]. Default is (0, 0, 0).
+   * Set/Get a point of the scene that is on the planet's ground [scene units]; the planet's centre is under
+   * it, unless the sun's frame is CAMERA. Valid range: [-1e30, 1e30]. Default is (0, 0, 0).
    */
   void SetOrigin(double x, double y, double z);
   void SetOrigin(const double point[3]) VTK_SIZEHINT(3);
@@ -167,9 +167,9 @@ public:
   /**
    * Set/Get whether light of the sky and of the air stays below white, where it would else be clipped,
    * channel by channel, and lose its hue: light up to half of white is as it is, what is brighter is
-   * compressed, all channels alike, as by vtkGodRaysPass::SetHighlightShoulder(). The sun's disc is clipped,
-   * and so is seen. Floating-point framebuffers do without, so that tone mapping has all of the light.
-   * Default is off: what is shown is the sky's light times Exposure.
+   * compressed, all channels alike. The sun's disc is clipped, and so is seen.
+   * vtkGodRaysPass::SetHighlightShoulder() does the same. Floating-point framebuffers do without, so that
+   * tone mapping has all of the light. Default is off: what is shown is the sky's light times Exposure.
    */
   vtkSetMacro(HighlightShoulder, bool);
   vtkGetMacro(HighlightShoulder, bool);
@@ -189,10 +189,10 @@ public:
   ///@{
   /**
    * Set/Get whether the scene is seen through the air: dimmed, and behind the light that the air before it
-   * scatters. It goes by the scene's depth, so translucent things over the open sky are left as they are;
-   * and where it is seen, multisampling is lost. The scene's own shadows are not looked at. Leave it off
-   * with a vtkGodRaysAtmosphereModel, which computes the same air. It is skipped where it would change less
-   * than 5e-4. Default is on.
+   * scatters. It shows over kilometres: see WorldUnitInMeters. Leave it off with a
+   * vtkGodRaysAtmosphereModel, which computes the same air. It goes by the scene's depth, so translucent
+   * things over the open sky are left as they are; and where it is seen, multisampling is lost. The scene's
+   * own shadows are not looked at. It is skipped where it would change less than 5e-4. Default is on.
    */
   vtkSetMacro(AerialPerspective, bool);
   vtkGetMacro(AerialPerspective, bool);
@@ -216,8 +216,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether light that is scattered more than once is added, as vtkGodRaysSkySource does. It takes
-   * a table that depends on the atmosphere alone. Default is on.
+   * Set/Get whether light that is scattered more than once is added. It takes a table that depends on the
+   * atmosphere alone. Default is on.
    */
   vtkSetMacro(MultipleScattering, bool);
   vtkGetMacro(MultipleScattering, bool);

@@ -47,7 +47,9 @@ PHASE_FUNCTIONS = ["ISOTROPIC", "RAYLEIGH", "HENYEY_GREENSTEIN", "CORNETTE_SHANK
 
 def properties(name):
     """(setter, number of values, values to try) of each property of a class."""
-    for element in ElementTree.parse(ENTRIES / f"{name}.xml").getroot().iter():
+    files = [ElementTree.parse(path) for path in sorted(ENTRIES.glob("*.xml"))]
+    proxy = next(found for file in files for found in file.iterfind(f"*/*[@class='{name}']"))
+    for element in proxy.iter():
         command = element.get("command", "")
         if not command.startswith("Set") or not element.tag.endswith("VectorProperty"):
             continue
