@@ -128,8 +128,7 @@ void AddLightOptions(Parser& parser, Options& options)
     "Radius of the sun in degrees, or of the lamp in world units");
   parser.Add("--fill", options.Fill, 0.0, 10.0,
     "Light from the eye on the data; 1 is VTK's headlight (0.85, or 1 where an array colours "
-    "them). "
-    "With --sky the sun lights the data, too, and the sky is as bright as this (0.5)");
+    "them). With --sky the sun and the sky light the data instead (0)");
 }
 
 //------------------------------------------------------------------------------
@@ -231,8 +230,9 @@ void AddLookOptions(Parser& parser, Options& options)
       }
     });
   parser.AddCall("--sky", "AIR",
-    "The physical sky instead, in the sun's own colours, and air before the scene: " + Airs +
-      "; see --world-unit",
+    "The physical sky instead, in the sun's own colours, its light on the data, and air before the "
+    "scene: " +
+      Airs + "; see --world-unit",
     [&options](const std::string& text)
     {
       vtkNew<vtkGodRaysAtmosphere> atmosphere;
