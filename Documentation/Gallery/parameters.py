@@ -19,6 +19,7 @@ from vtkmodules.vtkIOImage import vtkJPEGWriter
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SIZE = (200, 150)
 LOOK = {"light": (-0.5, 0.87, -0.14)}
+SHADOWS = {"light": (-0.7, -0.4, 0.8), "intensity": 0, "shadows": True}
 HALL = {"preset": "dust", "light": (-0.5, 1, 0.5), "intensity": 4}
 
 # heading, the class that has it, its parameters: name, pictures' values, what else they have
@@ -38,6 +39,10 @@ SECTIONS = (
         ("background_glow", (0.0, 0.1, 0.2, 0.4, 0.8), {"automatic_exposure": False}),
         ("background_glow_radius", (1, 3, 6, 12, 24), {}),
         ("background_glow_falloff", (2, 5, 10, 20, 40), {}),
+    )),
+    ("Shadows on surfaces", godrays.vtkGodRaysPass, SHADOWS, (
+        ("sun_angular_radius", (0.25, 1, 2, 4, 8), {"most_data_shadow": 1}),
+        ("most_data_shadow", (0.0, 0.25, 0.5, 0.75, 1.0), {}),
     )),
     ("Media", godrays.vtkGodRaysHomogeneousModel, HALL, (
         ("optical_depth", (0.05, 0.1, 0.3, 0.6, 1.2), {"automatic_exposure": False}),
@@ -79,6 +84,16 @@ def cookbook_scene():
     lamp.SetPositional(True)
     lamp.SetPosition(-0.25, 0.3, 0.1)
     names["lamp"] = lamp
+    slope = names["vtk"].vtkPlaneSource()  # coloured by its heights
+    slope.SetOrigin(-3, -3, -1)
+    slope.SetPoint1(3, -3, -1)
+    slope.SetPoint2(-3, 4, -0.3)
+    slope.SetResolution(40, 40)
+    above = names["vtk"].vtkCamera()
+    above.SetPosition(0.6, -2.6, 1.7)
+    above.SetFocalPoint(0.25, 0.1, -0.2)
+    above.SetViewUp(0, 0, 1)
+    names.update(slope=names["actor"](slope), above=above)
     return names
 
 
@@ -93,6 +108,8 @@ def picture(scene, cls, base, name, value, more, size=SIZE):
     if base is HALL:
         data, settings["camera"] = [*scene["hall"], scene["shell"]], scene["inside"]
         settings["background"] = "#8fa6bd"
+    elif base is SHADOWS:
+        data, settings["camera"] = [scene["shell"], scene["slope"]], scene["above"]
     else:
         data = scene["shell"]
     return numpy.asarray(godrays.render(data, size, **settings))

@@ -150,6 +150,55 @@ class Causes(unittest.TestCase):
         shell = slice(60, 120), slice(90, 150)
         self.assertGreater(numpy.ptp(whole[shell], axis=2).mean(), 2 * numpy.ptp(layer[shell], axis=2).mean())
 
+    def test_shadows_on_surfaces(self):
+        window, renderer = scene()
+        ground = NAMES["box"](-2, 2, -2, 2, -1.1, -1.0, color=(1, 1, 1))
+        renderer.AddActor(ground)
+        sun = vtk.vtkLight()
+        sun.SetPosition(0.2, 0.3, 1)
+        renderer.AddLight(sun)
+        shadows = godrays.shadows(renderer)
+        black = cookbook.read(window).astype(float)
+        weak = vtk.vtkLight()
+        weak.SetLightTypeToHeadlight()
+        weak.SetIntensity(0.3)
+        renderer.AddLight(weak)
+        mended = cookbook.read(window).astype(float)
+        before, after = ((each.max(2) < 3).mean() for each in (black, mended))
+        print(f"black in shadow: {before:.3f} of the picture, with a headlight {after:.3f}", flush=True)
+        self.assertGreater(before, 0.01)
+        self.assertLess(after, 0.1 * before)
+
+        renderer.RemoveActor(ground)
+        half = cookbook.read(window).astype(float)
+        shadows.most_data_shadow = 1
+        whole = cookbook.read(window).astype(float)
+        shadows.surface_shadows = False
+        without = cookbook.read(window).astype(float)
+        self.assertGreater((without - whole).mean(), 1.5 * (without - half).mean())
+        self.assertGreater((without - half).mean(), 0.1)
+
+    def test_night_under_a_sky(self):
+        window, renderer = scene()
+        renderer.GetActiveCamera().SetPosition(0, -4, 2)
+        renderer.GetActiveCamera().SetViewUp(0, 0, 1)
+        renderer.ResetCamera()
+        sun, weak = vtk.vtkLight(), vtk.vtkLight()
+        weak.SetLightTypeToHeadlight()
+        renderer.AddLight(sun)
+        sky = godrays.sky(renderer, sun=(0, -2), light=sun)
+        shell = slice(70, 110), slice(100, 140)
+        dark = cookbook.read(window).astype(float)[shell].mean()
+        sky.SetExposure(100 * sky.GetExposure())
+        exposed = cookbook.read(window).astype(float)[shell].mean()
+        sky.SetExposure(sky.GetExposure() / 100)
+        renderer.AddLight(weak)
+        lit = cookbook.read(window).astype(float)[shell].mean()
+        print(f"data at dusk: {dark:.0f} levels, exposed {exposed:.0f}, by a headlight {lit:.0f}", flush=True)
+        self.assertLess(dark, 20)
+        self.assertGreater(exposed, dark + 30)
+        self.assertGreater(lit, dark + 30)
+
 
 if __name__ == "__main__":
     unittest.main()
