@@ -72,7 +72,7 @@ class Recipes:
         finally:
             godrays.render = RENDER
         if "window" in names:
-            rays, window = names["rays"], names["window"]
+            rays, window = names["rays" if "rays" in names else "shadows"], names["window"]
             pictures.append(read(window))
             rays.untagged_props_occlude = False
             pictures.append(read(window))
