@@ -1,10 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Clouds of a file before a low sun, in haze: their water, as extinction, is the medium; and numbers.
+"""Clouds of a file before the sun, in haze, and their shadows on the ground; and numbers.
 
-cloud_field.py reads the file; without one, it makes clouds. Light is scattered once, and would hardly enter
-clouds whose droplets send most of it on as it came. So the picture has fewer droplets that scatter more
-evenly, by the relation (1 - g) beta of similar media [vandeHulst1980]. The numbers are those of the field.
+cloud_field.py reads the file; without one, it makes clouds. Their water, as extinction, is the medium.
+Light is scattered once, and would hardly enter clouds whose droplets send most of it on as it came. So the
+picture has fewer droplets that scatter more evenly, by the relation (1 - g) beta of similar media
+[vandeHulst1980]. The numbers are those of the field.
 """
 
 import argparse
@@ -18,7 +19,7 @@ import vtkmodules.all as vtk
 ASYMMETRY = 0.85  # of droplets [HansenTravis1974]
 SHOWN_ASYMMETRY = 0.3
 
-parser = argparse.ArgumentParser(description="Clouds of a file before a low sun, in haze, and numbers.")
+parser = argparse.ArgumentParser(description="Clouds of a file before the sun, in haze, and numbers.")
 parser.add_argument("picture", nargs="?", help="a PNG; without it a window opens")
 parser.add_argument("size", nargs="?", default="1280x720", help="of the picture (1280x720)")
 parser.add_argument("--field", metavar="FILE", help="NetCDF, or text of SHDOM; without it clouds are made up")
@@ -51,22 +52,28 @@ wet = z[field.extinction.max((1, 2)) > 0]
 reach = max(depth, 2.5 * wet[-1])  # of what is seen: the field, or a single cloud with room about it
 renderer = vtk.vtkRenderer()
 renderer.AddVolume(clouds)
-plane = vtk.vtkPlaneSource()
-plane.SetOrigin(middle - 20 * width, y[0] - depth, 0)
-plane.SetPoint1(middle + 20 * width, y[0] - depth, 0)
-plane.SetPoint2(middle - 20 * width, y[0] + 20 * depth, 0)
-sea = stage.add(renderer, plane, (0.05, 0.12, 0.18))
-sea.GetProperty().SetAmbient(0.5)
+hills = godrays.vtkGodRaysTerrainSource()
+hills.SetDimensions(500, 500)
+hills.SetWidth(8 * reach)
+hills.SetHeight(0.7 * wet[0])
+hills.SetFeatures(16)
+flat = vtk.vtkImageDataGeometryFilter()
+flat.SetInputConnection(hills.GetOutputPort())
+relief = vtk.vtkWarpScalar()
+relief.SetInputConnection(flat.GetOutputPort())
+ground = stage.add(renderer, relief, (0.42, 0.46, 0.3), normals=True)
+ground.SetPosition(middle, y[0] + 3 * reach, 0)
+ground.GetProperty().SetAmbient(0.25)
 
-sun = stage.light((0.26, 1, 0.33), (1, 0.97, 0.9))
+sun = stage.light((-0.3, 1, 0.48), (1, 0.97, 0.9))
 skylight = stage.light((0, -0.6, 1), (0.6, 0.75, 1), intensity=0.8)
 renderer.AddLight(sun)
 renderer.AddLight(skylight)
-rays = godrays.enable(renderer, light=[sun, skylight], medium=clouds, ignored=[sea], model="atmosphere",
-    mie_scattering=[0.5 / reach] * 3, mie_asymmetry=0.76, world_unit_in_meters=1, intensity=4,
+rays = godrays.enable(renderer, light=[sun, skylight], medium=clouds, model="atmosphere",
+    mie_scattering=[0.35 / reach] * 3, mie_asymmetry=0.76, world_unit_in_meters=1, intensity=4,
     data_asymmetry=SHOWN_ASYMMETRY, data_scale=(1 - ASYMMETRY) / (1 - SHOWN_ASYMMETRY),
-    automatic_exposure=False)
-eye = max(0.25 * wet[0], 50)
-stage.look(renderer, (middle, y[0] - 0.35 * reach, eye), (middle, y[0] + reach, 1.5 * wet[-1]), 50)
+    automatic_exposure=False, shadows=True)  # of clouds on the ground
+eye = max(1.3 * wet[0], 50)
+stage.look(renderer, (middle, y[0] - 0.5 * reach, eye), (middle, y[0] + reach, 0.65 * wet[0]), 50)
 renderer.GetActiveCamera().SetClippingRange(20, 30 * reach)
 window = stage.show(renderer)

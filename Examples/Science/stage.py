@@ -62,6 +62,28 @@ def box(append, *bounds):
     append.AddInputConnection(cube.GetOutputPort())
 
 
+def add_city(renderer):
+    """Add 1444 made towers, coloured by heights, and their ground; the unit is a metre."""
+    random = numpy.random.default_rng(4)
+    blocks = vtk.vtkAppendPolyData()
+    for i in range(-9, 10):
+        for j in range(-9, 10):
+            centre = numpy.exp(-(i**2 + j**2) / 18)
+            x, y = 90 * i, 90 * j
+            for dx, dy in ((-18, -18), (18, -18), (-18, 18), (18, 18)):
+                height = random.gamma(4, 7) + centre * random.gamma(3, 38)
+                box(blocks, x + dx - 15, x + dx + 15, y + dy - 15, y + dy + 15, 0, height)
+    heights = vtk.vtkElevationFilter()
+    heights.SetInputConnection(blocks.GetOutputPort())
+    heights.SetLowPoint(0, 0, 0)
+    heights.SetHighPoint(0, 0, 200)
+    table = colors((0, "#31407a"), (0.3, "#4f8a9a"), (0.7, "#c9a66b"), (1, "#f5e3c0"))
+    towers = add(renderer, heights, table=table)
+    ground = vtk.vtkAppendPolyData()
+    box(ground, -1500, 1500, -1500, 1500, -1, 0)
+    return towers, add(renderer, ground, (0.2, 0.2, 0.22))
+
+
 def volume_of(data, most, color):
     """A vtkVolume of data whose scalars are extinction [1/m], up to most; its colour is the albedo."""
     opacity, colors = vtk.vtkPiecewiseFunction(), vtk.vtkColorTransferFunction()

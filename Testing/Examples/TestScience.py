@@ -63,7 +63,7 @@ def details(picture, plain, data):
 
 class Science(unittest.TestCase):
     def test_scripts(self):
-        self.assertEqual(len(SCRIPTS), 11)
+        self.assertEqual(len(SCRIPTS), 12)
         for name in sorted({*SCRIPTS} - TESTED_BESIDE):
             with self.subTest(name):
                 self.check(name)
