@@ -139,6 +139,7 @@ int main(int argc, char* argv[])
   rays->SetAutomaticExposure(false); // the sky behind says how bright the sun is
   rays->SetIntensity(2.0);
   rays->SetBackgroundGlowFalloff(10.0);
+  rays->SurfaceShadowsOn();
   rays->Attach(renderer);
 
   vtkNew<vtkGodRaysSunPosition> day; // at Jacksboro, Tennessee

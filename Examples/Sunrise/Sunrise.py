@@ -78,6 +78,7 @@ rays = godrays.enable(
     automatic_exposure=False,  # the sky behind says how bright the sun is
     intensity=2,
     background_glow_falloff=10,
+    shadows=True,
 )
 
 day = godrays.vtkGodRaysSunPosition()  # at Jacksboro, Tennessee
