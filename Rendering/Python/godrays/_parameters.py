@@ -49,9 +49,10 @@ def forward(name):
             raise AttributeError(f"{name} is of the model {' or '.join(has)}, not of {model}")
         return rays.GetModel()
 
+    text = next(getattr(each, name).__doc__ for each in MODELS.values() if hasattr(each, name))
     return property(
         lambda rays: getattr(find(rays), name), lambda rays, value: setattr(find(rays), name, value), None,
-        f"The {name} of the pass's model.")
+        f"{text} Of the model that has it.")
 
 
 def make_model(model):
