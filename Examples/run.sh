@@ -85,7 +85,7 @@ make_pictures '
 show jacksboro-without-rays "$out/data/jacksboro.vti" --no-rays
 show topobathy "$out/data/topobathy.vts" --elevation-scale 10
 show engine "$mesh"
-show engine-before-a-lamp "$mesh" --light 90,-40,-300 --light-size 25
+show engine-before-a-lamp "$mesh" --light 90,120,-300 --light-size 40
 for name in "$@"; do
   echo "$out/$name.png: build/bin/$name"
   build/bin/$name "$out/$name.png"

@@ -45,6 +45,7 @@ def mountains(renderer, sun, azimuth, soil=None, **parameters):
     godrays.sky(renderer, sun=sun, light=light, world_unit_in_meters=400, **parameters)
     renderer.AutomaticLightCreationOff()
     renderer.AddLight(light)
+    godrays.shadows(renderer)
     return light
 
 
@@ -75,7 +76,7 @@ def mars(renderer):
 
 
 def mars_by_day(renderer):
-    mountains(renderer, (250, 35), 0, SOIL, atmosphere="mars", exposure=12)
+    mountains(renderer, (250, 25), 0, SOIL, atmosphere="mars", exposure=12)
 
 
 def main(path):
