@@ -150,11 +150,16 @@ int main(int argc, char* argv[])
   const std::string last = argc > 1 ? argv[argc - 1] : "";
   const std::string mode = last == "baked" || last == "medium" ? last : "";
   vtkNew<vtkGodRaysPass> rays;
-  rays->AddLight(sun);
   rays->SetAutomaticExposure(false); // the sky behind says how bright the sun is
   if (mode == "medium")
   {
-    // Haze, with a visibility of 39 km on the ground. Molecules are in the sky already.
+    // Haze, with a visibility of 39 km on the ground. Molecules are in the sky already, so the haze has a
+    // light of its own: of the sky's it would take the colour above the air.
+    vtkNew<vtkLight> low;
+    low->SetPosition(sun->GetPosition());
+    low->SetColor(sun->GetDiffuseColor());
+    low->SetIntensity(sun->GetIntensity());
+    rays->AddLight(low);
     vtkNew<vtkGodRaysAtmosphereModel> haze;
     haze->SetMieScattering(1e-4, 1e-4, 1e-4);
     haze->SetMieScaleHeight(600.0);
@@ -166,6 +171,7 @@ int main(int argc, char* argv[])
   }
   else
   {
+    rays->AddLight(sun);
     vtkGodRaysPass::SetRole(flames, vtkGodRaysPass::LIGHT);
     rays->ApplyPreset("low-sun");
     rays->SetIntensity(0.75);

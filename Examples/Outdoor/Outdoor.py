@@ -122,10 +122,15 @@ camera.SetClippingRange(0.2, 200)
 
 mode = sys.argv[-1] if sys.argv[-1] in ("baked", "medium") else None
 if mode == "medium":
-    # Haze, with a visibility of 39 km on the ground. Molecules are in the sky already.
+    # Haze, with a visibility of 39 km on the ground. Molecules are in the sky already, so the haze has a
+    # light of its own: of the sky's it would take the colour above the air.
+    low = vtk.vtkLight()
+    low.SetPosition(sun.GetPosition())
+    low.SetColor(sun.GetDiffuseColor())
+    low.SetIntensity(sun.GetIntensity())
     rays = godrays.enable(
         renderer,
-        light=sun,
+        light=low,
         medium=smoke,
         model="atmosphere",
         mie_scattering=(1e-4, 1e-4, 1e-4),
