@@ -41,11 +41,21 @@ bool HasPass(vtkProp* prop, vtkObjectBase* pass)
 }
 }
 
-void vtkGodRaysSurfaceSky::Begin(vtkRenderer* renderer, const Request& request)
+void vtkGodRaysSurfaceSky::TakeProps(vtkPropCollection* all)
 {
-  std::vector<vtkWeakPointer<vtkProp>> props;
-  vtkPropCollection* all = renderer->GetViewProps();
+  std::size_t same = 0;
+  int count = 0;
   vtkCollectionSimpleIterator iterator;
+  all->InitTraversal(iterator);
+  for (; vtkProp* prop = all->GetNextProp(iterator); ++count)
+  {
+    same += same < this->Props.size() && this->Props[same] == prop && HasPass(prop, this) ? 1 : 0;
+  }
+  if (same == this->Props.size() && count == static_cast<int>(same))
+  {
+    return;
+  }
+  std::vector<vtkWeakPointer<vtkProp>> props;
   all->InitTraversal(iterator);
   while (vtkProp* prop = all->GetNextProp(iterator))
   {
@@ -61,17 +71,18 @@ void vtkGodRaysSurfaceSky::Begin(vtkRenderer* renderer, const Request& request)
     }
   }
   this->Props.swap(props);
-  if (this->Props != props)
+  for (const auto& prop : props) // those that have left the renderer
   {
-    for (const auto& prop : props) // those that have left the renderer
+    if (std::find(this->Props.begin(), this->Props.end(), prop) == this->Props.end())
     {
-      if (std::find(this->Props.begin(), this->Props.end(), prop) == this->Props.end())
-      {
-        this->RemoveFrom(prop);
-      }
+      this->RemoveFrom(prop);
     }
   }
+}
 
+void vtkGodRaysSurfaceSky::Begin(vtkRenderer* renderer, const Request& request)
+{
+  this->TakeProps(renderer->GetViewProps());
   // n of the frame is A^T n of the camera, where A turns; it may mirror, too.
   double axes[3][3]; // east, north, up
   vtkMath::Cross(request.North, request.Up, axes[0]);

@@ -23,6 +23,7 @@
 #include <string>
 #include <vector>
 
+class vtkPropCollection;
 class vtkRenderer;
 
 class vtkGodRaysSurfaceSky : public vtkOpenGLRenderPass
@@ -69,6 +70,7 @@ private:
   vtkGodRaysSurfaceSky(const vtkGodRaysSurfaceSky&) = delete;
   void operator=(const vtkGodRaysSurfaceSky&) = delete;
 
+  void TakeProps(vtkPropCollection* all);
   void RemoveFrom(vtkProp* prop);
 
   std::vector<vtkWeakPointer<vtkProp>> Props;
