@@ -26,7 +26,7 @@ namespace
 /// shader; these are its numbers.
 thread_local const float* Shining = nullptr;
 
-constexpr float Night[48] = {};
+constexpr float Night[27] = {};
 
 bool HasPass(vtkProp* prop, vtkObjectBase* pass)
 {
@@ -113,10 +113,14 @@ void vtkGodRaysSurfaceSky::Begin(vtkRenderer* renderer, const Request& request)
     double form[16];
     vtkMatrix4x4::Multiply4x4(turn->GetData(), request.Forms + 16 * c, half);
     vtkMatrix4x4::Multiply4x4(half, back->GetData(), form);
-    std::transform(form, form + 16, this->Forms + 16 * c,
-      [&](double value) { return static_cast<float>(request.Gain[c] * value); });
+    const double factors[9] = { form[15] + form[10], 2.0 * form[3], 2.0 * form[7], 2.0 * form[11],
+      2.0 * form[1], 2.0 * form[6], 2.0 * form[2], form[0] - form[10], form[5] - form[10] };
+    for (int i = 0; i < 9; ++i)
+    {
+      this->Factors[3 * i + c] = static_cast<float>(request.Gain[c] * factors[i]);
+    }
   }
-  Shining = this->Forms;
+  Shining = this->Factors;
 }
 
 void vtkGodRaysSurfaceSky::End()
@@ -183,7 +187,7 @@ bool vtkGodRaysSurfaceSky::PostReplaceShaderValues(
   static const std::string formulas = vtkGodRaysQuad::Include(vtkGodRaysSurfaceSkyFS);
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::GodRays::SkyDec", formulas);
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::GodRays::SkyImpl",
-    "  if (godraysSky[1][3][3] > 0.0)\n  {\n" + light + "  }\n");
+    "  if (godraysSky[0].g > 0.0)\n  {\n" + light + "  }\n");
   return true;
 }
 
@@ -192,8 +196,7 @@ bool vtkGodRaysSurfaceSky::SetShaderParameters(
 {
   if (program->IsUniformUsed("godraysSky"))
   {
-    // VTK 9.1 takes them as if it wrote to them
-    program->SetUniformMatrix4x4v("godraysSky", 3, const_cast<float*>(Shining ? Shining : Night));
+    program->SetUniform3fv("godraysSky", 9, Shining ? Shining : Night);
   }
   return true;
 }

@@ -74,7 +74,7 @@ private:
   void RemoveFrom(vtkProp* prop);
 
   std::vector<vtkWeakPointer<vtkProp>> Props;
-  float Forms[48] = {}; // in the camera's coordinates
+  float Factors[27] = {}; // see vtkGodRaysSurfaceSkyFS.glsl
 };
 
 #endif

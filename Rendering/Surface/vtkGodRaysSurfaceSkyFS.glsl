@@ -2,23 +2,30 @@
 
 //VTK::GodRays::Colour
 
-// Of red, green and blue, for a normal n in the camera's coordinates: (n, 1)^T matrix (n, 1) is the linear
-// light of a white surface that only sky and ground light. The last number is 0 where none shines.
-uniform mat4 godraysSky[3];
+// Factors of 1, x, y, z, xy, yz, zx, xx and yy of a normal in the camera's coordinates, whose sum is the
+// linear light of a white surface that only sky and ground light. The first is 0 where none shines.
+uniform vec3 godraysSky[9];
 
-vec3 GodRaysSky(vec3 normal)
+vec3 GodRaysSky(vec3 n)
 {
-  vec4 n = vec4(normal, 1.0);
-  return max(
-    vec3(dot(n, godraysSky[0] * n), dot(n, godraysSky[1] * n), dot(n, godraysSky[2] * n)), 0.0);
+  vec3 light = godraysSky[0] + n.x * (godraysSky[1] + n.x * godraysSky[7] + n.y * godraysSky[4]);
+  light += n.y * (godraysSky[2] + n.y * godraysSky[8] + n.z * godraysSky[5]);
+  return max(light + n.z * (godraysSky[3] + n.x * godraysSky[6]), 0.0);
 }
 
 // Returns what the sky adds to a colour of VTK's shading in display values, of which lit is the part that
-// is scattered, and color what is white where all of the light is.
+// is scattered, and color what is white where all of the light is. The curve is that of 8 bits, as powers
+// would take most of a frame in software; above white it is that of a sixteenth of the light, up to 16.
 vec3 GodRaysAddSky(vec3 lit, vec3 color, vec3 normal)
 {
+  const float wide = 3.1748021; // 16^(1/2.4)
   vec3 shown = max(lit, 0.0) / max(color, vec3(1e-4));
-  return color * (EncodeDisplay(DecodeDisplay(shown) + GodRaysSky(normal)) - shown);
+  vec3 isOver = step(1.0, shown);
+  vec3 within = min(mix(shown, (shown + 0.055) / wide - 0.055, isOver), 1.0);
+  vec3 light = mix(vec3(1.0), vec3(16.0), isOver) * DecodeDisplay8(within) + GodRaysSky(normal);
+  isOver = step(1.0, light);
+  vec3 with = EncodeDisplay8(light * mix(vec3(1.0), vec3(0.0625), isOver));
+  return color * (mix(with, wide * (with + 0.055) - 0.055, isOver) - shown);
 }
 
 // Returns what the sky adds to physically based shading, in linear light. Its mirror image is as wide as that
