@@ -208,7 +208,7 @@ void vtkGodRaysShadowFaces::FitDirectional(const vtkGodRaysMediumIntegrator::Req
       return; // no shadow is seen
     }
   }
-  const bool fitsView = !request.Still && (this->Levels > 1 || seen < 0.25 * whole);
+  const bool fitsView = request.Focus == 0.0 && (this->Levels > 1 || seen < 0.25 * whole);
   for (int k = 0; k < 2; ++k)
   {
     low[k] = (fitsView ? seenLow[k] : low[k]) - around;
@@ -223,24 +223,28 @@ void vtkGodRaysShadowFaces::FitDirectional(const vtkGodRaysMediumIntegrator::Req
 }
 
 // Finer faces, each of a share of the one before about the axis through the eye. A face that the axis does
-// not go through ends where the coarsest one does. Still ones go by eighths of their width: texels stay where
+// not go through ends where the coarsest one does. With a focus they are as wide both ways, about a place
+// ahead of the eye from which they reach past the focus, and go by eighths of their width: texels stay where
 // they are in the world, and so do edges of shadows, and most frames of a camera that moves need no new map.
 void vtkGodRaysShadowFaces::Nest(const double axes[3][3], const double low[2], const double high[2],
   const vtkGodRaysMediumIntegrator::Request& request)
 {
+  const bool isStill = request.Focus > 0.0;
   double share = request.Share;
   for (int level = 1; level < this->Levels; ++level, share *= request.Share)
   {
+    const double widest = share * std::max(high[0] - low[0], high[1] - low[1]);
+    const double ahead = std::max(0.25 * widest, request.Focus - 0.3 * widest);
     double ends[2][2];
     for (int k = 0; k < 2; ++k)
     {
-      const double width = share * (high[k] - low[k]);
+      const double width = std::min(widest, high[k] - low[k]);
       const double step = width / 8.0;
       const double last = std::floor((high[k] - low[k] - width) / step);
-      const double first = 0.25 * width * axes[k][2] - 0.5 * width; // a quarter ahead of the eye
-      const double at = low[k] + step * std::clamp(std::round((first - low[k]) / step), 0.0, last);
-      ends[0][k] = request.Still ? at : low[k] < 0.0 ? share * low[k] : low[k];
-      ends[1][k] = request.Still ? at + width : high[k] > 0.0 ? share * high[k] : high[k];
+      const double first = std::round((ahead * axes[k][2] - 0.5 * width - low[k]) / step);
+      const double at = low[k] + step * std::clamp(first, 0.0, std::max(last, 0.0));
+      ends[0][k] = isStill ? at : low[k] < 0.0 ? share * low[k] : low[k];
+      ends[1][k] = isStill ? at + width : high[k] > 0.0 ? share * high[k] : high[k];
       if (!(ends[0][k] < ends[1][k]))
       {
         return;

@@ -31,7 +31,7 @@ public:
    * Fit them to the occluders, of so many pixels on each side, or as many as the driver takes. For a light
    * that is infinitely far, seen in perspective, there are up to so many levels; more than one are faces of
    * half as many pixels, nested about the axis through the eye, each as wide as the request's share of the
-   * one before; see the request for still ones. All processes of a compositor call it.
+   * one before; see the request's focus. All processes of a compositor call it.
    */
   void Fit(const vtkGodRaysMediumIntegrator::Request& request, int size, int levels);
 

@@ -219,7 +219,7 @@ bool vtkGodRaysSurfaceShadows::DrawMaps(
   scene.Light = &light;
   scene.Compositor = request.Compositor;
   scene.Nearest = FindNearest(request);
-  scene.Still = true;
+  scene.Focus = request.Renderer->GetActiveCamera()->GetDistance();
   scene.Overlap = 0.14; // which the samples of a soft shadow reach, at most 0.06 of a face
   Caster caster;
   caster.Number = light.Number;
@@ -301,7 +301,9 @@ double vtkGodRaysSurfaceShadows::FindShare(
   {
     return 1.0;
   }
-  const double finest = 1.8 * distance / (texel * size); // of the whole
+  // of the whole: from before the eye past there, or a few times as wide as a narrow picture is there
+  const double seen = pinhole.PixelSize * std::max(request.Size[0], request.Size[1]);
+  const double finest = std::min(1.8, 2.5 * seen) * distance / (texel * size);
   const double share = std::pow(finest, 1.0 / (MostLevels - 1));
   // One of few shares, so that maps stay while the camera comes nearer.
   return std::min(0.5, std::exp2(0.125 * std::ceil(8.0 * std::log2(std::max(share, 0.05)))));

@@ -55,27 +55,31 @@ void vtkGodRaysSurfaceSky::TakeProps(vtkPropCollection* all)
   {
     return;
   }
-  std::vector<vtkWeakPointer<vtkProp>> props;
+  std::vector<vtkWeakPointer<vtkProp>> former;
+  former.swap(this->Props);
   all->InitTraversal(iterator);
   while (vtkProp* prop = all->GetNextProp(iterator))
   {
-    props.emplace_back(prop);
-    if (!HasPass(prop, this))
-    {
-      if (!prop->GetPropertyKeys())
-      {
-        vtkNew<vtkInformation> keys;
-        prop->SetPropertyKeys(keys);
-      }
-      RenderPasses()->Append(prop->GetPropertyKeys(), this);
-    }
+    this->Props.emplace_back(prop);
   }
-  this->Props.swap(props);
-  for (const auto& prop : props) // those that have left the renderer
+  // First from those that have left the renderer: one that stays may share its keys with them.
+  for (const auto& prop : former)
   {
     if (std::find(this->Props.begin(), this->Props.end(), prop) == this->Props.end())
     {
       this->RemoveFrom(prop);
+    }
+  }
+  for (vtkProp* prop : this->Props)
+  {
+    if (!prop->GetPropertyKeys())
+    {
+      vtkNew<vtkInformation> keys;
+      prop->SetPropertyKeys(keys);
+    }
+    if (!HasPass(prop, this))
+    {
+      RenderPasses()->Append(prop->GetPropertyKeys(), this);
     }
   }
 }

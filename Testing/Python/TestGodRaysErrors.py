@@ -11,6 +11,7 @@ import unittest
 import warnings
 
 import godrays
+import numpy
 from godrays._parameters import get_names
 from godrays._properties import snake as to_snake
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow, vtkVersion
@@ -235,6 +236,13 @@ class Mistakes(unittest.TestCase):
                 with self.assertRaisesRegex(ValueError, rf"{name}={value} must be in .*; nothing is changed"):
                     set_it(value)
             self.assertEqual(getattr(rays, name), former)
+        with self.assertRaisesRegex(ValueError, "density=9.0 must be in"):
+            rays.density = numpy.float32(9)
+        model = godrays.vtkGodRaysHomogeneousModel()
+        model.world_unit_in_meters = 0  # which is no length, but a choice
+        self.assertEqual(model.world_unit_in_meters, 0)
+        self.assertEqual(godrays.sky(self.renderer, display_transfer="power_transfer").display_transfer,
+            godrays.vtkGodRaysPass.POWER_TRANSFER)
 
     def test_a_model_by_its_name(self):
         rays = godrays.vtkGodRaysPass()

@@ -254,6 +254,7 @@ TEST(GodRaysWithin, AnSSAOPassShadesTheSceneAsWithout)
   Stage under(Width, Height);
   vtkNew<vtkGodRaysSkyPass> sky;
   sky->SetWorldUnitInMeters(10.0);
+  sky->SurfaceLightOff();
   EXPECT_EQ(count(GetShaded(under, sky)), 0);
   EXPECT_TRUE(Says(sky->GetPlan(), "air: a new table")) << sky->GetPlan();
 }

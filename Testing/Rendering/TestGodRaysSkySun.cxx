@@ -484,6 +484,14 @@ TEST_F(GodRaysSkyPass, LightsSurfaces)
   vtkGodRaysSkyPass::Detach(other);
   EXPECT_EQ(see(40.0, up, true), day);
   other->RemoveActor(surface);
+
+  // A prop that shares its keys, as a copy and the parts of an assembly do, may go.
+  vtkNew<vtkActor> copy;
+  copy->ShallowCopy(surface);
+  this->Renderer->AddActor(copy);
+  EXPECT_EQ(see(40.0, up, true), day);
+  this->Renderer->RemoveActor(copy);
+  EXPECT_EQ(see(40.0, up, true), day);
 }
 
 //------------------------------------------------------------------------------

@@ -1458,3 +1458,52 @@ TEST(GodRaysSurfaceShadows, StayOverWideGroundWhileTheCameraMoves)
   }
   EXPECT_LE(drawn, 6);
 }
+
+// Also far from what casts them, over ground 500 times as wide: the middle of a ball's shadow, seen from
+// along the light, across it and from above, and through a long lens.
+TEST(GodRaysSurfaceShadows, OfALowSunReachFarOverWideGround)
+{
+  Messages messages;
+  struct View
+  {
+    double Elevation, Angle, Distance;
+    Vec3 From;
+  };
+  std::vector<View> views = { { 0.21, 5.0, 300.0, { 0.8, -0.8, 0.6 } },
+    { 0.21, 2.0, 500.0, { 0.8, -0.8, 0.6 } } };
+  for (double elevation : { 0.05, 0.1, 0.2, 0.4 })
+  {
+    for (const Vec3& from :
+      { Vec3(0.8, -0.8, 0.6), Vec3(-0.7, -0.7, 0.6), Vec3(0.1, 0.0, 1.0), Vec3(0.5, 1.0, 0.3) })
+    {
+      views.push_back({ elevation, 30.0, 40.0, from });
+    }
+  }
+  for (const View& view : views)
+  {
+    Zoo zoo;
+    zoo.Spread(500.0);
+    zoo.Renderer->RemoveActor(zoo.Plate);
+    vtkNew<vtkSphereSource> ball;
+    ball->SetRadius(1.0);
+    ball->SetCenter(0.0, 0.0, 2.0);
+    ball->SetThetaResolution(40);
+    ball->SetPhiResolution(40);
+    zoo.Renderer->AddActor(MakeActor(ball, true));
+    zoo.Rays->SetSoftShadows(false);
+    zoo.Light->SetFocalPoint(0.0, 0.0, 0.0);
+    zoo.Light->SetPosition(0.7071, 0.7071, std::tan(view.Elevation));
+    const double away = -0.7071 * 2.0 / std::tan(view.Elevation);
+    const Vec3 eye = Vec3(away, away, 0.0) + view.Distance * normalize(view.From);
+    zoo.Camera->SetFocalPoint(away, away, 0.0);
+    zoo.Camera->SetPosition(eye.x, eye.y, eye.z);
+    zoo.Camera->SetViewUp(0.0, 0.0, 1.0);
+    zoo.Camera->SetViewAngle(view.Angle);
+    zoo.Renderer->ResetCameraClippingRange();
+    const int* size = zoo.Window->GetSize();
+    const std::size_t middle = 4 * (static_cast<std::size_t>(size[1] / 2) * size[0] + size[0] / 2);
+    const int lit = zoo.Draw(false)[middle];
+    EXPECT_LT(zoo.Draw()[middle], lit - 5)
+      << view.Elevation << " " << view.Angle << " " << view.From.x << " " << view.From.y;
+  }
+}

@@ -389,6 +389,9 @@ def sky(
     given = locals()
     keywords = sky.__kwdefaults__ or {}
     parameters.update({name: given[name] for name in keywords if given[name] is not None})
+    if isinstance(display_transfer, str):  # the constants are the pass's
+        transfer = _property.constant(vtkGodRaysPass, "DisplayTransfer", display_transfer)
+        parameters["display_transfer"] = transfer
     renderer = _find_renderer(target)
     own = {"Atmosphere", "Sun", "SunElevation", "SunAzimuth"}
     settings = _find_names(parameters, _get_names(vtkGodRaysSkyPass()) - own)

@@ -10,7 +10,9 @@ from __future__ import annotations
 
 import ctypes
 import gc
+import math
 import re
+from numbers import Real
 from typing import Any
 
 from ._errors import raising, tell_names
@@ -69,9 +71,10 @@ def set_value(owner: Any, name: str, value: Any) -> None:
     if isinstance(value, str) and not re.search(rf"Set{name}\(self,\s+\w+:(?:str|Path)", method.__doc__):
         value = constant(owner, name, value)
     is_list = hasattr(value, "__iter__") and not isinstance(value, str) and not hasattr(value, "IsA")
-    text = describe(type(owner), name) if isinstance(value, (int, float)) else ""
-    bounds = re.search(r"Valid range: \[([-+.e\d]+), ([-+.e\d]+)\]", text)
-    if bounds and (value < float(bounds[1]) or value > float(bounds[2])):
+    text = describe(type(owner), name) if isinstance(value, Real) and math.isfinite(value) else ""
+    bounds = re.search(r"Valid range: \[([-+.e\d]+), ([-+.e\d]+)\](, and 0)?", text)
+    is_out = bounds and (value < float(bounds[1]) or value > float(bounds[2]))
+    if is_out and not (bounds[3] and value == 0):
         raise ValueError(f"{snake(name)}={value} must be in [{bounds[1]}, {bounds[2]}]; nothing is changed")
     with raising():
         if is_list:
