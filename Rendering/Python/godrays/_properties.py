@@ -73,8 +73,9 @@ def set_value(owner: Any, name: str, value: Any) -> None:
     is_list = hasattr(value, "__iter__") and not isinstance(value, str) and not hasattr(value, "IsA")
     text = describe(type(owner), name) if isinstance(value, Real) and math.isfinite(value) else ""
     bounds = re.search(r"Valid range: \[([-+.e\d]+), ([-+.e\d]+)\](, and 0)?", text)
-    is_out = bounds and (value < float(bounds[1]) or value > float(bounds[2]))
-    if is_out and not (bounds[3] and value == 0):
+    if bounds and not (
+        float(bounds[1]) <= value <= float(bounds[2]) or (bounds[3] and value == 0)
+    ):
         raise ValueError(f"{snake(name)}={value} must be in [{bounds[1]}, {bounds[2]}]; nothing is changed")
     with raising():
         if is_list:
