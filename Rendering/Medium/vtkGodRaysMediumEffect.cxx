@@ -157,9 +157,8 @@ std::string vtkGodRaysMediumEffect::FindConcern() const
 {
   if (this->Data.IsSplit())
   {
-    return "volumes tagged MEDIUM are drawn by their mappers: on several processes their light is "
-           "not "
-           "computed. Give them another role";
+    return "volumes tagged MEDIUM are drawn by their mappers: on several processes their light "
+           "is not computed. Give them another role";
   }
   const bool hides = this->SceneDepth > 5.0;
   if (!hides && !(this->SceneDepth > 0.0 && this->SceneDepth < 0.01))

@@ -46,7 +46,7 @@ public:
   bool IsEmpty() const { return this->Props.empty(); }
 
   /**
-   * Whether there are some on several processes, each of which has a part: then mappers draw them.
+   * Returns whether processes share their data: then mappers draw them.
    */
   bool IsSplit() const { return this->Split; }
 

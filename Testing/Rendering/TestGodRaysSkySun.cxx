@@ -451,7 +451,7 @@ TEST_F(GodRaysSkyPass, LightsSurfaces)
   EXPECT_LT(errors[0], 1e-4);
   EXPECT_LT(errors[1], 0.01);
 
-  // What shows its colours without lights, and scenes as wide as countries, stay as they are.
+  // It leaves alone surfaces without lights, and scenes as wide as countries.
   surface->GetProperty()->SetInterpolationToPhong();
   surface->GetProperty()->LightingOff();
   const Vec3 up(0.0, 0.0, 1.0);
