@@ -92,8 +92,8 @@ public:
 
   const Vec3& GetSunDirection() const { return this->Sun; }
 
-  std::array<double, 48> Forms{};
-  vtkMTimeType FormsTime = 0; // of the source when they were made
+  std::array<glm::dmat4, 3> Forms{};  // x towards the sun, y to its left
+  std::array<double, 3> FormsState{}; // what they were made for
 
   // What is left of the sun's light.
   Vec3 GetSunTransmittance() const { return this->Integrator.GetTransmittance(this->Sun); }
@@ -343,7 +343,7 @@ bool vtkGodRaysSkySource::GetSunLight(double irradiance[3])
 // The harmonics' terms of irradiance are m0/4, m1 n/2 and 5/16 (3 n^T m2 n - m0)/2, where m0, m1 and m2 are
 // moments of radiance: integrals of L, L d and L d d^T over directions d. All of them are in that of
 // (d, 1) (d, 1)^T. Places of Kronrod's rule are dense at the horizon and about the sun, where radiance
-// changes fastest; azimuths beyond the sun's meridian mirror the others.
+// changes fastest; azimuths beyond the sun's meridian mirror the others. What is kept turns with the sun.
 bool vtkGodRaysSkySource::GetIrradianceForms(double forms[48])
 {
   std::fill_n(forms, 48, 0.0);
@@ -351,16 +351,33 @@ bool vtkGodRaysSkySource::GetIrradianceForms(double forms[48])
   {
     return false;
   }
-  std::array<double, 48>& kept = this->Internals->Forms;
-  if (this->Internals->FormsTime == this->GetMTime())
-  {
-    std::copy(kept.begin(), kept.end(), forms);
-    return true;
-  }
   const Vec3& sun = this->Internals->GetSunDirection();
   const double azimuth = std::atan2(sun.y, sun.x);
+  const std::array<double, 3> state = { sun.z, static_cast<double>(this->Superclass::GetMTime()),
+    static_cast<double>(this->Atmosphere->GetMTime()) };
+  if (this->Internals->FormsState != state)
+  {
+    this->MakeIrradianceForms(sun.z, azimuth);
+    this->Internals->FormsState = state;
+  }
+  glm::dmat4 turn(1.0);
+  turn[0] = glm::dvec4(std::cos(azimuth), std::sin(azimuth), 0.0, 0.0);
+  turn[1] = glm::dvec4(-std::sin(azimuth), std::cos(azimuth), 0.0, 0.0);
+  for (int c = 0; c < 3; ++c)
+  {
+    const glm::dmat4 turned = turn * this->Internals->Forms[c] * glm::transpose(turn);
+    for (int i = 0; i < 16; ++i)
+    {
+      forms[16 * c + i] = turned[i / 4][i % 4];
+    }
+  }
+  return true;
+}
+
+void vtkGodRaysSkySource::MakeIrradianceForms(double sunHeight, double azimuth)
+{
   const double half = 0.5 * vtkMath::Pi();
-  const double ends[4] = { -half, 0.0, std::max(std::asin(std::min(sun.z, 1.0)), 0.0), half };
+  const double ends[4] = { -half, 0.0, std::max(std::asin(std::min(sunHeight, 1.0)), 0.0), half };
   const auto place = [](int i) // of 15, from 0 to 1
   { return 0.5 + (i < 7 ? -0.5 : 0.5) * vtkGodRays::KronrodPlaces[i < 7 ? i : 14 - i]; };
   const auto weight = [](int i) { return 0.5 * vtkGodRays::KronrodWeights[i < 7 ? i : 14 - i]; };
@@ -381,14 +398,14 @@ bool vtkGodRaysSkySource::GetIrradianceForms(double forms[48])
           const double v = place(k);
           const auto look = [&](double turn)
           {
-            return glm::dvec4(std::cos(height) * std::cos(azimuth + turn),
-              std::cos(height) * std::sin(azimuth + turn), std::sin(height), 1.0);
+            return glm::dvec4(std::cos(height) * std::cos(turn), std::cos(height) * std::sin(turn),
+              std::sin(height), 1.0);
           };
-          const glm::dvec4 one = look(vtkMath::Pi() * v * v);
-          const glm::dvec4 other = look(-vtkMath::Pi() * v * v);
-          const glm::dmat4 both = glm::outerProduct(one, one) + glm::outerProduct(other, other);
-          const Vec3 light =
-            weight(k) * 2.0 * vtkMath::Pi() * v * band * this->Internals->GetRadiance(Vec3(one));
+          const double turn = vtkMath::Pi() * v * v; // from the sun
+          const glm::dmat4 both =
+            glm::outerProduct(look(turn), look(turn)) + glm::outerProduct(look(-turn), look(-turn));
+          const Vec3 light = weight(k) * 2.0 * vtkMath::Pi() * v * band *
+            this->Internals->GetRadiance(Vec3(look(azimuth + turn)));
           for (int c = 0; c < 3; ++c)
           {
             moments[row][c] += light[c] * both;
@@ -418,13 +435,10 @@ bool vtkGodRaysSkySource::GetIrradianceForms(double forms[48])
       for (int j = 0; j < 4; ++j)
       {
         const double factor = i < 3 && j < 3 ? 15.0 / 32.0 : i < 3 || j < 3 ? 0.25 : 3.0 / 32.0;
-        kept[16 * c + 4 * i + j] = factor * (i < 3 && j == 3 ? sum[3][i] : sum[i][j]);
+        this->Internals->Forms[c][i][j] = factor * (i < 3 && j == 3 ? sum[3][i] : sum[i][j]);
       }
     }
   }
-  this->Internals->FormsTime = this->GetMTime();
-  std::copy(kept.begin(), kept.end(), forms);
-  return true;
 }
 
 bool vtkGodRaysSkySource::GetIrradiance(const double normal[3], double irradiance[3])

@@ -204,8 +204,8 @@ public:
    * the sky and of the ground, without the sun, from the harmonics of radiance to the second order
    * [Ramamoorthi2001]; Documentation/Sky.md has the error. Forms are all of it: for red, green and blue a
    * symmetric matrix of 4 x 4 each, with which irradiance is (n, 1)^T matrix (n, 1) for a normal n of length
-   * 1, or 0 where that is less. They are kept until something changes. The ground has light of the sky, too.
-   * Returns false after an error, with 0.
+   * 1, or 0 where that is less. They are kept while only the sun's azimuth changes. The ground has light of
+   * the sky, too. Returns false after an error, with 0.
    */
   bool GetIrradiance(const double normal[3], double irradiance[3]);
   bool GetIrradianceForms(double forms[48]);
@@ -241,6 +241,7 @@ private:
   bool TellProgress(double progress);
   // False after an error about the atmosphere.
   bool Prepare();
+  void MakeIrradianceForms(double sunHeight, double azimuth);
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
