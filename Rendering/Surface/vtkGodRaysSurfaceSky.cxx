@@ -5,13 +5,10 @@
 #include "vtkCamera.h"
 #include "vtkGodRaysQuad.h"
 #include "vtkGodRaysSurfaceSkyFS.h"
-#include "vtkInformation.h"
-#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
@@ -27,61 +24,6 @@ namespace
 thread_local const float* Shining = nullptr;
 
 constexpr float Night[27] = {};
-
-bool HasPass(vtkProp* prop, vtkObjectBase* pass)
-{
-  vtkInformation* keys = prop->GetPropertyKeys();
-  vtkInformationObjectBaseVectorKey* key = vtkOpenGLRenderPass::RenderPasses();
-  bool has = false;
-  for (int i = 0; keys && i < key->Length(keys); ++i)
-  {
-    has = has || key->Get(keys, i) == pass;
-  }
-  return has;
-}
-}
-
-void vtkGodRaysSurfaceSky::TakeProps(vtkPropCollection* all)
-{
-  std::size_t same = 0;
-  int count = 0;
-  vtkCollectionSimpleIterator iterator;
-  all->InitTraversal(iterator);
-  for (; vtkProp* prop = all->GetNextProp(iterator); ++count)
-  {
-    same += same < this->Props.size() && this->Props[same] == prop && HasPass(prop, this) ? 1 : 0;
-  }
-  if (same == this->Props.size() && count == static_cast<int>(same))
-  {
-    return;
-  }
-  std::vector<vtkWeakPointer<vtkProp>> former;
-  former.swap(this->Props);
-  all->InitTraversal(iterator);
-  while (vtkProp* prop = all->GetNextProp(iterator))
-  {
-    this->Props.emplace_back(prop);
-  }
-  // First from those that have left the renderer: one that stays may share its keys with them.
-  for (const auto& prop : former)
-  {
-    if (std::find(this->Props.begin(), this->Props.end(), prop) == this->Props.end())
-    {
-      this->RemoveFrom(prop);
-    }
-  }
-  for (vtkProp* prop : this->Props)
-  {
-    if (!prop->GetPropertyKeys())
-    {
-      vtkNew<vtkInformation> keys;
-      prop->SetPropertyKeys(keys);
-    }
-    if (!HasPass(prop, this))
-    {
-      RenderPasses()->Append(prop->GetPropertyKeys(), this);
-    }
-  }
 }
 
 void vtkGodRaysSurfaceSky::Begin(vtkRenderer* renderer, const Request& request)
@@ -130,28 +72,6 @@ void vtkGodRaysSurfaceSky::Begin(vtkRenderer* renderer, const Request& request)
 void vtkGodRaysSurfaceSky::End()
 {
   Shining = nullptr;
-}
-
-void vtkGodRaysSurfaceSky::RemoveFrom(vtkProp* prop)
-{
-  if (prop && HasPass(prop, this))
-  {
-    vtkInformation* keys = prop->GetPropertyKeys();
-    RenderPasses()->Remove(keys, this);
-    if (RenderPasses()->Length(keys) == 0)
-    {
-      keys->Remove(RenderPasses());
-    }
-  }
-}
-
-void vtkGodRaysSurfaceSky::Remove()
-{
-  for (const auto& prop : this->Props)
-  {
-    this->RemoveFrom(prop);
-  }
-  this->Props.clear();
 }
 
 // Marks of our own: mappers fill in their tags and leave these.

@@ -7,30 +7,24 @@
  * Takes part in the mappers' shaders after VTK's own text for lights, as vtkGodRaysSurfaceShadows does before
  * it: to the light that a surface scatters comes that of the sky and the ground, by its normal. Surfaces
  * without lights, and those that VTK lights by an environment, stay as they are.
- *
- * The renderer's props keep this pass from frame to frame, so that all that draws them has one shader; it
- * shines between Begin() and End().
+ * It shines between Begin() and End().
  */
 
 #ifndef vtkGodRaysSurfaceSky_h
 #define vtkGodRaysSurfaceSky_h
 
 #include "vtkGodRaysMath.h"
-#include "vtkOpenGLRenderPass.h"
-#include "vtkProp.h" // For vtkWeakPointer
-#include "vtkWeakPointer.h"
+#include "vtkGodRaysSurfacePass.h"
 
 #include <string>
-#include <vector>
 
-class vtkPropCollection;
 class vtkRenderer;
 
-class vtkGodRaysSurfaceSky : public vtkOpenGLRenderPass
+class vtkGodRaysSurfaceSky : public vtkGodRaysSurfacePass
 {
 public:
   static vtkGodRaysSurfaceSky* New();
-  vtkTypeMacro(vtkGodRaysSurfaceSky, vtkOpenGLRenderPass);
+  vtkTypeMacro(vtkGodRaysSurfaceSky, vtkGodRaysSurfacePass);
 
   struct Request
   {
@@ -46,14 +40,8 @@ public:
   void Begin(vtkRenderer* renderer, const Request& request);
   void End();
 
-  /**
-   * Leave the props.
-   */
-  void Remove();
-
   ///@{
   /// For VTK.
-  void Render(const vtkRenderState*) override {}
   bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
   bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
@@ -70,10 +58,6 @@ private:
   vtkGodRaysSurfaceSky(const vtkGodRaysSurfaceSky&) = delete;
   void operator=(const vtkGodRaysSurfaceSky&) = delete;
 
-  void TakeProps(vtkPropCollection* all);
-  void RemoveFrom(vtkProp* prop);
-
-  std::vector<vtkWeakPointer<vtkProp>> Props;
   float Factors[27] = {}; // see vtkGodRaysSurfaceSkyFS.glsl
 };
 
