@@ -107,7 +107,7 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   {
     this->TakeWindow(window);
   }
-  else if (!this->SurfaceShadows && self.HasShadows && self.Window)
+  else if (!this->SurfaceShadows && self.Window)
   {
     self.Shadows->ReleaseGraphicsResources(self.Window); // maps take tens of megabytes
   }
@@ -397,6 +397,13 @@ bool vtkGodRaysPass::DrawShadows(const vtkRenderState* s)
       if (!self.Shadows->HasLights())
       {
         concerns.push_back(concern);
+      }
+      for (const std::string& faultOfLight : self.Shadows->GetFaults())
+      {
+        if (self.Complaints.insert(" " + faultOfLight).second) // else its rays lack, too
+        {
+          vtkWarningMacro("There are no shadows on surfaces " << faultOfLight << ".");
+        }
       }
       return true;
     }

@@ -45,6 +45,8 @@
 
 struct vtkGodRaysPass::Internals
 {
+  ~Internals() { this->Shadows->Remove(); } // whom props keep, too
+
   std::vector<vtkSmartPointer<vtkLight>> Lights;
   vtkGodRaysLightFinder Finder;
   std::vector<vtkGodRaysLight> FormerLights; // empty: memory for those of a frame

@@ -303,15 +303,27 @@ void vtkGodRaysShadowFaces::FitPoint(const vtkGodRaysMediumIntegrator::Request& 
   }
   this->Count = 6;
   this->Grids.Range[0] = std::max(1e-4 * farthest, request.Nearest);
+  // The world's axes, at right angles also where the camera's own matrix makes others of them.
+  for (int k = 0; k < 3; ++k)
+  {
+    backwards[k] = request.View->WorldToView[4 * k];
+  }
+  vtkMath::Normalize(backwards);
+  double cube[3][3];
+  SetAxes(*request.View, backwards, axes);
+  std::copy_n(axes[2], 3, cube[0]);
+  std::copy_n(axes[1], 3, cube[1]);
+  std::transform(axes[0], axes[0] + 3, cube[2], std::negate<>());
+  // Ahead along each axis, and against it, up along the next one; surfaces' shaders know this order.
   for (int face = 0; face < 6; ++face)
   {
-    double direction[3]; // backwards, along an axis of the world
+    const double side = face % 2 == 0 ? -1.0 : 1.0;
     for (int k = 0; k < 3; ++k)
     {
-      direction[k] = request.View->WorldToView[4 * k + face / 2] * (face % 2 == 0 ? -1.0 : 1.0);
+      axes[0][k] = -side * cube[(face / 2 + 2) % 3][k];
+      axes[1][k] = cube[(face / 2 + 1) % 3][k];
+      axes[2][k] = side * cube[face / 2][k];
     }
-    vtkMath::Normalize(direction);
-    SetAxes(*request.View, direction, axes);
     const double high[2] = { 1.0 + request.Overlap, 1.0 + request.Overlap };
     const double low[2] = { -high[0], -high[1] };
     this->SetFace(face, axes, light, low, high);

@@ -27,8 +27,8 @@
 vtkGodRaysShadowMap::vtkGodRaysShadowMap() = default;
 vtkGodRaysShadowMap::~vtkGodRaysShadowMap() = default;
 
-bool vtkGodRaysShadowMap::Draw(
-  const vtkGodRaysMediumIntegrator::Request& request, int size, int levels)
+bool vtkGodRaysShadowMap::Draw(const vtkGodRaysMediumIntegrator::Request& request, int size,
+  int levels, vtkTextureObject* atlas, const int corner[2])
 {
   this->Kept = false;
   this->Faces.Fit(request, size, levels);
@@ -37,9 +37,17 @@ bool vtkGodRaysShadowMap::Draw(
     return true;
   }
   vtkGodRaysTarget& map = this->Maps[this->Faces.Count / 6];
-  map.Prepare(request.Window, this->Faces.GetColumns() * this->Faces.Size,
-    this->Faces.GetRows() * this->Faces.Size, { 0, GL_DEPTH_COMPONENT32F });
-  this->Asked.Find(request, this->Faces, map.GetDepth());
+  const int part[4] = { corner ? corner[0] : 0, corner ? corner[1] : 0,
+    this->Faces.GetColumns() * this->Faces.Size, this->Faces.GetRows() * this->Faces.Size };
+  if (atlas)
+  {
+    map.Prepare(request.Window, 0, atlas, part);
+  }
+  else
+  {
+    map.Prepare(request.Window, part[2], part[3], { 0, GL_DEPTH_COMPONENT32F });
+  }
+  this->Asked.Find(request, this->Faces, map);
   this->Kept = !this->Asked.Objects.empty() && this->Asked.IsSame(this->Drawn);
   this->NumberOfChanged = 0;
   if (this->Kept)
@@ -52,7 +60,7 @@ bool vtkGodRaysShadowMap::Draw(
   const bool hasRest = this->FindRest();
   this->Drawn.Clear();
   this->Depths.clear();
-  if (!this->Render(request, map, hasRest) || !this->RenderTranslucent(request, map))
+  if (!this->Render(request, map, hasRest) || (!atlas && !this->RenderTranslucent(request, map)))
   {
     return false;
   }
@@ -108,7 +116,7 @@ bool vtkGodRaysShadowMap::Render(
   {
     state->vtkglClearDepth(1.0);
     state->vtkglClear(GL_DEPTH_BUFFER_BIT);
-    this->RenderProps(request, true, !hasRest);
+    this->RenderProps(request, (hasRest ? this->RestMap : map).GetOrigin(), true, !hasRest);
   }
   if (hasRest)
   {
@@ -117,8 +125,8 @@ bool vtkGodRaysShadowMap::Render(
     {
       return false;
     }
-    rest.CopyTo(state, rectangle, GL_DEPTH_BUFFER_BIT);
-    this->RenderProps(request, false, true);
+    rest.CopyTo(state, rectangle, GL_DEPTH_BUFFER_BIT, map.GetOrigin());
+    this->RenderProps(request, map.GetOrigin(), false, true);
   }
   else if (request.Compositor && request.Compositor->IsDistributed())
   {
@@ -130,13 +138,13 @@ bool vtkGodRaysShadowMap::Render(
 }
 
 // Of those that rest, those that change, or both.
-void vtkGodRaysShadowMap::RenderProps(
-  const vtkGodRaysMediumIntegrator::Request& request, bool resting, bool changed)
+void vtkGodRaysShadowMap::RenderProps(const vtkGodRaysMediumIntegrator::Request& request,
+  const int origin[2], bool resting, bool changed)
 {
   vtkOpenGLState* state = request.Window->GetState();
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
-  this->ForFaces(request,
+  this->ForFaces(request, origin,
     [&]()
     {
       std::size_t i = 0;
@@ -153,14 +161,15 @@ void vtkGodRaysShadowMap::RenderProps(
 }
 
 // Look through each face in turn, and draw into it.
-void vtkGodRaysShadowMap::ForFaces(
-  const vtkGodRaysMediumIntegrator::Request& request, const std::function<void()>& draw)
+void vtkGodRaysShadowMap::ForFaces(const vtkGodRaysMediumIntegrator::Request& request,
+  const int origin[2], const std::function<void()>& draw)
 {
   vtkOpenGLState* state = request.Window->GetState();
   for (int face = 0; face < this->Faces.Count; ++face)
   {
     const int columns = this->Faces.GetColumns();
-    const int corner[2] = { face % columns * this->Faces.Size, face / columns * this->Faces.Size };
+    const int corner[2] = { origin[0] + face % columns * this->Faces.Size,
+      origin[1] + face / columns * this->Faces.Size };
     state->vtkglViewport(corner[0], corner[1], this->Faces.Size, this->Faces.Size);
     state->vtkglScissor(corner[0], corner[1], this->Faces.Size, this->Faces.Size);
     const vtkGodRaysProjection projection(
@@ -203,7 +212,7 @@ bool vtkGodRaysShadowMap::RenderTranslucent(
   }
   if (hasSurfaces &&
     !this->Peeler->Draw(request.Window, request.Renderer, props, map, request.Compositor,
-      [&](const std::function<void()>& draw) { this->ForFaces(request, draw); }))
+      [&](const std::function<void()>& draw) { this->ForFaces(request, map.GetOrigin(), draw); }))
   {
     return false;
   }

@@ -37,10 +37,12 @@ public:
   ~vtkGodRaysShadowMap();
 
   /**
-   * Render the props that block into the faces that vtkGodRaysShadowFaces::Fit() places. All processes of a
-   * compositor call it. Returns false when the driver refuses.
+   * Render the props that block into the faces that vtkGodRaysShadowFaces::Fit() places: into a texture of
+   * its own, or, opaque ones alone, into an atlas, from a corner on. All processes of a compositor call it.
+   * Returns false when the driver refuses.
    */
-  bool Draw(const vtkGodRaysMediumIntegrator::Request& request, int size, int levels);
+  bool Draw(const vtkGodRaysMediumIntegrator::Request& request, int size, int levels,
+    vtkTextureObject* atlas = nullptr, const int corner[2] = nullptr);
 
   /**
    * The faces as numbers, read back where they were drawn anew. They are valid until the next Draw().
@@ -83,9 +85,10 @@ private:
   bool Render(
     const vtkGodRaysMediumIntegrator::Request& request, vtkGodRaysTarget& map, bool hasRest);
   bool FindRest();
-  void RenderProps(const vtkGodRaysMediumIntegrator::Request& request, bool resting, bool changed);
-  void ForFaces(
-    const vtkGodRaysMediumIntegrator::Request& request, const std::function<void()>& draw);
+  void RenderProps(const vtkGodRaysMediumIntegrator::Request& request, const int origin[2],
+    bool resting, bool changed);
+  void ForFaces(const vtkGodRaysMediumIntegrator::Request& request, const int origin[2],
+    const std::function<void()>& draw);
   bool RenderTranslucent(const vtkGodRaysMediumIntegrator::Request& request, vtkGodRaysTarget& map);
 
   vtkGodRaysTarget Maps[2]; // of one face or nested ones, and of six

@@ -14,6 +14,7 @@
 #include "vtkGlyph3DMapper.h"
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysShadowFaces.h"
+#include "vtkGodRaysTarget.h"
 #include "vtkGodRaysVolumeHaze.h"
 #include "vtkHyperTreeGrid.h"
 #include "vtkMapper.h"
@@ -209,15 +210,16 @@ struct PropState
 
 // Left empty on several processes: the others would have to agree.
 void vtkGodRaysShadowState::Find(const vtkGodRaysMediumIntegrator::Request& request,
-  const vtkGodRaysShadowFaces& faces, const void* map)
+  const vtkGodRaysShadowFaces& faces, const vtkGodRaysTarget& map)
 {
   this->Clear();
   if (request.Compositor && request.Compositor->IsDistributed())
   {
     return;
   }
-  this->Objects = { request.Window, request.Renderer, map };
-  this->Numbers = { faces.Size + 0.0, faces.Count + 0.0 };
+  this->Objects = { request.Window, request.Renderer, map.GetDepth() };
+  this->Numbers = { faces.Size + 0.0, faces.Count + 0.0, map.GetOrigin()[0] + 0.0,
+    map.GetOrigin()[1] + 0.0 };
   for (int face = 0; face < faces.Count; ++face)
   {
     for (const double* corner : faces.Corners)

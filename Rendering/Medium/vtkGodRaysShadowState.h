@@ -15,6 +15,7 @@
 #include <vector>  // For std::vector
 
 class vtkGodRaysShadowFaces;
+class vtkGodRaysTarget;
 
 /// Empty if it cannot be told. A prop of which VTK cannot report all changes differs from itself.
 struct vtkGodRaysShadowState
@@ -27,7 +28,7 @@ struct vtkGodRaysShadowState
 
   /// Finds it from modification times of actors, of all that they draw, of assemblies' parts and of volumes.
   void Find(const vtkGodRaysMediumIntegrator::Request& request, const vtkGodRaysShadowFaces& faces,
-    const void* map);
+    const vtkGodRaysTarget& map);
 
   std::size_t GetNumberOfProps() const { return this->Ends.empty() ? 0 : this->Ends.size() - 1; }
   bool IsSame(const vtkGodRaysShadowState& other) const;

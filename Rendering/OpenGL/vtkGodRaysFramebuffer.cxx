@@ -104,10 +104,11 @@ vtkGodRaysFramebuffer::vtkGodRaysFramebuffer()
 }
 
 void vtkGodRaysFramebuffer::CopyTo(
-  vtkOpenGLState* state, const int rectangle[4], unsigned int buffers) const
+  vtkOpenGLState* state, const int rectangle[4], unsigned int buffers, const int to[2]) const
 {
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->Binding);
   state->vtkglReadBuffer(this->ColorBuffer);
   state->vtkglBlitFramebuffer(rectangle[0], rectangle[1], rectangle[0] + rectangle[2],
-    rectangle[1] + rectangle[3], 0, 0, rectangle[2], rectangle[3], buffers, GL_NEAREST);
+    rectangle[1] + rectangle[3], to[0], to[1], to[0] + rectangle[2], to[1] + rectangle[3], buffers,
+    GL_NEAREST);
 }

@@ -59,8 +59,11 @@ struct vtkGodRaysFramebuffer
   /// Whether what is drawn goes into several colour buffers, as vtkSSAOPass has it.
   static bool HasSeveralBuffers();
 
-  /// Copy a rectangle of colour, depth or both into the framebuffer that is bound for drawing.
-  void CopyTo(vtkOpenGLState* state, const int rectangle[4], unsigned int buffers) const;
+  /// Copy a rectangle of colour, depth or both into the framebuffer that is bound for drawing, to where its
+  /// low corner is to be.
+  static constexpr int Corner[2] = { 0, 0 };
+  void CopyTo(vtkOpenGLState* state, const int rectangle[4], unsigned int buffers,
+    const int to[2] = Corner) const;
 };
 
 #endif

@@ -9,6 +9,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace
@@ -95,20 +96,22 @@ void vtkGodRaysTarget::Prepare(vtkOpenGLRenderWindow* window, int width, int hei
 }
 
 void vtkGodRaysTarget::Prepare(
-  vtkOpenGLRenderWindow* window, unsigned int color, vtkTextureObject* depth)
+  vtkOpenGLRenderWindow* window, unsigned int color, vtkTextureObject* depth, const int* part)
 {
-  const int width = static_cast<int>(depth->GetWidth());
-  const int height = static_cast<int>(depth->GetHeight());
-  if (this->IsOf(window) && this->Depth == depth && this->Width == width &&
-    this->Height == height && this->Formats.Color == color)
+  const int whole[4] = { 0, 0, static_cast<int>(depth->GetWidth()),
+    static_cast<int>(depth->GetHeight()) };
+  part = part ? part : whole;
+  if (this->IsOf(window) && this->Depth == depth && std::equal(part, part + 2, this->Origin) &&
+    this->Width == part[2] && this->Height == part[3] && this->Formats.Color == color)
   {
     return;
   }
   this->Release(window);
-  this->Width = width;
-  this->Height = height;
+  std::copy_n(part, 2, this->Origin);
+  this->Width = part[2];
+  this->Height = part[3];
   this->Formats = { color, 0 };
-  this->Color = color ? MakeColor(window, width, height, color) : nullptr;
+  this->Color = color ? MakeColor(window, this->Width, this->Height, color) : nullptr;
   this->Depth = depth;
   this->Attach(window);
 }
@@ -148,8 +151,8 @@ bool vtkGodRaysTarget::Bind()
   ++this->Version;
   this->Framebuffer->Bind();
   vtkOpenGLState* state = this->Framebuffer->GetContext()->GetState();
-  state->vtkglViewport(0, 0, this->Width, this->Height);
-  state->vtkglScissor(0, 0, this->Width, this->Height);
+  state->vtkglViewport(this->Origin[0], this->Origin[1], this->Width, this->Height);
+  state->vtkglScissor(this->Origin[0], this->Origin[1], this->Width, this->Height);
   const char* description = nullptr;
   return vtkOpenGLFramebufferObject::GetFrameBufferStatus(
     vtkOpenGLFramebufferObject::GetDrawMode(), description);
@@ -182,8 +185,7 @@ void vtkGodRaysTarget::Release(vtkWindow* window)
     }
     this->Depth = nullptr;
   }
-  this->Width = 0;
-  this->Height = 0;
+  this->Origin[0] = this->Origin[1] = this->Width = this->Height = 0;
 }
 
 bool vtkGodRaysTarget::HasOneChannel() const
@@ -202,18 +204,21 @@ void vtkGodRaysTarget::Read(unsigned int format, unsigned int type, void* pixels
   }
   state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
   glPixelStorei(GL_PACK_ROW_LENGTH, rowLength); // which vtkOpenGLState does not know
-  glReadPixels(0, 0, this->Width, this->Height, format, type, pixels);
+  glReadPixels(this->Origin[0], this->Origin[1], this->Width, this->Height, format, type, pixels);
   glPixelStorei(GL_PACK_ROW_LENGTH, 0);
   state->PopReadFramebufferBinding();
 }
 
-void vtkGodRaysTarget::Write(unsigned int format, unsigned int type, const void* pixels)
+void vtkGodRaysTarget::Write(
+  unsigned int format, unsigned int type, const void* pixels, const int* part)
 {
+  const int whole[4] = { 0, 0, this->Width, this->Height };
+  part = part ? part : whole;
   ++this->Version;
   this->Color->Activate();
   vtkOpenGLState* state = this->Framebuffer->GetContext()->GetState();
   state->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, this->Width, this->Height, format, type, pixels);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, part[0], part[1], part[2], part[3], format, type, pixels);
   this->Color->Deactivate();
 }
 
@@ -257,8 +262,8 @@ void vtkGodRaysTarget::WriteDepth(const std::vector<float>& depth)
 {
   this->Depth->Activate();
   this->Framebuffer->GetContext()->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  glTexSubImage2D(
-    GL_TEXTURE_2D, 0, 0, 0, this->Width, this->Height, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
+  glTexSubImage2D(GL_TEXTURE_2D, 0, this->Origin[0], this->Origin[1], this->Width, this->Height,
+    GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
   this->Depth->Deactivate();
 }
 

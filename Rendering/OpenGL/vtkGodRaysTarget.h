@@ -43,10 +43,12 @@ public:
   ///@{
   /**
    * Make textures of this size and format, for this window. The second form borrows the depth texture;
-   * without a format of colours there are none.
+   * without a format of colours there are none, and the target may be a part of the texture: left and lower
+   * edge, width and height.
    */
   void Prepare(vtkOpenGLRenderWindow* window, int width, int height, Format format);
-  void Prepare(vtkOpenGLRenderWindow* window, unsigned int color, vtkTextureObject* depth);
+  void Prepare(vtkOpenGLRenderWindow* window, unsigned int color, vtkTextureObject* depth,
+    const int* part = nullptr);
   ///@}
 
   /**
@@ -61,6 +63,7 @@ public:
 
   void Release(vtkWindow* window);
 
+  const int* GetOrigin() const { return this->Origin; } ///< in the textures [pixels]
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
   vtkTextureObject* GetColor() const { return this->Color; }
@@ -91,9 +94,9 @@ public:
   void Read(unsigned int format, unsigned int type, void* pixels, int rowLength);
 
   /**
-   * Copy colours from memory, rows one after the other. OpenGL format and type.
+   * Copy colours from memory, rows one after the other, to all of it or a part. OpenGL format and type.
    */
-  void Write(unsigned int format, unsigned int type, const void* pixels);
+  void Write(unsigned int format, unsigned int type, const void* pixels, const int* part = nullptr);
 
   /**
    * Copy the colours into an image of three 32-bit floats a pixel; waits for the drawing. Where
@@ -114,6 +117,7 @@ private:
   vtkSmartPointer<vtkTextureObject> Color;
   vtkSmartPointer<vtkTextureObject> Depth;
   Format Formats;
+  int Origin[2] = { 0, 0 };
   int Width = 0;
   int Height = 0;
   unsigned int Version = 0;

@@ -10,7 +10,6 @@
 #include "vtkGodRaysMedium.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysQuad.h"
-#include "vtkGodRaysSurfaceAirFS.h"
 #include "vtkGodRaysSurfaceShadowsFS.h"
 #include "vtkGodRaysView.h"
 #include "vtkGodRaysVolumeHaze.h"
@@ -23,7 +22,6 @@
 #include "vtkPolyData.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
-#include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
@@ -40,7 +38,12 @@ namespace
 {
 constexpr int LeastSize = 512; // of a map [pixels]
 constexpr int MostSize = 4096;
+constexpr double MostTexels =
+  3 * 8192.0 * 4096.0; // of all lights, 384 MB: four cubes of the most size
 constexpr int MostLevels = vtkGodRaysShadowGrids::MaximumLevels;
+// Every driver has so many texture units, and VTK hands them out from 0 on. It is that of samplers without a
+// texture: two kinds of samplers on one unit would have OpenGL refuse to draw.
+constexpr int EmptyUnit = 47;
 
 /// Returns whether a prop shows surfaces that may cast shadows. Points, lines, and the spheres and
 /// tubes that stand for them, do not: they are so many pixels wide in a map as in the picture, or face
@@ -98,13 +101,6 @@ void Release(Kept& light, vtkWindow* window)
   {
     map.Release(window);
   }
-  light.Layers.Release(window);
-}
-
-/// Returns the name of a light's map in shaders.
-std::string GetName(const std::string& light, int kind)
-{
-  return light + (kind == 0 ? "Opaque" : "Layers");
 }
 
 /// Returns the tangent of a sun's angular radius, or the radius of a lamp's sphere. Where nobody has
@@ -135,9 +131,16 @@ void Replace(std::string& text, const std::string& what, const std::string& with
 }
 }
 
-vtkGodRaysSurfaceShadows::vtkGodRaysSurfaceShadows()
+// A prop of several renderers has the pass of each, which name things apart.
+std::string vtkGodRaysSurfaceShadows::GetName(vtkProp* prop, std::string text)
 {
-  this->SetActiveDrawBuffers(1);
+  const int passes = this->CountBefore(prop);
+  if (passes > 0)
+  {
+    Replace(text, "godrays", "godrays" + std::to_string(passes));
+    Replace(text, "GodRays", "GodRays" + std::to_string(passes));
+  }
+  return text;
 }
 
 void vtkGodRaysSurfaceShadows::FindLights(
@@ -170,7 +173,13 @@ void vtkGodRaysSurfaceShadows::FindLights(
     [&](const vtkGodRaysLight& one, const vtkGodRaysLight& other)
     { return shining[one.Number]->GetIntensity() > shining[other.Number]->GetIntensity(); });
   this->Standing = lights.size();
-  lights.resize(std::min(lights.size(), MaximumLights));
+  this->Faults = this->Finder.GetFaults();
+  if (this->Standing > MaximumLights)
+  {
+    lights.resize(MaximumLights);
+    this->Faults.push_back("of all but the " + std::to_string(MaximumLights) + " strongest of " +
+      std::to_string(this->Standing) + " lights: switch lights off, or make them headlights");
+  }
 }
 
 // Volumes cast shadows, also where they are media and not drawn.
@@ -198,16 +207,18 @@ void vtkGodRaysSurfaceShadows::FindOccluders(const Request& request)
       this->Occluders[1].push_back(prop);
     }
   }
-  // A volume has 16 layers, and no edges.
-  this->LayerSize =
-    std::any_of(this->Occluders[1].begin(), this->Occluders[1].end(),
-      [](vtkProp* prop) { return vtkGodRaysVolumeHaze::GetVolume(prop) != nullptr; })
+  // A volume has 16 layers, and no edges; and layers of many lights take much memory.
+  this->LayerSize = this->Standing > 4 ||
+      std::any_of(this->Occluders[1].begin(), this->Occluders[1].end(),
+        [](vtkProp* prop) { return vtkGodRaysVolumeHaze::GetVolume(prop) != nullptr; })
     ? 512
     : 1024;
 }
 
+// The maps of what is opaque are parts of one texture, so that 8 lights need one texture unit of the mappers'
+// shaders; that is made anew, with all maps, where lights come and go.
 bool vtkGodRaysSurfaceShadows::DrawMaps(
-  const Request& request, const vtkGodRaysLight& light, Kept& kept)
+  const Request& request, const std::vector<vtkGodRaysLight>& lights)
 {
   vtkGodRaysMedium air;
   air.FarLimit = request.Renderer->GetActiveCamera()->GetClippingRange()[1];
@@ -216,66 +227,63 @@ bool vtkGodRaysSurfaceShadows::DrawMaps(
   scene.Renderer = request.Renderer;
   scene.Medium = &air;
   scene.View = request.View;
-  scene.Light = &light;
   scene.Compositor = request.Compositor;
   scene.Nearest = FindNearest(request);
   scene.Focus = request.Renderer->GetActiveCamera()->GetDistance();
   scene.Overlap = 0.14; // which the samples of a soft shadow reach, at most 0.06 of a face
-  Caster caster;
-  caster.Number = light.Number;
-  // A direction has length 1 also where a camera's model transform scales it.
-  const double* place = light.IsInfinite() ? light.Direction : light.Position;
-  for (int i = 0; i < 3; ++i)
+  // Texels about half as wide as pixels, where map and picture show the same; wider ones of many lights.
+  int size = LeastSize;
+  const double pixels = request.Tiles * std::max(request.Size[0], request.Size[1]);
+  while (size < std::min<double>(2.0 * pixels, MostSize))
   {
-    caster.Light[i] = static_cast<float>(i == 2 ? -place[2] : place[i]);
+    size *= 2;
   }
-  caster.Light[3] = light.IsInfinite() ? 0.0f : 1.0f;
-  // A light that has the colour below the air is dimmed already.
-  double above[3];
-  caster.Dimmed = request.Medium &&
-    (!light.IsInfinite() || request.Medium->HasExponentialDensity()) &&
-    !vtkGodRaysGetLightAboveAir(this->Shining[light.Number], above);
-  for (int kind = 0; kind < 2; ++kind)
+  const int most = vtkTextureObject::GetMaximumTextureSize(request.Window);
+  const bool hasLamp = std::any_of(
+    lights.begin(), lights.end(), [](const vtkGodRaysLight& light) { return !light.IsInfinite(); });
+  const double count = std::max<double>(lights.size(), 1);
+  const int columns = static_cast<int>(std::ceil(std::sqrt(count)));
+  const int rows = static_cast<int>(std::ceil(count / columns));
+  const double wide = columns * (hasLamp ? 1.5 : 1.0); // a cube has 3 x 2 faces of half the size
+  while (size > LeastSize &&
+    (std::max<double>(wide, rows) * size > most || wide * rows * size * size > MostTexels))
   {
-    // Texels about half as wide as pixels, where map and picture show the same; layers are many, and smooth.
-    int size = LeastSize;
-    const double pixels = request.Tiles * std::max(request.Size[0], request.Size[1]);
-    while (size < std::min<double>(2.0 * pixels, MostSize))
+    size /= 2;
+  }
+  const int width = hasLamp ? size / 2 * 3 : size;
+  const unsigned int version = this->Atlas.GetVersion();
+  this->Atlas.Prepare(request.Window, columns * width, rows * size, { 0, GL_DEPTH_COMPONENT32F });
+  for (std::size_t i = 0; i < lights.size(); ++i)
+  {
+    Kept& kept = this->Lights[i];
+    scene.Light = &lights[i];
+    vtkGodRaysShadowMap& opaque = kept.Maps[0];
+    if (version != this->Atlas.GetVersion())
     {
-      size *= 2;
+      opaque.Release(request.Window);
     }
-    size = kind == 1 ? this->LayerSize : size;
-    scene.Occluders = &this->Occluders[kind];
-    vtkGodRaysShadowMap& map = kept.Maps[kind];
-    scene.Share = kind == 0 ? FindShare(request, scene, size, map.GetNumberOfFaces() > 1) : 1.0;
-    if (!map.Draw(scene, light.IsInfinite() ? size : size / 2, scene.Share < 1.0 ? MostLevels : 1))
+    const int place = static_cast<int>(i);
+    kept.Parts[0] = { place % columns * width, place / columns * size };
+    scene.Occluders = &this->Occluders[0];
+    scene.Share = FindShare(request, scene, size, opaque.GetNumberOfFaces() > 1);
+    if (!opaque.Draw(scene, lights[i].IsInfinite() ? size : size / 2,
+          scene.Share < 1.0 ? MostLevels : 1, this->Atlas.GetDepth(), kept.Parts[0].data()))
     {
       return false;
     }
-    this->Drawn += map.GetNumberOfFaces() == 0 || map.WasKept() ? 0 : 1;
-    Describe(map, request, caster.Maps[kind]);
-  }
-  if (caster.Maps[0].Faces > 0 && this->IsSoft(request, light, kept.Maps[0].GetFaces()))
-  {
-    // Seen from a place, a blocker moves by this much of the map for each unit of depth between the two, as
-    // the eye goes from the light's middle to its rim: depth is affine in the distance, or in one over it.
-    const vtkGodRaysShadowGrids& grids = kept.Maps[0].GetFaces().Grids;
-    const double depth = grids.Range[1] - grids.Range[0];
-    for (int i = 0; i < 2; ++i)
+    scene.Occluders = &this->Occluders[1]; // layers are many, and smooth
+    scene.Share = 1.0;
+    if (!kept.Maps[1].Draw(
+          scene, lights[i].IsInfinite() ? this->LayerSize : this->LayerSize / 2, 1))
     {
-      caster.Maps[0].Unit[1 + i] = static_cast<float>(GetRadius(request, light) * depth /
-        (grids.Point ? grids.Range[0] * grids.Range[1] * grids.Grids[0].Texel[i] : 1.0));
+      return false;
+    }
+    for (const vtkGodRaysShadowMap& map : kept.Maps)
+    {
+      this->Drawn += map.GetNumberOfFaces() == 0 || map.WasKept() ? 0 : 1;
     }
   }
-  if (!this->WriteLayers(request.Window, kept, caster.Maps[1]))
-  {
-    return false;
-  }
-  if (caster.Maps[0].Faces + caster.Maps[1].Faces > 0 || caster.Dimmed) // else nothing takes of it
-  {
-    this->Casting.push_back(caster);
-  }
-  return true;
+  return this->WriteLayers(request.Window, most);
 }
 
 // One map about all occluders serves while the camera moves. Where its texels are more than twice as wide
@@ -309,50 +317,63 @@ double vtkGodRaysSurfaceShadows::FindShare(
   return std::min(0.5, std::exp2(0.125 * std::ceil(8.0 * std::log2(std::max(share, 0.05)))));
 }
 
+// Writes the shaders' numbers of a light and of its two maps; see vtkGodRaysSurfaceShadowsFS.glsl.
 void vtkGodRaysSurfaceShadows::Describe(
-  const vtkGodRaysShadowMap& map, const Request& request, Map& shaders)
+  const Request& request, const vtkGodRaysLight& light, const Kept& kept, std::size_t first)
 {
-  const vtkGodRaysShadowFaces& faces = map.GetFaces();
-  shaders.Faces = faces.Count;
-  if (faces.Count == 0)
+  // A direction has length 1 also where a camera's model transform scales it.
+  const double* from = light.IsInfinite() ? light.Direction : light.Position;
+  const double view[4] = { from[0], from[1], from[2], light.IsInfinite() ? 0.0 : 1.0 };
+  double toCamera[16];
+  double place[4];
+  vtkMatrix4x4::Invert(request.View->CameraToView, toCamera);
+  vtkMatrix4x4::MultiplyPoint(toCamera, view, place);
+  std::copy_n(place, 4, this->Numbers.Light + 2 * first);
+  for (int kind = 0; kind < 2; ++kind)
   {
-    return;
-  }
-  shaders.Texture = map.GetDepth();
-  const vtkGodRaysShadowGrids& grids = faces.Grids;
-  const double depth = grids.Range[1] - grids.Range[0];
-  shaders.Texels[0] = static_cast<float>(faces.Size);
-  shaders.Texels[1] = static_cast<float>(faces.GetColumns());
-  shaders.Texels[3] = static_cast<float>(grids.Point ? 2e-7 * request.Away : 0.0);
-  // Window depth is affine in the distance, or in 1/distance of a lamp, whose texels widen with it.
-  const double texel = std::max(grids.Grids[0].Texel[0], grids.Grids[0].Texel[1]);
-  shaders.Unit[0] =
-    static_cast<float>((grids.Point ? texel * grids.Range[0] * grids.Range[1] : 1.0) / depth);
-  if (!grids.Point && faces.Count > 1)
-  {
-    shaders.Faces =
-      MostLevels; // always, so that shaders stay; those that are not there have no place
-    std::fill(std::begin(shaders.ToFace), std::end(shaders.ToFace), 0.0f);
-    std::fill(std::begin(shaders.ToPlane), std::end(shaders.ToPlane), 0.0f);
-  }
-  for (int face = 0; face < faces.Count; ++face)
-  {
-    double clip[16];
-    double toFace[16];
-    vtkMatrix4x4::Multiply4x4(faces.ViewToMap[face], request.View->CameraToView, clip);
-    for (int column = 0; column < 4; ++column)
+    const vtkGodRaysShadowFaces& faces = kept.Maps[kind].GetFaces();
+    const vtkGodRaysShadowGrids& grids = faces.Grids;
+    const std::size_t map = first + kind;
+    const double depth = 1.0 / (grids.Range[1] - grids.Range[0]);
+    float* toMap = this->Numbers.ToMap + 16 * map;
+    for (int row = 0; row < 3; ++row)
     {
-      const double w = clip[12 + column];
-      toFace[column] = 0.5 * faces.Size * (clip[column] + w);
-      toFace[4 + column] = 0.5 * faces.Size * (clip[4 + column] + w);
-      toFace[8 + column] = 0.5 * (clip[8 + column] + w);
-      toFace[12 + column] = w;
+      // The cube's axes are those along which its faces look.
+      const double* axis =
+        faces.Count == 6 && grids.Point ? grids.Grids[2 * row].Axes[2] : grids.Grids[0].Axes[row];
+      const double scale = row == 2 && !grids.Point ? depth : 1.0;
+      for (int column = 0; column < 4; ++column)
+      {
+        double along = column == 3 && row == 2 && !grids.Point ? -grids.Range[0] : 0.0;
+        for (int k = 0; k < 3; ++k)
+        {
+          along += axis[k] * request.View->CameraToView[4 * k + column];
+        }
+        // a lamp's are from its place, which shaders take off
+        toMap[4 * column + row] =
+          static_cast<float>(column == 3 && grids.Point ? 0.0 : scale * along);
+      }
     }
-    double inverse[16];
-    vtkMatrix4x4::Invert(toFace, inverse);
-    std::copy_n(inverse, 16, shaders.ToPlane + static_cast<std::ptrdiff_t>(16) * face);
-    vtkMatrix4x4::Transpose(toFace, toFace);
-    std::copy_n(toFace, 16, shaders.ToFace + static_cast<std::ptrdiff_t>(16) * face);
+    for (int k = 0; k < MostLevels; ++k)
+    {
+      const vtkGodRaysShadowGrids::Grid& grid = grids.Grids[k];
+      for (int i = 0; i < 2; ++i)
+      {
+        const bool isThere = k < faces.Count;
+        float* face = this->Numbers.Faces + 4 * (MostLevels * map + k) + i;
+        face[0] = static_cast<float>(isThere ? 1.0 / grid.Texel[i] : 0.0);
+        face[2] = static_cast<float>(isThere ? -grid.Low[i] / grid.Texel[i] : -1.0);
+      }
+    }
+    const std::array<int, 4>& part = kept.Parts[kind];
+    const double blocks[4] = { part[0] + 0.0, part[1] + 0.0, faces.Size + 0.0,
+      part[3] / std::max(faces.GetRows() * faces.Size, 1) + 0.0 };
+    // Window depth is affine in the distance, or in 1/distance of a lamp, whose texels widen with it.
+    const double depths[4] = { grids.Range[1] * depth,
+      grids.Point ? grids.Range[0] * grids.Range[1] * depth : depth, 2e-7 * request.Away,
+      GetRadius(request, light) };
+    std::copy_n(blocks, 4, this->Numbers.Blocks + 4 * map);
+    std::copy_n(depths, 4, this->Numbers.Depths + 4 * map);
   }
 }
 
@@ -385,49 +406,63 @@ bool vtkGodRaysSurfaceShadows::IsSoft(
   return width > (was ? 0.5 : 1.0) * pinhole.PixelSize * distance;
 }
 
-// The layers of a map as a texture: one on another, each texel its depth and what is dark beyond.
-bool vtkGodRaysSurfaceShadows::WriteLayers(vtkOpenGLRenderWindow* window, Kept& kept, Map& shaders)
+// The layers of all lights' maps as one texture: lights side by side, layers one on another, each texel its
+// depth and what is dark beyond.
+bool vtkGodRaysSurfaceShadows::WriteLayers(vtkOpenGLRenderWindow* window, int most)
 {
-  const vtkGodRaysShadowMap& map = kept.Maps[1];
-  if (shaders.Faces == 0 || !map.HasLayers())
+  int sides[2] = { 0, 0 };
+  for (Kept& kept : this->Lights)
   {
-    shaders.Faces = 0;
-    kept.Layers.Release(window);
-    kept.Version = 0;
+    vtkGodRaysShadowMap& map = kept.Maps[1];
+    std::array<int, 4> part = {};
+    if (map.GetNumberOfFaces() > 0 && map.HasLayers())
+    {
+      const int rows = map.GetFaces().GetRows() * map.GetFaces().Size;
+      part = { sides[0], 0, map.GetFaces().GetColumns() * map.GetFaces().Size,
+        rows * std::min(map.GetGrids().NumberOfLayers, most / rows) };
+      sides[0] += part[2];
+      sides[1] = std::max(sides[1], part[3]);
+    }
+    kept.Version = part == kept.Parts[1] ? kept.Version : 0;
+    kept.Parts[1] = part;
+  }
+  if (sides[0] == 0)
+  {
+    this->Layers.Release(window);
     return true;
   }
-  const vtkGodRaysShadowGrids& grids = kept.Maps[1].GetGrids();
-  const int width = map.GetFaces().GetColumns() * map.GetFaces().Size;
-  const int rows = map.GetFaces().GetRows() * map.GetFaces().Size;
-  const int layers = std::min(
-    grids.NumberOfLayers, static_cast<int>(vtkTextureObject::GetMaximumTextureSize(window)) / rows);
-  shaders.Texels[2] = static_cast<float>(layers);
-  if (kept.Version != grids.Version)
+  const unsigned int version = this->Layers.GetVersion();
+  this->Layers.Prepare(window, sides[0], sides[1], { GL_RGBA32F, 0 });
+  const bool isNew = version != this->Layers.GetVersion();
+  if (isNew && !this->Layers.Bind())
   {
-    const std::size_t texels = static_cast<std::size_t>(width) * rows;
-    this->Texels.resize(4 * texels * layers);
-    float* to = this->Texels.data();
-    for (int k = 0; k < layers; ++k)
+    this->Layers.Release(window);
+    return false;
+  }
+  for (Kept& kept : this->Lights)
+  {
+    const std::array<int, 4>& part = kept.Parts[1];
+    if (part[2] == 0 || (!isNew && kept.Version == kept.Maps[1].GetGrids().Version))
     {
-      const vtkGodRaysShadowGrids::Layer& layer = grids.Layers[k];
-      for (std::size_t i = 0; i < texels; ++i, to += 4)
+      continue;
+    }
+    const vtkGodRaysShadowGrids& grids = kept.Maps[1].GetGrids();
+    const std::size_t texels = static_cast<std::size_t>(part[2]) *
+      kept.Maps[1].GetFaces().GetRows() * kept.Maps[1].GetFaces().Size;
+    this->Texels.resize(4 * static_cast<std::size_t>(part[2]) * part[3]);
+    for (std::size_t at = 0; at < this->Texels.size(); at += 4)
+    {
+      const vtkGodRaysShadowGrids::Layer& layer = grids.Layers[at / 4 / texels];
+      const std::size_t i = at / 4 % texels;
+      this->Texels[at] = layer.Depths[i];
+      for (int c = 0; c < 3; ++c)
       {
-        to[0] = layer.Depths[i];
-        for (int c = 0; c < 3; ++c)
-        {
-          to[1 + c] = layer.Dark[c][i];
-        }
+        this->Texels[at + 1 + c] = layer.Dark[c][i];
       }
     }
-    kept.Layers.Prepare(window, width, rows * layers, { GL_RGBA32F, 0 });
-    if (!kept.Layers.Bind())
-    {
-      return false;
-    }
-    kept.Layers.WriteColor(this->Texels);
+    this->Layers.Write(GL_RGBA, GL_FLOAT, this->Texels.data(), part.data());
     kept.Version = grids.Version;
   }
-  shaders.Texture = kept.Layers.GetColor();
   return true;
 }
 
@@ -450,65 +485,49 @@ void vtkGodRaysSurfaceShadows::SetMedium(const Request& request)
   this->Planet = static_cast<float>(medium.PlanetRadius);
 }
 
-// All visible props have this pass, also those that are culled: they would be built anew when they come into
-// view.
-void vtkGodRaysSurfaceShadows::SetProps(bool on)
-{
-  vtkRenderState state(this->Renderer);
-  state.SetPropArrayAndCount(this->Props.data(), static_cast<int>(this->Props.size()));
-  on ? this->PreRender(&state) : this->PostRender(&state);
-}
-
 bool vtkGodRaysSurfaceShadows::Begin(const Request& request)
 {
   this->End();
-  this->Nothing.Prepare(request.Window, 1, 1, { GL_RGBA8, 0 });
-  this->Renderer = request.Renderer;
   this->MostDataShadow = request.MostDataShadow;
-  this->Props.clear();
-  vtkPropCollection* props = request.Renderer->GetViewProps();
-  vtkCollectionSimpleIterator iterator;
-  props->InitTraversal(iterator);
-  while (vtkProp* prop = props->GetNextProp(iterator))
-  {
-    if (prop->GetVisibility())
-    {
-      this->Props.push_back(prop);
-    }
-  }
-  this->SetProps(true);
+  this->TakeProps(request.Renderer->GetViewProps());
   this->Built = 0;
   this->Drawn = 0;
-  this->Casting.clear();
   // Lights as the scene has them: mappers are built for their number and kinds.
   this->UpdateLightGeometry(request.Renderer);
   this->UpdateLights(request.Renderer);
-  this->FindOccluders(request);
-  this->SetMedium(request);
   std::vector<vtkGodRaysLight> lights;
   this->FindLights(request, lights);
+  this->FindOccluders(request);
+  this->SetMedium(request);
   for (; this->Lights.size() > lights.size(); this->Lights.pop_back())
   {
     Release(this->Lights.back(), request.Window);
   }
-  bool done = true;
+  while (this->Lights.size() < lights.size())
+  {
+    this->Lights.emplace_back();
+  }
+  const bool done = this->DrawMaps(request, lights);
+  std::vector<Text> shaders;
   for (std::size_t i = 0; i < lights.size() && done; ++i)
   {
-    if (i == this->Lights.size())
+    const Kept& kept = this->Lights[i];
+    const bool isLamp = !lights[i].IsInfinite();
+    const int faces[2] = { kept.Maps[0].GetNumberOfFaces(),
+      kept.Parts[1][2] > 0 ? kept.Maps[1].GetNumberOfFaces() : 0 };
+    // A light that has the colour below the air is dimmed already.
+    double above[3];
+    const bool isDimmed = request.Medium && (isLamp || request.Medium->HasExponentialDensity()) &&
+      !vtkGodRaysGetLightAboveAir(this->Shining[lights[i].Number], above);
+    if (faces[0] + faces[1] > 0 || isDimmed) // else nothing takes of it
     {
-      this->Lights.emplace_back();
+      this->Describe(request, lights[i], kept, 2 * shaders.size());
+      // Nested maps are as many always, so that shaders stay; those that are not there have no place.
+      shaders.push_back(
+        { lights[i].Number, { !isLamp && faces[0] > 1 ? MostLevels : faces[0], faces[1] },
+          faces[0] > 0 && this->IsSoft(request, lights[i], kept.Maps[0].GetFaces()), isLamp,
+          isDimmed });
     }
-    done = this->DrawMaps(request, lights[i], this->Lights[i]);
-  }
-  if (!done)
-  {
-    this->Casting.clear();
-  }
-  std::vector<Text> shaders;
-  for (const Caster& caster : this->Casting)
-  {
-    shaders.push_back({ caster.Number, { caster.Maps[0].Faces, caster.Maps[1].Faces },
-      caster.Maps[0].Unit[1] > 0.0f, caster.Light[3] > 0.0f, caster.Dimmed });
   }
   if (shaders != this->Shaders)
   {
@@ -520,17 +539,11 @@ bool vtkGodRaysSurfaceShadows::Begin(const Request& request)
 
 void vtkGodRaysSurfaceShadows::SetActive(bool active)
 {
-  if (this->Active && !active)
+  for (vtkTextureObject* texture : { this->Atlas.GetDepth(), this->Layers.GetColor() })
   {
-    for (const Caster& caster : this->Casting)
+    if (texture && !active)
     {
-      for (const Map& map : caster.Maps)
-      {
-        if (map.Faces > 0)
-        {
-          map.Texture->Deactivate();
-        }
-      }
+      texture->Deactivate();
     }
   }
   this->Active = active;
@@ -538,24 +551,17 @@ void vtkGodRaysSurfaceShadows::SetActive(bool active)
 
 void vtkGodRaysSurfaceShadows::End()
 {
-  if (this->Props.empty())
-  {
-    return;
-  }
   this->SetActive(false);
-  this->SetProps(false);
-  this->Props.clear();
   this->Shining.clear(); // lights may be deleted between frames
-  this->Nothing.GetColor()->Deactivate();
 }
 
 // Marks of our own: mappers fill in their tags and leave these.
 bool vtkGodRaysSurfaceShadows::PreReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
   // The first of each alone: users' replacements may repeat a tag.
   const auto mark = [&](const std::string& tag, const std::string& with)
-  { vtkShaderProgram::Substitute(fragmentShader, tag, with, false); };
+  { vtkShaderProgram::Substitute(fragmentShader, tag, this->GetName(prop, with), false); };
   mark("//VTK::Light::Dec", "//VTK::Light::Dec\n//VTK::GodRays::Dec\n");
   mark("//VTK::UniformFlow::Impl", "//VTK::UniformFlow::Impl\n//VTK::GodRays::Flow\n");
   mark("//VTK::Light::Impl", "//VTK::GodRays::Impl\n//VTK::Light::Impl");
@@ -568,61 +574,36 @@ bool vtkGodRaysSurfaceShadows::PostReplaceShaderValues(
   ++this->Built;
   const auto has = [&](const std::string& text)
   { return fragmentShader.find(text) != std::string::npos; };
-  std::string declarations = "uniform float godraysMost;\n"; // part of a light that shadows take
   std::string lights;
-  bool isDimmed = false;
+  std::string colors;
+  int discs = 0;
   // Physically based shading is in linear light, other shading of VTK in display values.
   const bool isLinear = has("1.0/2.2");
-  const bool hasPlace = has("vec4 vertexVC = ") && has("//VTK::GodRays::Impl");
-  for (const Text& light : this->Shaders)
+  const bool hasPlace = has("vec4 vertexVC = ") && has(this->GetName(prop, "//VTK::GodRays::Impl"));
+  for (std::size_t i = 0; i < this->Shaders.size() && hasPlace; ++i)
   {
+    const Text& light = this->Shaders[i];
     const std::string number = std::to_string(light.Number);
-    if (!hasPlace || !has("uniform vec3 lightColor" + number + ";"))
+    if (!has("uniform vec3 lightColor" + number + ";"))
     {
       continue; // this mapper does not shade with it
     }
-    const std::string color = "godraysColor" + number;
-    const std::string toLight = "godraysLight" + number;
-    declarations += "uniform vec4 " + toLight + ";\n"; // its place (w = 1), or the direction to it
-    lights += "  vec3 " + color + " = lightColor" + number + ";\n" +
-      "  if (godraysMost > 0.0)\n"
-      "  {\n"
-      "    vec3 toLight = " +
-      toLight + ".xyz - " + toLight +
-      ".w * vertexVC.xyz;\n"
-      // a facet that is turned away hides the light; the map would tell by chance
-      "    vec3 through = vec3(0.0);\n"
-      "    if (dot(godraysNormal, toLight) > 0.0)\n"
-      "    {\n"
-      "      through = vec3(1.0);\n"
-      "      vec3 left = vec3(1.0);\n"; // of linear light
-    if (light.IsDimmed)
+    const int disc = light.IsSoft ? discs++ : -1;
+    const std::string left = "godraysLeft" + number;
+    lights += "  vec3 " + left + " = GodRaysLeft(";
+    for (const int value : { static_cast<int>(i), light.Faces[0], light.Faces[1], disc })
     {
-      isDimmed = true;
-      lights += "      left = GodRaysAir(vertexVC.xyz, " + toLight + ");\n";
+      lights += std::to_string(value) + ", ";
     }
-    for (int kind = 0; kind < 2; ++kind)
+    for (const bool is : { light.IsLamp, light.IsDimmed, isLinear })
     {
-      if (light.Faces[kind] > 0)
-      {
-        const std::string name = GetName(number, kind);
-        std::string map = vtkGodRaysSurfaceShadowsFS;
-        Replace(map, "NAME", name);
-        Replace(map, "FACES", std::to_string(light.Faces[kind]));
-        Replace(map, "SOFT", kind == 0 && light.IsSoft ? "true" : "false");
-        Replace(map, "LAMP", light.IsLamp ? "true" : "false");
-        Replace(map, "LAYERED", kind == 0 ? "false" : "true");
-        declarations += map;
-        lights += std::string("      ") + (kind == 0 ? "through" : "left") + " *= GodRaysThrough" +
-          name + "(vertexVC.xyz, godraysNormal, toLight);\n";
-      }
+      lights += is ? "true, " : "false, ";
     }
-    if (light.Faces[1] > 0 || light.IsDimmed)
-    {
-      lights += isLinear ? "      through *= left;\n" : "      through *= EncodeDisplay(left);\n";
-    }
-    lights += "    }\n    " + color + " *= 1.0 - godraysMost * (1.0 - through);\n  }\n" +
-      "#define lightColor" + number + " " + color + "\n";
+    lights += "vertexVC.xyz, godraysNormal);\n";
+    const std::string seen = disc >= 0 ? " * godraysSeen[" + std::to_string(disc) + "]" : "";
+    colors += "  vec3 godraysColor" + number + " = lightColor" + number +
+      " * (1.0 - godraysMost * (1.0 - " + left + seen + "));\n#undef lightColor" + number +
+      "\n#define lightColor" + number + " godraysColor" + number + "\n";
   }
   if (lights.empty())
   {
@@ -637,86 +618,71 @@ bool vtkGodRaysSurfaceShadows::PostReplaceShaderValues(
   const std::size_t first = fragmentShader.find("vec4 vertexVC = ");
   const bool isImpostor = fragmentShader.find("vertexVC =", first + 16) != std::string::npos ||
     has("vertexVC.xyz =") || has("tubeBasis1");
-  declarations =
-    "//VTK::GodRays::Colour\n" + (isDimmed ? vtkGodRaysSurfaceAirFS + declarations : declarations);
+  std::string declarations = vtkGodRaysSurfaceShadowsFS;
+  Replace(declarations, "LIGHTS", std::to_string(this->Shaders.size()));
+  Replace(declarations, "DIMMED",
+    std::any_of(
+      this->Shaders.begin(), this->Shaders.end(), [](const Text& light) { return light.IsDimmed; })
+      ? "1"
+      : "0");
   if (declarations != this->Declarations)
   {
     this->Declarations = declarations;
     this->Included = vtkGodRaysQuad::Include(declarations);
   }
-  Replace(fragmentShader, "//VTK::GodRays::Dec", this->Included);
-  Replace(fragmentShader, "//VTK::GodRays::Flow",
-    isImpostor
-      ? ""
-      : "  vec3 godraysFacet = cross(dFdx(vertexVC.xyz), dFdy(vertexVC.xyz));\n"
-        "  godraysFacet = dot(godraysFacet, godraysFacet) > 0.0 ? normalize(godraysFacet)\n"
-        "                                                       : vec3(0.0, 0.0, 1.0);\n"
-        "  vec3 godraysToEye = cameraParallel == 1 ? vec3(0.0, 0.0, 1.0) : -vertexVC.xyz;\n"
-        "  godraysFacet = dot(godraysFacet, godraysToEye) < 0.0 ? -godraysFacet : godraysFacet;\n");
-  Replace(fragmentShader, "//VTK::GodRays::Impl",
+  const auto fill = [&](const char* mark, const std::string& with)
+  { Replace(fragmentShader, this->GetName(prop, mark), this->GetName(prop, with)); };
+  fill("//VTK::GodRays::Dec", this->Included);
+  fill("//VTK::GodRays::Flow",
+    isImpostor ? "" : "  vec3 godraysFacet = GodRaysFacet(vertexVC.xyz, cameraParallel == 1);\n");
+  fill("//VTK::GodRays::Impl",
     std::string("  vec3 godraysNormal = ") + (isImpostor ? "normalVCVSOutput" : "godraysFacet") +
-      ";\n" + lights);
+      ";\n" + lights + (discs > 0 ? "  GodRaysSample(" + std::to_string(discs) + ");\n" : "") +
+      colors);
   return true;
 }
 
 bool vtkGodRaysSurfaceShadows::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
-  if (!program->IsUniformUsed("godraysMost"))
+  const auto name = [&](const char* text) { return this->GetName(prop, text); };
+  if (!program->IsUniformUsed(name("godraysMost").c_str()))
   {
     return true;
   }
   const double most = IsColored(mapper, prop) ? this->MostDataShadow : 1.0;
-  program->SetUniformf("godraysMost", static_cast<float>(this->Active ? most : 0.0));
-  if (program->IsUniformUsed("godraysAir"))
+  program->SetUniformf(name("godraysMost").c_str(), static_cast<float>(this->Active ? most : 0.0));
+  program->SetUniform4f(name("godraysVertical").c_str(), this->Vertical);
+  program->SetUniformf(name("godraysPlanet").c_str(), this->Planet);
+  const int lights = static_cast<int>(this->Shaders.size());
+  const auto set = [&](const char* text, int count, const float* values)
+  { program->SetUniform4fv(name(text).c_str(), count, values); };
+  set("godraysAir", 2, this->Air);
+  set("godraysLight", lights, this->Numbers.Light);
+  set("godraysFaces", 2 * MostLevels * lights, this->Numbers.Faces);
+  set("godraysBlocks", 2 * lights, this->Numbers.Blocks);
+  set("godraysDepths", 2 * lights, this->Numbers.Depths);
+  // VTK 9.1 takes matrices as if it wrote to them
+  program->SetUniformMatrix4x4v(name("godraysToMap").c_str(), 2 * lights, this->Numbers.ToMap);
+  // Bound again for each prop, as passes between, such as vtkEDLShading, bind theirs to the unit.
+  const auto bind = [&](const char* text, vtkTextureObject* texture)
   {
-    program->SetUniform4fv("godraysAir", 2, this->Air);
-    program->SetUniform4f("godraysVertical", this->Vertical);
-    program->SetUniformf("godraysPlanet", this->Planet);
-  }
-  for (const Text& light : this->Shaders)
-  {
-    const std::string number = std::to_string(light.Number);
-    const auto caster = std::find_if(this->Casting.begin(), this->Casting.end(),
-      [&](const Caster& each) { return each.Number == light.Number; });
-    const bool isShadowed = this->Active && caster != this->Casting.end();
-    if (isShadowed && program->IsUniformUsed(("godraysLight" + number).c_str()))
+    const bool binds = this->Active && texture;
+    if (binds)
     {
-      program->SetUniform4f(("godraysLight" + number).c_str(), caster->Light);
-    }
-    for (int kind = 0; kind < 2; ++kind)
-    {
-      const std::string name = GetName(number, kind);
-      if (light.Faces[kind] == 0 || !program->IsUniformUsed(("godraysMap" + name).c_str()))
-      {
-        continue;
-      }
-      // A sampler always has a texture of its kind, or OpenGL refuses to draw; and it is bound again for each
-      // prop, as passes between, such as vtkEDLShading, bind theirs to its unit.
-      const bool hasMap = isShadowed && caster->Maps[kind].Faces > 0;
-      vtkTextureObject* texture = hasMap ? caster->Maps[kind].Texture : this->Nothing.GetColor();
       texture->Activate();
-      program->SetUniformi(("godraysMap" + name).c_str(), texture->GetTextureUnit());
-      if (hasMap)
-      {
-        const Map& map = caster->Maps[kind];
-        // VTK 9.1 takes them as if it wrote to them
-        program->SetUniformMatrix4x4v(
-          ("godraysToFace" + name).c_str(), map.Faces, const_cast<float*>(map.ToFace));
-        program->SetUniformMatrix4x4v(
-          ("godraysToPlane" + name).c_str(), map.Faces, const_cast<float*>(map.ToPlane));
-        program->SetUniform4f(("godraysTexels" + name).c_str(), map.Texels);
-        program->SetUniform3f(("godraysUnit" + name).c_str(), map.Unit);
-      }
     }
-  }
+    program->SetUniformi(name(text).c_str(), binds ? texture->GetTextureUnit() : EmptyUnit);
+  };
+  bind("godraysOpaque", this->Atlas.GetDepth());
+  bind("godraysLayers", this->Layers.GetColor());
   return true;
 }
 
 std::string vtkGodRaysSurfaceShadows::Describe() const
 {
   std::ostringstream text;
-  text << "surfaces: shadows of " << this->Casting.size() << " of " << this->Shining.size()
+  text << "surfaces: shadows of " << this->Shaders.size() << " of " << this->Shining.size()
        << " lights, " << this->Drawn << " maps drawn, " << this->Built << " shaders built";
   for (const std::string& mapper : this->WithoutLights)
   {
@@ -730,12 +696,13 @@ std::string vtkGodRaysSurfaceShadows::Describe() const
 void vtkGodRaysSurfaceShadows::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
+  this->Remove();
   for (Kept& light : this->Lights)
   {
     Release(light, window);
   }
   this->Lights.clear();
-  this->Casting.clear();
   this->WithoutLights.clear();
-  this->Nothing.Release(window);
+  this->Atlas.Release(window);
+  this->Layers.Release(window);
 }

@@ -23,9 +23,9 @@
 #include "vtkGodRaysLightFinder.h"
 #include "vtkGodRaysShadowMap.h"
 #include "vtkGodRaysSortedProps.h"
+#include "vtkGodRaysSurfacePass.h"
 #include "vtkGodRaysTarget.h"
 #include "vtkLight.h" // For vtkSmartPointer
-#include "vtkOpenGLRenderPass.h"
 #include "vtkSmartPointer.h"
 #include "vtkTimeStamp.h"
 
@@ -42,14 +42,14 @@ class vtkRenderer;
 struct vtkGodRaysMedium;
 struct vtkGodRaysView;
 
-class vtkGodRaysSurfaceShadows : public vtkOpenGLRenderPass
+class vtkGodRaysSurfaceShadows : public vtkGodRaysSurfacePass
 {
 public:
   static vtkGodRaysSurfaceShadows* New();
-  vtkTypeMacro(vtkGodRaysSurfaceShadows, vtkOpenGLRenderPass);
+  vtkTypeMacro(vtkGodRaysSurfaceShadows, vtkGodRaysSurfacePass);
 
-  /// So many lights have maps, each a texture unit of the mappers' shaders. The strongest ones do.
-  static constexpr std::size_t MaximumLights = 4;
+  /// So many lights have maps, the strongest ones. All are in one texture, and their layers in another.
+  static constexpr std::size_t MaximumLights = 8;
 
   struct Request
   {
@@ -72,8 +72,8 @@ public:
   };
 
   /**
-   * Begin a frame: draw the maps, and have the renderer's props drawn with this pass until End(). Returns
-   * false when the driver refuses; then there are no shadows.
+   * Begin a frame: put this pass on the renderer's props, and draw the maps. Returns false when the driver
+   * refuses; then there are no shadows.
    */
   bool Begin(const Request& request);
 
@@ -100,6 +100,11 @@ public:
   std::string Describe() const;
 
   /**
+   * Returns which lights of the last frame cast no shadows, with the cause and the remedy, each as "of ...".
+   */
+  const std::vector<std::string>& GetFaults() const { return this->Faults; }
+
+  /**
    * Returns whether the last frame had a light that casts shadows where something blocks it.
    */
   bool HasLights() const { return this->Standing > 0; }
@@ -108,7 +113,6 @@ public:
 
   ///@{
   /// For VTK.
-  void Render(const vtkRenderState*) override {}
   vtkMTimeType GetShaderStageMTime() override { return this->Stage; }
   bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
@@ -119,43 +123,34 @@ public:
   ///@}
 
 protected:
-  vtkGodRaysSurfaceShadows();
+  vtkGodRaysSurfaceShadows() = default;
   ~vtkGodRaysSurfaceShadows() override = default;
 
 private:
   vtkGodRaysSurfaceShadows(const vtkGodRaysSurfaceShadows&) = delete;
   void operator=(const vtkGodRaysSurfaceShadows&) = delete;
 
-  /// A map, as shaders have it; see vtkGodRaysSurfaceShadowsFS.glsl.
-  struct Map
+  /// Numbers of lights and maps, as shaders have them; see vtkGodRaysSurfaceShadowsFS.glsl.
+  struct Uniforms
   {
-    vtkTextureObject* Texture = nullptr;
-    int Faces = 0;         // 0: there is none
-    float ToFace[6 * 16];  // columns first
-    float ToPlane[6 * 16]; // rows first, of the inverse
-    float Texels[4] = {};
-    float Unit[3] = {};
-  };
-  /// A light that casts shadows.
-  struct Caster
-  {
-    int Number = 0;      // among the lights that are switched on, as VTK numbers them
-    float Light[4];      // place or direction, in the camera's coordinates
-    bool Dimmed = false; // by the medium
-    Map Maps[2];         // of what is opaque, and of what lets light through
+    float Light[4 * MaximumLights];
+    float ToMap[32 * MaximumLights]; // columns first
+    float Faces[32 * MaximumLights];
+    float Blocks[8 * MaximumLights];
+    float Depths[8 * MaximumLights];
   };
   /// Holds what stays of a light from frame to frame.
   struct Kept
   {
-    vtkGodRaysShadowMap Maps[2];
-    vtkGodRaysTarget Layers;
-    unsigned int Version = 0; // of the grids that these are of
+    vtkGodRaysShadowMap Maps[2];   // of what is opaque, and of what lets light through
+    std::array<int, 4> Parts[2]{}; // of the textures: corner, width and height
+    unsigned int Version = 0;      // of the grids that the layers are of
   };
   /// Says what the shaders' text depends on for a light.
   struct Text
   {
-    int Number;
-    std::array<int, 2> Faces; // of its maps
+    int Number;               // among the lights that are switched on, as VTK numbers them
+    std::array<int, 2> Faces; // of its maps; 0: there is none
     bool IsSoft;
     bool IsLamp;
     bool IsDimmed;
@@ -169,32 +164,33 @@ private:
 
   void FindLights(const Request& request, std::vector<vtkGodRaysLight>& lights);
   void FindOccluders(const Request& request);
-  bool DrawMaps(const Request& request, const vtkGodRaysLight& light, Kept& kept);
+  bool DrawMaps(const Request& request, const std::vector<vtkGodRaysLight>& lights);
   static double FindShare(const Request& request, const vtkGodRaysMediumIntegrator::Request& scene,
     int size, bool isNested);
-  static void Describe(const vtkGodRaysShadowMap& map, const Request& request, Map& shaders);
+  void Describe(
+    const Request& request, const vtkGodRaysLight& light, const Kept& kept, std::size_t first);
   bool IsSoft(
     const Request& request, const vtkGodRaysLight& light, const vtkGodRaysShadowFaces& faces) const;
-  bool WriteLayers(vtkOpenGLRenderWindow* window, Kept& kept, Map& shaders);
+  bool WriteLayers(vtkOpenGLRenderWindow* window, int most);
   void SetMedium(const Request& request);
-  void SetProps(bool on);
+  std::string GetName(vtkProp* prop, std::string text);
 
-  std::vector<vtkProp*> Props; // of the frame
-  vtkRenderer* Renderer = nullptr;
   vtkGodRaysLightFinder Finder;
   vtkGodRaysSortedProps Sorted;
   std::vector<vtkProp*> Occluders[2]; // opaque ones, and those that let light through
   int LayerSize = 0;                  // of maps of the latter [pixels]
   std::deque<Kept> Lights;            // in the frame's order
-  std::vector<Caster> Casting;
-  std::vector<float> Texels; // of layers; here to keep its memory
-  vtkGodRaysTarget Nothing;  // what samplers have while maps are drawn
-  std::vector<Text> Shaders;
-  std::string Declarations; // of the shader that was built last
-  std::string Included;     // the same with the formulas that they name
-  vtkTimeStamp Stage;       // when that changed
+  vtkGodRaysTarget Atlas;             // of all lights, depths of what is opaque
+  vtkGodRaysTarget Layers;            // and what the rest lets through
+  std::vector<float> Texels;          // of layers; here to keep its memory
+  std::vector<Text> Shaders;          // of the lights that cast shadows
+  Uniforms Numbers;                   // of these
+  std::string Declarations;           // of the shader that was built last
+  std::string Included;               // the same with the formulas that they name
+  vtkTimeStamp Stage;                 // when that changed
   bool Active = false;
   std::size_t Standing = 0; // lights in the scene
+  std::vector<std::string> Faults;
   double MostDataShadow = 1.0;
   std::vector<vtkSmartPointer<vtkLight>> Shining; // lights that are switched on, by their numbers
   float Air[8];                                   // of the medium, as shaders have it

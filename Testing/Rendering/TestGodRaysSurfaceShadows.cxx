@@ -23,10 +23,12 @@
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkOpenGLRenderPass.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPlaneSource.h"
@@ -1098,44 +1100,76 @@ TEST(GodRaysSurfaceShadows, OfAPlacedSunFallOnTheGround)
   EXPECT_NEAR(GetVector(copy->GetPosition()).z - GetVector(copy->GetFocalPoint()).z, 0.4226, 1e-3);
 }
 
+// Eight lights, suns and lamps, of an opaque plate and of a pane. A ninth, the weakest, casts none, which is
+// told once.
 TEST(GodRaysSurfaceShadows, OfLightsAdd)
 {
-  Messages messages;
-  Zoo zoo;
-  zoo.Light->SetIntensity(0.2);
-  std::vector<vtkSmartPointer<vtkLight>> lights = { zoo.Light };
-  lights.push_back(MakeLamplight({ -1.0, -0.5, 3.5 }));
-  lights.push_back(MakeLamplight({ 2.0, 3.0, 6.0 }));
-  lights.push_back(MakeSun({ 3.0, -1.0, 5.0 }));
-  for (std::size_t i = 1; i < lights.size(); ++i)
+  for (const double opacity : { 1.0, 0.5 })
   {
-    lights[i]->SetIntensity(0.2);
-    zoo.Renderer->AddLight(lights[i]);
-  }
-  const Pixels all = GetPixels(zoo.Window);
-  EXPECT_TRUE(Says(zoo.Rays->GetPlan(), "shadows of 4 of 4 lights")) << zoo.Rays->GetPlan();
-  std::vector<Pixels> each;
-  for (vtkLight* light : lights)
-  {
-    for (vtkLight* other : lights)
+    Messages messages;
+    Zoo zoo;
+    zoo.Plate->GetProperty()->SetOpacity(opacity);
+    std::vector<vtkSmartPointer<vtkLight>> lights = { zoo.Light };
+    for (const double i : { 0.0, 1.0, 2.0 })
     {
-      other->SetSwitch(other == light);
+      lights.push_back(MakeLamplight({ -1.0 + i, -0.5 - i, 3.5 }));
+      lights.push_back(MakeSun({ 3.0 - 2.0 * i, -1.0 + i, 5.0 }));
     }
-    each.push_back(GetPixels(zoo.Window));
-    EXPECT_TRUE(Says(zoo.Rays->GetPlan(), "shadows of 1 of 1 lights")) << zoo.Rays->GetPlan();
+    lights.push_back(MakeLamplight({ 2.0, 3.0, 6.0 }));
+    zoo.Renderer->RemoveAllLights();
+    for (vtkLight* light : lights)
+    {
+      light->SetIntensity(0.1);
+      zoo.Renderer->AddLight(light);
+    }
+    zoo.Window->Render();
+    const Pixels all = GetPixels(zoo.Window);
+    EXPECT_TRUE(Says(zoo.Rays->GetPlan(), "shadows of 8 of 8 lights, 0 maps drawn, 0 shaders"))
+      << zoo.Rays->GetPlan();
+    std::vector<Pixels> each;
+    for (vtkLight* light : lights)
+    {
+      for (vtkLight* other : lights)
+      {
+        other->SetSwitch(other == light);
+      }
+      each.push_back(GetPixels(zoo.Window));
+      EXPECT_TRUE(Says(zoo.Rays->GetPlan(), "shadows of 1 of 1 lights")) << zoo.Rays->GetPlan();
+    }
+    for (vtkLight* light : lights)
+    {
+      light->SetIntensity(0.0);
+    }
+    const Pixels none = GetPixels(zoo.Window);
+    int largest = 0;
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+      int sum = -7 * none[i];
+      for (const Pixels& one : each)
+      {
+        sum += one[i];
+      }
+      largest = i % 4 == 3 ? largest : std::max(largest, std::abs(all[i] - sum));
+    }
+    EXPECT_LE(largest, 8) << "levels of rounding, half of one a picture";
+
+    auto ninth = MakeSun({ 0.0, 1.0, 5.0 });
+    ninth->SetIntensity(0.05);
+    zoo.Renderer->AddLight(ninth);
+    for (vtkLight* light : lights)
+    {
+      light->SetIntensity(0.1);
+      light->SwitchOn();
+    }
+    EXPECT_TRUE(messages.Take().empty());
+    zoo.Draw(true, 0.1);
+    zoo.Draw(true, 0.1);
+    EXPECT_TRUE(Says(zoo.Rays->GetPlan(), "shadows of 8 of 9 lights")) << zoo.Rays->GetPlan();
+    const auto told = messages.Take();
+    ASSERT_EQ(told.size(), 1u);
+    EXPECT_TRUE(Says(told[0], "no shadows on surfaces of all but the 8 strongest of 9 lights"))
+      << told[0];
   }
-  for (vtkLight* light : lights)
-  {
-    light->SetIntensity(0.0);
-  }
-  const Pixels none = GetPixels(zoo.Window);
-  int largest = 0;
-  for (std::size_t i = 0; i < all.size(); ++i)
-  {
-    const int sum = each[0][i] + each[1][i] + each[2][i] + each[3][i] - 3 * none[i];
-    largest = i % 4 == 3 ? largest : std::max(largest, std::abs(all[i] - sum));
-  }
-  EXPECT_LE(largest, 4) << "levels of rounding";
 }
 
 TEST(GodRaysSurfaceShadows, BuildNothingWithoutCause)
@@ -1435,6 +1469,83 @@ TEST(GodRaysSurfaceShadows, AreOfEachRendererOfAWindow)
   EXPECT_EQ(countChanged(left, 0), 0);
   EXPECT_GT(countChanged(left, 1), 500);
   rays->Detach(other);
+}
+
+// Actors that two renderers share: each half of the window is as if it were the renderer's own, whether the
+// other has no shadows, or softer ones, and no shader is built in a steady frame.
+TEST(GodRaysSurfaceShadows, OfSharedActorsAreThoseOfTheirRenderer)
+{
+  Messages messages;
+  Zoo zoo;
+  zoo.Rays->SetSunAngularRadius(3.0);
+  zoo.Renderer->SetViewport(0.5, 0.0, 1.0, 1.0);
+  vtkNew<vtkRenderer> other;
+  other->SetViewport(0.0, 0.0, 0.5, 1.0);
+  other->SetActiveCamera(zoo.Camera);
+  other->SetBackground(zoo.Renderer->GetBackground());
+  other->AddLight(zoo.Light);
+  zoo.Window->AddRenderer(other);
+  vtkNew<vtkGodRaysPass> rays;
+  rays->SetIntensity(0.0);
+  rays->SurfaceShadowsOn();
+  rays->SetSunAngularRadius(3.0);
+  rays->SetMostDataShadow(1.0);
+  enum
+  {
+    LIT,
+    HARD,
+    SOFT,
+    EMPTY
+  };
+  const auto draw = [&](int left, int right)
+  {
+    zoo.Renderer->RemoveAllViewProps();
+    other->RemoveAllViewProps();
+    for (vtkActor* actor : { zoo.Plate.Get(), zoo.Floor.Get() })
+    {
+      left == EMPTY ? void() : other->AddActor(actor);
+      right == EMPTY ? void() : zoo.Renderer->AddActor(actor);
+    }
+    rays->SetSurfaceShadows(left == HARD || left == SOFT);
+    rays->SetSoftShadows(left == SOFT);
+    zoo.Rays->SetSoftShadows(right == SOFT);
+    for (int frame = 0; frame < 3; ++frame)
+    {
+      zoo.Draw(right == HARD || right == SOFT);
+    }
+    const Pixels pixels = zoo.Draw(right == HARD || right == SOFT);
+    for (vtkGodRaysPass* each : { rays.Get(), zoo.Rays.Get() })
+    {
+      EXPECT_TRUE(!each->GetSurfaceShadows() || Says(each->GetPlan(), " 0 maps drawn, 0 shaders"))
+        << left << right << each->GetPlan();
+    }
+    return pixels;
+  };
+  const auto countDifferent = [](const Pixels& one, const Pixels& two, std::size_t half)
+  {
+    int different = 0;
+    for (std::size_t i = 0; i < one.size(); ++i)
+    {
+      different += i / 4 % 200 / 100 == half && one[i] != two[i];
+    }
+    return different;
+  };
+  rays->Attach(other);
+  for (int left : { LIT, HARD, SOFT })
+  {
+    for (int right : { LIT, HARD, SOFT })
+    {
+      const Pixels both = draw(left, right);
+      EXPECT_EQ(countDifferent(both, draw(left, EMPTY), 0), 0) << left << right;
+      EXPECT_EQ(countDifferent(both, draw(EMPTY, right), 1), 0) << left << right;
+    }
+  }
+  EXPECT_GT(countDifferent(draw(LIT, SOFT), draw(HARD, LIT), 0), 500);
+  EXPECT_GT(countDifferent(draw(HARD, SOFT), draw(SOFT, HARD), 1), 100);
+  rays->Detach(other);
+  zoo.Rays->Detach(zoo.Renderer);
+  EXPECT_FALSE(zoo.Floor->GetPropertyKeys() &&
+    zoo.Floor->GetPropertyKeys()->Has(vtkOpenGLRenderPass::RenderPasses()));
 }
 
 // Over wide ground, too, edges of shadows stay where they are in the world: most frames of a camera that
