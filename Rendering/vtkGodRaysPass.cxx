@@ -141,6 +141,11 @@ vtkLight* vtkGodRaysPass::PlaceSunOrLamp(vtkRenderer* renderer, double x, double
   self.PlacedSun->SetPosition(place);
   self.SunIsKept = true;
   this->AddLight(self.PlacedSun);
+  if (this->SunPlacement == SUN_IF_NO_LIGHT)
+  {
+    std::iter_swap(self.Lights.begin(), // the first light is the one that looks go by
+      std::find(self.Lights.begin(), self.Lights.end(), self.PlacedSun));
+  }
   return self.PlacedSun;
 }
 
@@ -155,7 +160,16 @@ bool vtkGodRaysPass::IsSunMissing() const
   const Internals& self = *this->Internal;
   const bool isThere = self.PlacedSun &&
     std::find(self.Lights.begin(), self.Lights.end(), self.PlacedSun) != self.Lights.end();
-  return isThere ? !self.SunIsKept : this->SunPlacement != SUN_BY_HAND;
+  return isThere                            ? !self.SunIsKept
+    : this->SunPlacement == SUN_IF_NO_LIGHT ? self.HasNoLight
+                                            : this->SunPlacement != SUN_BY_HAND;
+}
+
+// Returns true if a sun is to be placed in this frame, or follows the view.
+bool vtkGodRaysPass::MovesSun() const
+{
+  return this->IsSunMissing() ||
+    (this->Internal->PlacedSun && this->SunPlacement >= SUN_EVERY_VIEW);
 }
 
 // Returns true if view or props differ from those whose coverage is known. Pictures of
@@ -498,7 +512,12 @@ std::string vtkGodRaysPass::GetAdvice() const
 
 std::string vtkGodRaysPass::GetPlan() const
 {
-  return this->Internal->Finder.GetPlan() + this->Internal->StagePlan;
+  std::string plan = this->Internal->Finder.GetPlan() + this->Internal->StagePlan;
+  for (const std::string& concern : this->Internal->Concerns)
+  {
+    plan += "advice: " + concern + "\n";
+  }
+  return plan;
 }
 
 double vtkGodRaysPass::GetExposure()

@@ -124,7 +124,8 @@ public:
     SUN_BY_HAND = 0, ///< who adds lights, or calls PlaceSun()
     SUN_ONCE = 1,    ///< the first frame that has something to see
     SUN_EVERY_VIEW =
-      2 ///< as SUN_ONCE, and again in still frames in which its place has become poor
+      2, ///< as SUN_ONCE, and again in still frames in which its place has become poor
+    SUN_IF_NO_LIGHT = 3 ///< as SUN_EVERY_VIEW, from the first frame that no light reaches
   };
 
   ///@{
@@ -157,7 +158,7 @@ public:
    * Set/Get who places a sun, one of SunPlacementType. Default is SUN_BY_HAND. With SUN_EVERY_VIEW, the sun
    * stays while its score is 0.8 of the best one or more in the new view, and while the camera is dragged.
    */
-  vtkSetClampMacro(SunPlacement, int, SUN_BY_HAND, SUN_EVERY_VIEW);
+  vtkSetClampMacro(SunPlacement, int, SUN_BY_HAND, SUN_IF_NO_LIGHT);
   vtkGetMacro(SunPlacement, int);
   ///@}
 
@@ -558,10 +559,11 @@ public:
   std::string GetPlan() const;
 
   /**
-   * What in the last frame is probably not meant, with its number and a remedy, a line each; empty if there
-   * is nothing: a medium that hides the scene, with an optical depth across it above 5, or hardly shows, with
-   * one below 0.01; rays that change nothing that can be seen. The plan has it, too; the first is also a
-   * warning, once.
+   * What in the last still frame is probably not meant, with its number and a remedy, a line each; empty if
+   * there is nothing: a medium that hides the scene, with an optical depth across it above 5, or hardly
+   * shows, with one below 0.01; no light that reaches the picture, and why; parameters that scatter nothing;
+   * rays that change nothing that can be seen. The plan has it, too. Each kind is also a warning, once; an
+   * Intensity of 0 is none.
    */
   std::string GetAdvice() const;
 
@@ -624,10 +626,13 @@ private:
   bool DrawOutput(
     const vtkRenderState* s, const vtkGodRaysFramebuffer& bound, const int viewport[4]);
   void ShowNoLight(const vtkRenderState* s, vtkOpenGLState* state);
+  void Advise(const std::string& concern);
+  void AdviseOnLights();
   void FindConcerns();
   void DescribeStages(bool screen);
   std::string DescribeErrors() const;
   bool IsSunMissing() const;
+  bool MovesSun() const;
   void LightTheData(vtkRenderer* renderer);
   bool SeesNewPicture(vtkRenderer* renderer);
   void MoveSun(vtkRenderer* renderer, bool isBlue);

@@ -47,7 +47,7 @@ bool vtkGodRaysPass::LookAtPicture(
       static_cast<std::size_t>(coverage->GetNumberOfPoints()), vtkGodRaysCompositor::GREATEST);
   }
   self.Placer->SetCoverageImage(coverage);
-  if (this->IsSunMissing() || (self.PlacedSun && this->SunPlacement == SUN_EVERY_VIEW))
+  if (this->MovesSun())
   {
     constexpr double leastLightness = 12.0; // [L*]
     constexpr double blue = -6.0;           // b*

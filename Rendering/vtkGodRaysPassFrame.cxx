@@ -95,6 +95,7 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   const vtkGodRaysSurfaceShadows::Ending ending = { self.Shadows };
   self.Finder.Clear();
   self.Concerns.clear();
+  self.IsStill = window && window->GetDesiredUpdateRate() < 1.0 && !s->GetRenderer()->GetSelector();
   self.HasScattering = false;
   self.HasRays = false;
   self.Timers.BeginFrame(this->MeasureTimes);
@@ -133,13 +134,7 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
     else if (lights.empty() && !this->DimsScene() && !self.IsNewPicture)
     {
       reason = "no light reaches the picture";
-      if (self.PlacedSun && this->SunPlacement != SUN_EVERY_VIEW && self.Lights.size() == 1 &&
-        self.Lights.front() == self.PlacedSun)
-      {
-        self.Concerns.push_back(
-          "the sun left the picture. Set SunPlacement to SUN_EVERY_VIEW, so that it "
-          "follows still views, or call PlaceSun() again");
-      }
+      this->AdviseOnLights();
     }
   }
   self.SunMoved = false;
@@ -254,6 +249,8 @@ const char* vtkGodRaysPass::FindReasonForNoRays(const vtkRenderState* s)
   if (!self.Model->CanScatter() &&
     !vtkGodRaysCompositor::Any(self.Compositor, self.Effect->HasOwnProps(s->GetRenderer())))
   {
+    this->Advise("the model's parameters scatter nothing. Set its density, exposure, weight or "
+                 "scattering above 0, or Intensity to 0 for a picture without rays");
     return "the model's parameters scatter nothing";
   }
   if (!self.Integrator->Supports(self.Model))
@@ -275,8 +272,10 @@ std::string vtkGodRaysPass::FindFault(vtkRenderer* renderer, const vtkGodRaysVie
   {
     return fault;
   }
-  const bool movesSun =
-    this->IsSunMissing() || (self.PlacedSun && this->SunPlacement == SUN_EVERY_VIEW);
+  self.HasNoLight = false;
+  this->FindLights(renderer, view, lights);
+  self.HasNoLight = lights.empty();
+  const bool movesSun = this->MovesSun();
   self.CoverageIsCurrent = false;
   self.IsNewPicture = (movesSun || self.Effect->UsesCoverage()) &&
     vtkGodRaysCompositor::Any(self.Compositor, this->SeesNewPicture(renderer));
@@ -284,8 +283,8 @@ std::string vtkGodRaysPass::FindFault(vtkRenderer* renderer, const vtkGodRaysVie
     this->IsSunMissing()) // in a tile, which does not show all that there is
   {
     this->PlaceSun(renderer);
+    this->FindLights(renderer, view, lights);
   }
-  this->FindLights(renderer, view, lights);
   if (lights.empty() && !movesSun)
   {
     self.IsNewPicture = self.CoverageIsCurrent = false; // nobody needs it
@@ -612,30 +611,77 @@ bool vtkGodRaysPass::DrawOutput(
   return drawn;
 }
 
-// What of a whole, still picture is probably not what was meant.
-void vtkGodRaysPass::FindConcerns()
+// Keeps what is probably not meant in a whole, still picture, and warns of each kind once; not where lights
+// are at fault, which is told already.
+void vtkGodRaysPass::Advise(const std::string& concern)
 {
   Internals& self = *this->Internal;
-  const std::string concern = self.Effect->FindConcern();
-  if (this->Output != COMPOSITE || self.Window->GetDesiredUpdateRate() >= 1.0)
-  {
-    return;
-  }
-  if (!concern.empty())
+  if (!concern.empty() && this->Output == COMPOSITE && self.IsStill)
   {
     self.Concerns.push_back(concern);
-    if (self.Complaints.insert(concern.substr(0, concern.find(':'))).second)
+    if (self.Complaints.insert(concern.substr(0, concern.find_first_of(":."))).second &&
+      self.Finder.GetFaults().empty())
     {
       vtkWarningMacro(<< concern << ".");
     }
   }
-  if (self.IsMetered && self.Surround.Part == 0.0 && !this->DimsScene() &&
-    !self.Meter.ShowsRays(this->GetExposure()))
+}
+
+// Says why no light makes rays, and what to do.
+void vtkGodRaysPass::AdviseOnLights()
+{
+  const Internals& self = *this->Internal;
+  const bool isPlaced =
+    self.PlacedSun && self.Lights.size() == 1 && self.Lights.front() == self.PlacedSun;
+  if (isPlaced && this->SunPlacement < SUN_EVERY_VIEW)
   {
-    self.Concerns.push_back(
-      "the rays change nothing that can be seen. Put a light where it is seen "
-      "past something, before a background that is not white, or set a "
-      "larger Intensity");
+    this->Advise("the sun left the picture. Set SunPlacement to SUN_EVERY_VIEW, so that it "
+                 "follows still views, or call PlaceSun() again");
+    return;
+  }
+  const std::string skipped = "skipped: ";
+  const std::string& plan = self.Finder.GetPlan();
+  const auto found = plan.find(skipped);
+  std::string cause = "there is none";
+  if (found != std::string::npos)
+  {
+    const auto start = found + skipped.size();
+    cause = plan.substr(start, plan.find('\n', start) - start);
+  }
+  this->Advise("no light reaches the picture (" + cause +
+    "). Put a light behind the data, where the camera sees it, or set SunPlacement to "
+    "SUN_EVERY_VIEW, which places a sun");
+}
+
+// Looks for what is probably not meant in a picture with rays.
+void vtkGodRaysPass::FindConcerns()
+{
+  constexpr double hidden = 0.0067; // transmittance of an optical depth of 5
+  constexpr double unchanged = 0.99;
+  const Internals& self = *this->Internal;
+  const std::string concern = self.Effect->FindConcern();
+  this->Advise(concern);
+  const bool showsRays = self.IsMetered
+    ? self.Surround.Part > 0.0 || self.Meter.ShowsRays(this->GetExposure())
+    : self.HasScattering;
+  const double left = !this->DimsScene() ? 1.0
+    : self.IsMetered                     ? self.Meter.FindTransmittance()
+                                         : 0.5;
+  if (self.NumberOfLights == 0 && !this->DimsScene())
+  {
+    this->AdviseOnLights();
+  }
+  else if (concern.empty() && left < hidden)
+  {
+    std::ostringstream text;
+    text << "the medium hides the scene: it leaves " << 100.0 * left
+         << " % of its light. Set WorldUnitInMeters, scale heights, or less scattering";
+    this->Advise(text.str());
+  }
+  else if (concern.empty() && !showsRays && left > unchanged && self.Effect->GetOwnProps().empty())
+  {
+    this->Advise("the rays change nothing that can be seen. Put a light where it is seen past "
+                 "something, before a background that is not white, or set a larger Intensity");
   }
 }
 
@@ -696,10 +742,6 @@ void vtkGodRaysPass::DescribeStages(bool screen)
     plan << ", shadows darken the background by up to " << 100.0 * self.Surround.Part << " %";
   }
   plan << "\n";
-  for (const std::string& concern : self.Concerns)
-  {
-    plan << "advice: " << concern << "\n";
-  }
   self.StagePlan = plan.str();
 }
 

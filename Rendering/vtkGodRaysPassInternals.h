@@ -56,6 +56,7 @@ struct vtkGodRaysPass::Internals
   vtkGodRaysDataLights DataLights;
   vtkNew<vtkGodRaysSunPlacer> Placer;
   bool SunMoved = false;                      // in this frame
+  bool HasNoLight = false;                    // nothing reaches this frame but a sun to be placed
   std::array<double, 34> CoveredPicture = {}; // of the placer's coverage: view and props
   bool IsNewPicture = false;                  // the coverage is to be found in this frame
   bool CoverageIsCurrent = false;             // the placer's is that of this frame
@@ -80,6 +81,7 @@ struct vtkGodRaysPass::Internals
   vtkGodRaysLightMeter::Exposure Exposure;
   vtkGodRaysBlendPass::Surround Surround;
   bool IsMetered = false; // the last frame was
+  bool IsStill = false;   // the user does not drag the camera in this frame
   vtkGodRaysTimers Timers;
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the resources

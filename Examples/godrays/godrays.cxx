@@ -33,6 +33,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -198,21 +199,16 @@ void ShowLines(const std::vector<std::string>& lines)
 
 //------------------------------------------------------------------------------
 /**
- * Tell of what VTK said while it drew, and of what in the picture is probably not meant. Returns whether
- * there was an error.
+ * Tell of what VTK said while it drew: each warning once, but for those told already. Returns whether there
+ * was an error.
  */
-bool TellMessages(const Messages& messages, const std::string& advice, bool quiet)
+bool TellMessages(const Messages& messages, std::set<std::string>& told, bool quiet)
 {
-  if (!quiet)
+  for (const std::string& warning : messages.GetWarnings())
   {
-    ShowLines(messages.GetWarnings());
-  }
-  if (messages.GetWarnings().empty())
-  {
-    std::istringstream lines(advice);
-    for (std::string line; std::getline(lines, line);)
+    if (told.insert(warning).second && !quiet)
     {
-      ShowLines({ line });
+      ShowLines({ warning });
     }
   }
   ShowLines(messages.GetErrors());
@@ -279,8 +275,9 @@ bool DrawFrames(vtkRenderWindow* window, std::unique_ptr<Stage>& stage, Playlist
 {
   const bool isWindow = IsWindow(options);
   const Messages messages(!isWindow,
-    "godrays: the display cannot draw with OpenGL 3.2; see that its driver is there (Debian: "
-    "libgl1-mesa-dri)",
+    "godrays: the display cannot draw, or not with OpenGL 3.2; see that it is there, and its "
+    "driver "
+    "(Debian: libgl1-mesa-dri)",
     Failure::Display);
   vtkRenderer* renderer = stage->GetRenderer();
   window->AddRenderer(renderer);
@@ -326,10 +323,18 @@ bool DrawFrames(vtkRenderWindow* window, std::unique_ptr<Stage>& stage, Playlist
     TurnCamera(renderer, stage->GetScene(), 360.0 / views);
   }
   window->RemoveRenderer(renderer);
-  const std::string advice =
-    options.Quiet || list.WasAdvised() ? "" : stage->GetRays()->GetAdvice();
+  static std::set<std::string> told; // a film would say it again in each frame
+  if (options.Each)
+  {
+    told.clear();
+  }
+  std::istringstream advice(list.WasAdvised() ? stage->GetRays()->GetAdvice() : "");
+  for (std::string line; std::getline(advice, line);)
+  {
+    told.insert(line); // in the program's own words
+  }
   stage.reset();
-  return !TellMessages(messages, advice, options.Quiet);
+  return !TellMessages(messages, told, options.Quiet);
 }
 
 //------------------------------------------------------------------------------

@@ -65,17 +65,25 @@ Vec3 GetTransmittance(const vtkGodRaysLightMeter::Sample& sample)
   return result;
 }
 
-/// The gain with which data are on average as bright as without a medium, which hides what is farther.
-double FindDataGain(const std::vector<vtkGodRaysLightMeter::Sample>& samples)
+/// The fraction of light that a medium leaves on average, of data alone or of all samples; 1 without light.
+double GetMeanTransmittance(const std::vector<vtkGodRaysLightMeter::Sample>& samples, bool ofData)
 {
   double scene = 0.0;
   double base = 0.0;
   for (const auto& sample : samples)
   {
-    scene += sample.DataPart * vtkGodRays::Luminance(ToVector(sample.Scene));
-    base += sample.DataPart * vtkGodRays::Luminance(ToVector(sample.Base));
+    const double part = ofData ? sample.DataPart : 1.0;
+    scene += part * vtkGodRays::Luminance(ToVector(sample.Scene));
+    base += part * vtkGodRays::Luminance(ToVector(sample.Base));
   }
-  return base > 0.0 ? glm::clamp(scene / base, 1.0, MostDataGain) : 1.0;
+  return scene > 0.0 ? base / scene : 1.0;
+}
+
+/// The gain with which data are on average as bright as without a medium, which hides what is farther.
+double FindDataGain(const std::vector<vtkGodRaysLightMeter::Sample>& samples)
+{
+  const double left = GetMeanTransmittance(samples, true);
+  return left > 0.0 ? glm::clamp(1.0 / left, 1.0, MostDataGain) : 1.0;
 }
 
 /// The largest part, from 0 to 1, for which a loss that grows with it is about 1: false position with the
@@ -381,6 +389,13 @@ bool vtkGodRaysLightMeter::ShowsRays(double exposure) const
       const Vec3 sum = vtkGodRays::BlendAdd(base, exposure * ToVector(sample.Rays));
       return ToLab(sum).x >= ToLab(base).x + 1.0;
     });
+}
+
+double vtkGodRaysLightMeter::FindTransmittance() const
+{
+  const bool hasData = std::any_of(this->Samples.begin(), this->Samples.end(),
+    [](const Sample& sample) { return sample.DataPart > 0.0; });
+  return GetMeanTransmittance(this->Samples, hasData);
 }
 
 vtkGodRaysLightMeter::Exposure vtkGodRaysLightMeter::FindExposure(

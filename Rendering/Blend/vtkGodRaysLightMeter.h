@@ -93,6 +93,12 @@ public:
    */
   bool ShowsRays(double exposure) const;
 
+  /**
+   * The fraction of the data's light that a medium leaves in the samples, on average; of the whole picture if
+   * that has no data, 1 if it is black.
+   */
+  double FindTransmittance() const;
+
   /// Factors on the rays.
   struct Exposure
   {

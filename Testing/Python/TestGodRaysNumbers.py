@@ -11,6 +11,7 @@ import re
 import sys
 import tempfile
 import unittest
+import warnings
 
 import godrays
 import numpy
@@ -314,7 +315,9 @@ class Numbers(unittest.TestCase):
 
     def test_smoke_test(self):
         """Of Accuracy.md: 1 m of soot as a volume leaves 111 of 255 of white, shown as 176."""
-        through, beside = smoke_test.draw((96, 64))[2]
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")  # smoke is seen
+            through, beside = smoke_test.draw((96, 64))[2]
         self.assertLess(abs(through[0] - 0.43668), 2.2e-5)
         self.assertEqual(round(255 * through[0]), 111)
         self.assertIn(through[1], (176, 177))

@@ -94,6 +94,14 @@ std::vector<std::string> Messages::Take()
 }
 
 //------------------------------------------------------------------------------
+void Messages::Expect(const std::string& words)
+{
+  const auto texts = this->Take();
+  ASSERT_EQ(texts.size(), 1u) << words;
+  EXPECT_TRUE(Says(texts.front(), words)) << texts.front();
+}
+
+//------------------------------------------------------------------------------
 bool Says(const std::string& text, const std::string& words)
 {
   return text.find(words) != std::string::npos;

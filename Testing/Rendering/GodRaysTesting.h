@@ -36,6 +36,9 @@ public:
 
   /// The messages so far, which count as expected from then on.
   std::vector<std::string> Take();
+
+  /// Takes the only message so far, which has these words.
+  void Expect(const std::string& words);
 };
 
 /// Whether a plan or message has these words.

@@ -13,8 +13,12 @@
 #include "vtkGodRaysSingleScatteringReference.h"
 
 #include "vtkCamera.h"
+#include "vtkDataArray.h"
 #include "vtkExtractVOI.h"
+#include "vtkPointData.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <utility>
 
@@ -247,6 +251,63 @@ TEST_F(GodRaysAtmosphereModel, DimsLessWhatIsHigh)
   const auto pixels = GetPixels(this->Scene.Window);
   const auto get = [&pixels](int y) { return pixels[4 * (y * Width + Width / 2)]; };
   EXPECT_GT(get(Height - 5), get(5) + 20);
+}
+
+// What the picture loses is told, whatever parameters take it; the truth is the transmittance in double
+// precision. Air that is as it should be is the control.
+TEST_F(GodRaysAtmosphereModel, HidingTheScene_AnyCause_IsTold)
+{
+  struct Case
+  {
+    const char* Name;
+    double WorldUnit;
+    double Scattering; // factor
+    double ScaleHeight;
+  };
+  this->Scene.Window->SetSize(64, 48);
+  this->AddPillars();
+  this->SetLight(InFront);
+  this->Rays->Detach(this->Renderer);
+  int hidden = 0;
+  for (const Case& each : { Case{ "usual", Unit, 1.0, 300.0 }, Case{ "thin", 1.0, 1.0, 300.0 },
+         Case{ "unit", 1e6, 1.0, 300.0 }, Case{ "coefficients", Unit, 1e6, 300.0 },
+         Case{ "dense", Unit, 1e4, 300.0 }, Case{ "coefficients of thin air", 1e-3, 1e6, 300.0 },
+         Case{ "no height", Unit, 1.0, 0.0 }, Case{ "great height", Unit, 1.0, 1e9 } })
+  {
+    vtkNew<vtkGodRaysPass> rays; // which has told nothing yet
+    rays->SetModel(this->Air);
+    rays->AddLight(this->Rays->GetLight(0));
+    rays->Attach(this->Renderer);
+    this->Air->SetWorldUnitInMeters(each.WorldUnit);
+    this->Air->SetMieScattering(5e-4 * each.Scattering, 5e-4, 5e-4);
+    this->Air->SetRayleighScattering(4e-5, 1e-4 * each.Scattering, 2.5e-4 * each.Scattering);
+    this->Air->SetMieScaleHeight(each.ScaleHeight);
+    this->Scene.Window->Render();
+    vtkNew<vtkImageData> numbers;
+    ASSERT_TRUE(rays->GetMediumImage(numbers)) << each.Name;
+    vtkDataArray* depth = numbers->GetPointData()->GetArray("Depth");
+    vtkDataArray* transmittance = numbers->GetPointData()->GetArray("Transmittance");
+    double left = 0.0;
+    int count = 0;
+    for (vtkIdType i = 0; i < depth->GetNumberOfTuples(); ++i)
+    {
+      if (std::isfinite(depth->GetTuple1(i)))
+      {
+        left += vtkMath::Max(transmittance->GetTuple3(i)[0], transmittance->GetTuple3(i)[1]);
+        ++count;
+      }
+    }
+    left /= std::max(count, 1);
+    ASSERT_TRUE(left < 0.003 || left > 0.05) << each.Name << " " << left;
+    hidden += left < 0.003 ? 1 : 0;
+    EXPECT_EQ(Says(rays->GetAdvice(), "the medium hides the scene"), left < 0.003)
+      << each.Name << " " << left << "\n"
+      << rays->GetPlan();
+    const auto told = this->VTKMessages.Take();
+    EXPECT_EQ(told.empty(), rays->GetAdvice().empty()) << each.Name;
+    rays->Detach(this->Renderer);
+  }
+  EXPECT_GE(hidden, 2);
 }
 
 TEST_F(GodRaysAtmosphereModel, SharesTheAirOfASky)

@@ -268,6 +268,7 @@ TEST_F(GodRaysMedium, DimsTheScene)
   this->Model->AttenuateSceneOff();
   const auto before = GetPixels(this->Scene.Window);
   EXPECT_TRUE(Says(this->Rays->GetPlan(), "scatter nothing"));
+  this->VTKMessages.Expect("scatter nothing");
   this->Model->AttenuateSceneOn(); // without any light
   const auto after = GetPixels(this->Scene.Window);
   const auto depths = GetDepths(this->Scene.Window, false);

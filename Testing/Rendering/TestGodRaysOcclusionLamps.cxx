@@ -149,6 +149,7 @@ TEST_F(GodRaysOcclusionLamps, ThatDoNotShineAreToldOf)
   hidden->VisibilityOff();
   this->Scene.Window->Render();
   EXPECT_TRUE(Says(this->Rays->GetPlan(), "skipped: it is invisible or has no geometry"));
+  this->VTKMessages.Expect("no light reaches the picture (it is invisible");
   EXPECT_TRUE(Says(this->Rays->GetPlan(), "rays: none"));
   hidden->VisibilityOn();
   EXPECT_GT(GetSum(this->GetLayer()), 0.0);

@@ -210,6 +210,7 @@ TEST_F(GodRaysOcclusion, InAParallelProjectionADiscIsALengthAndASunIsEverywhereO
   sun->SetPosition(0.1, 0.0, -1.0);
   this->Scene.Window->Render();
   EXPECT_TRUE(Says(this->Rays->GetPlan(), "neither it nor its glow"));
+  this->VTKMessages.Expect("no light reaches the picture (neither it nor its glow");
 }
 
 //------------------------------------------------------------------------------
@@ -392,6 +393,7 @@ TEST_F(GodRaysOcclusion, LightsOfEveryKindAreWhereVTKHasThem)
   light->SetPosition(0.1, 0.05, -1.0); // which does not count
   this->Scene.Window->Render();
   EXPECT_TRUE(Says(this->Rays->GetPlan(), "behind the camera")) << this->Rays->GetPlan();
+  this->VTKMessages.Expect("no light reaches the picture (behind the camera)");
 }
 
 //------------------------------------------------------------------------------

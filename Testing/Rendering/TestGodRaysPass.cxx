@@ -206,16 +206,24 @@ TEST(GodRaysPassParameters, APresetBringsItsModelAndKeepsOneOfItsClass)
   EXPECT_EQ(medium->GetWorldUnitInMeters(), 100.0);
 }
 
-/// Frames without rays have the bytes of frames without the pass, and the plan gives the reason.
+/// Frames without rays have the bytes of frames without the pass, and the plan gives the reason. A reason
+/// that was probably not meant is advice, and one warning, with a remedy.
 class GodRaysPassStraightThrough : public ::testing::Test
 {
 protected:
   Messages VTKMessages;
   Stage Scene;
 
-  void ExpectIdentical(const std::string& reason)
+  void ExpectIdentical(const std::string& reason, const std::string& remedy, bool isNew = true)
   {
+    this->Scene.Window->Render();
     const auto with = GetPixels(this->Scene.Window);
+    const std::string advice = this->Scene.Rays->GetAdvice();
+    EXPECT_EQ(advice.empty(), remedy.empty()) << reason;
+    EXPECT_TRUE(Says(advice, remedy)) << advice;
+    const auto told = this->VTKMessages.Take();
+    ASSERT_EQ(told.size(), isNew && !remedy.empty() ? 1u : 0u) << reason;
+    EXPECT_TRUE(told.empty() || Says(told.front(), remedy)) << told.front();
     const auto depths = GetDepths(this->Scene.Window, false);
     EXPECT_TRUE(Says(this->Scene.Rays->GetPlan(), reason)) << this->Scene.Rays->GetPlan();
     this->Scene.Rays->Detach(this->Scene.Renderer);
@@ -232,31 +240,35 @@ TEST_F(GodRaysPassStraightThrough, ForEveryReason)
   auto model = vtkGodRaysRadialModel::SafeDownCast(rays->GetModel());
 
   rays->SetIntensity(0.0);
-  this->ExpectIdentical("Intensity is 0");
+  this->ExpectIdentical("Intensity is 0", "");
   rays->SetIntensity(1.0);
 
   const double density = model->GetDensity();
   model->SetDensity(0.0);
-  this->ExpectIdentical("scatter nothing");
+  this->ExpectIdentical("scatter nothing", "Set its density");
   model->SetDensity(density);
 
+  const std::string place = "Put a light behind the data";
   sun->SwitchOff();
-  this->ExpectIdentical("off or black");
+  this->ExpectIdentical("off or black", place);
   sun->SwitchOn();
   sun->SetIntensity(0.0);
-  this->ExpectIdentical("off or black");
+  this->ExpectIdentical("off or black", place, false);
   sun->SetIntensity(1.0);
 
   sun->SetPosition(0.3, 0.2, 1.0);
-  this->ExpectIdentical("behind the camera");
+  this->ExpectIdentical("behind the camera", place);
+  this->Scene.Window->SetDesiredUpdateRate(15.0);
+  this->ExpectIdentical("behind the camera", ""); // the user drags it
+  this->Scene.Window->SetDesiredUpdateRate(0.0001);
   sun->SetPosition(1.0, 0.2, -0.3);
-  this->ExpectIdentical("neither it nor its glow");
+  this->ExpectIdentical("neither it nor its glow", place);
   sun->SetPosition(0.0, 0.0, 0.0);
-  this->ExpectIdentical("its position is its focal point");
+  this->ExpectIdentical("its position is its focal point", place);
   sun->SetPosition(0.3, 0.2, -1.0);
 
   rays->RemoveLight(sun);
-  this->ExpectIdentical("add one with AddLight()");
+  this->ExpectIdentical("add one with AddLight()", "SUN_EVERY_VIEW");
   rays->AddLight(sun);
 
   // and, as a control, rays where there is no reason against them
@@ -279,7 +291,7 @@ TEST_F(GodRaysPassStraightThrough, ButLayersWithoutLightAreShownDark)
     }
   }
   this->Scene.Rays->SetOutput(vtkGodRaysPass::COMPOSITE);
-  this->ExpectIdentical("neither it nor its glow");
+  this->ExpectIdentical("neither it nor its glow", "Put a light behind the data");
 }
 
 TEST_F(GodRaysPassStraightThrough, WhereNoRayReachesThePixelsKeepTheirBytes)

@@ -342,6 +342,7 @@ TEST_F(GodRaysSunPlacer, FollowsIfAsked)
 {
   this->AddBoxes();
   EXPECT_TRUE(this->GetSun().empty());
+  this->VTKMessages.Expect("no light reaches the picture (there is none)");
   this->Rays->SetSunPlacement(vtkGodRaysPass::SUN_ONCE);
   const auto first = this->GetSun();
   ASSERT_EQ(first.size(), 3u);
@@ -366,15 +367,26 @@ TEST_F(GodRaysSunPlacer, FollowsIfAsked)
   EXPECT_EQ(this->GetSun().size(), 3u);
 }
 
-// An orbit has rays in each of its pictures, and none of a sun that stays and leaves the picture without a
-// word.
+// An orbit has rays in each of its pictures where the sun follows, and none of a sun or light that stays and
+// leaves the picture without a word.
 TEST_F(GodRaysSunPlacer, IsSeenAllAlongAnOrbit)
 {
   this->AddBoxes();
-  for (const int placement : { vtkGodRaysPass::SUN_EVERY_VIEW, vtkGodRaysPass::SUN_ONCE })
+  const auto given = MakeSun({ 0.1, 0.2, -1.0 });
+  struct Case
+  {
+    int Placement;
+    bool IsGiven;
+  };
+  for (const Case& each :
+    { Case{ vtkGodRaysPass::SUN_EVERY_VIEW, false }, Case{ vtkGodRaysPass::SUN_ONCE, false },
+      Case{ vtkGodRaysPass::SUN_BY_HAND, true }, Case{ vtkGodRaysPass::SUN_IF_NO_LIGHT, true },
+      Case{ vtkGodRaysPass::SUN_IF_NO_LIGHT, false } })
   {
     this->Rays->RemoveAllLights();
-    this->Rays->SetSunPlacement(placement);
+    this->Rays->AddLight(each.IsGiven ? given : nullptr);
+    this->Rays->SetSunPlacement(each.Placement);
+    int without = 0;
     for (int i = 0; i < 8; ++i)
     {
       this->Renderer->GetActiveCamera()->Azimuth(45.0);
@@ -382,9 +394,34 @@ TEST_F(GodRaysSunPlacer, IsSeenAllAlongAnOrbit)
       this->Scene.Window->Render();
       vtkNew<vtkImageData> image;
       const bool hasRays = this->Rays->GetScatteringImage(image);
-      const bool isTold = this->Rays->GetAdvice().find("sun left the picture") != std::string::npos;
-      EXPECT_TRUE(placement == vtkGodRaysPass::SUN_EVERY_VIEW ? hasRays : hasRays || isTold) << i;
+      const std::string advice = this->Rays->GetAdvice();
+      const bool isTold = Says(advice, "sun left the picture") || Says(advice, "no light reaches");
+      EXPECT_NE(hasRays, isTold) << each.Placement << " " << i << advice;
+      without += hasRays ? 0 : 1;
     }
+    EXPECT_EQ(without > 0, each.Placement < vtkGodRaysPass::SUN_EVERY_VIEW) << each.Placement;
+  }
+  const auto told = this->VTKMessages.Take();
+  EXPECT_GE(told.size(), 2u);
+  EXPECT_LE(told.size(), 3u); // one of the sun, and one for each cause of the light's
+}
+
+// A light that reaches the picture is the only one; where it does not, a sun is placed before it.
+TEST_F(GodRaysSunPlacer, IfNoLight_PlacesOnlyWhereNoneReaches)
+{
+  this->AddBoxes();
+  const auto given = MakeSun({ 0.1, 0.2, -1.0 });
+  this->Rays->AddLight(given);
+  this->Rays->SetSunPlacement(vtkGodRaysPass::SUN_IF_NO_LIGHT);
+  this->Scene.Window->Render();
+  EXPECT_EQ(this->Rays->GetNumberOfLights(), 1);
+  given->SetPosition(0.1, 0.2, 1.0);
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Scene.Window->Render();
+    ASSERT_EQ(this->Rays->GetNumberOfLights(), 2);
+    EXPECT_EQ(this->Rays->GetLight(1), given);
+    this->Renderer->GetActiveCamera()->Azimuth(60.0);
   }
 }
 
