@@ -192,9 +192,41 @@ bool Overlay::IsHelpShown() const
 }
 
 //------------------------------------------------------------------------------
+/**
+ * In as many rows as the window is wide enough for; a part that is too long for one loses its beginning.
+ */
 void Overlay::ShowStatus(const std::string& line)
 {
-  this->Status->SetInput(line.c_str());
+  const std::string between = "  |  ";
+  const double room = std::max(this->Renderer->GetRenderWindow()->GetSize()[0] - 2 * Margin, 1);
+  const auto getWidth = [this](const std::string& text)
+  {
+    double size[2] = { 0.0, 0.0 };
+    this->Status->SetInput(text.c_str());
+    this->Status->GetSize(this->Renderer, size);
+    return size[0];
+  };
+  std::string rows;
+  std::string row;
+  for (std::size_t start = 0; start < line.size();)
+  {
+    const std::size_t end = std::min(line.find(between, start), line.size());
+    std::string part = line.substr(start, end - start);
+    start = end + between.size();
+    const double width = getWidth(part);
+    if (width > room)
+    {
+      const auto count = static_cast<std::size_t>(0.9 * part.size() * room / width);
+      part = "..." + part.substr(part.size() - std::min(part.size(), count > 3 ? count - 3 : 1));
+    }
+    if (!row.empty() && getWidth(row + between + part) > room)
+    {
+      rows += row + "\n";
+      row.clear();
+    }
+    row += (row.empty() ? "" : between) + part;
+  }
+  this->Status->SetInput((rows + row).c_str());
   this->Status->SetVisibility(!line.empty());
 }
 

@@ -32,10 +32,22 @@ constexpr int TimerInterval = 200; // milliseconds
 }
 
 //------------------------------------------------------------------------------
-void Viewer::SetCamera(vtkRenderer* renderer, vtkCamera* from)
+void Viewer::SetCamera(vtkRenderer* renderer, vtkCamera* from, const Scene& scene)
 {
   vtkNew<vtkCamera> camera; // the stage's own is that of the beginning
   camera->DeepCopy(from);
+  // VTK's styles turn the view about the focal point: as far away as the middle of the data is.
+  double focus[3];
+  double distance = 0.0;
+  scene.Bounds.GetCenter(focus);
+  for (int i = 0; i < 3; ++i)
+  {
+    distance += (focus[i] - camera->GetPosition()[i]) * camera->GetDirectionOfProjection()[i];
+  }
+  if (distance > 0.0)
+  {
+    camera->SetDistance(distance);
+  }
   renderer->SetActiveCamera(camera);
   renderer->ResetCameraClippingRange();
 }
@@ -64,7 +76,7 @@ Viewer::Viewer(
   this->Over->OnDragDivider([this](double x, double)
     { this->Divider = std::clamp(x / std::max(this->Window->GetSize()[0], 1), 0.02, 0.98); });
   this->SetStyle(stage->GetScene().IsTerrain());
-  SetCamera(stage->GetRenderer(), this->Home.Camera);
+  SetCamera(stage->GetRenderer(), this->Home.Camera, stage->GetScene());
 
   this->Observe(
     this->Interactor, vtkCommand::RenderEvent, [](Viewer* self) { self->Render(); }, false);
@@ -233,7 +245,8 @@ bool Viewer::Open(std::size_t item, std::size_t step, bool keepView)
   next->SetBackground(this->Shown->GetBackground());
   next->SetExposure(this->SkyExposure);
   SetCamera(next->GetRenderer(),
-    keepView ? this->Shown->GetRenderer()->GetActiveCamera() : next->GetView().Camera.Get());
+    keepView ? this->Shown->GetRenderer()->GetActiveCamera() : next->GetView().Camera.Get(),
+    next->GetScene());
   if (!keepView)
   {
     this->Home = next->GetOriginalView();
@@ -448,5 +461,10 @@ std::string Viewer::GetStatus() const
     }
   }
   text << "  |  H: help";
+  std::istringstream advice(this->Shown->GetRays()->GetAdvice());
+  for (std::string line; std::getline(advice, line);)
+  {
+    text << "  |  " << line.substr(0, line.find_first_of(":.")); // the rest is printed at the end
+  }
   return text.str();
 }

@@ -60,7 +60,8 @@ private:
     NumberOfViews
   };
 
-  static void SetCamera(vtkRenderer* renderer, vtkCamera* from); ///< a copy of it
+  static void SetCamera(
+    vtkRenderer* renderer, vtkCamera* from, const Scene& scene); ///< a copy of it
   static const char* GetViewName(int view);
   void Observe(vtkObject* object, unsigned long event, void (*call)(Viewer*), bool last);
   bool OnKey(const std::string& symbol, bool shift);

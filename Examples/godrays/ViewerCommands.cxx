@@ -133,7 +133,7 @@ bool Viewer::Do(const KeyBinding& binding, bool shift)
 void Viewer::GoHome()
 {
   const Viewpoint& home = this->Home;
-  SetCamera(this->Shown->GetRenderer(), home.Camera);
+  SetCamera(this->Shown->GetRenderer(), home.Camera, this->Shown->GetScene());
   this->Shown->TakeLight(home);
 }
 

@@ -12,6 +12,8 @@ import time
 import unittest
 
 import numpy
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from program_testing import ProgramTest
@@ -416,6 +418,33 @@ class Viewer(ProgramTest):
         shot = self.read(self.folder / "a-1.png", self.SIZE)
         picture, _ = self.end()
         self.assert_same(picture, shot)
+
+    def test_the_view_turns_about_the_data(self):
+        """Whatever the camera looks at beyond them, half a turn leaves them in the window, as large."""
+        ball, writer = vtkSphereSource(), vtkXMLPolyDataWriter()
+        ball.SetRadius(0.57)
+        writer.SetInputConnection(ball.GetOutputPort())
+        writer.SetFileName(str(self.folder / "ball.vtp"))
+        writer.Write()
+        self.open(self.folder / "ball.vtp", "--color", "white", "--background", "black")
+        before = self.press("g").max(axis=2) > 60
+        for start, end in (((20, 100), (220, 100)), ((150, 30), (150, 150))):
+            after = self.drag(start, end).max(axis=2) > 60
+            self.assertGreater(after.sum(), 0.5 * before.sum())
+            self.assertLess(after.sum(), 2 * before.sum())
+            for edge in after[0], after[-1], after[:, 0], after[:, -1]:
+                self.assertFalse(edge.any(), "the data leave the window")
+        self.end()
+
+    def test_the_status_line_fits(self):
+        self.open(self.mesh)
+        self.press("h")
+        plain = self.press("h")
+        shown = self.press("z")
+        is_text = abs(shown - plain).max(axis=2) > 20
+        self.assertGreater(is_text.sum(), 300)
+        self.assertFalse(is_text[:, -4:].any(), "it goes on beyond the window")
+        self.end()
 
     def test_files_one_after_another_and_again(self):
         changing = self.folder / "changing.obj"
