@@ -13,6 +13,8 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <numeric>
 #include <sstream>
 #include <unistd.h>
 
@@ -39,6 +41,34 @@ bool HasProgram(const std::string& name)
     }
   }
   return false;
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Whether a file has its last page, to its end: VTK's writer does not look whether the disk is full.
+ */
+bool IsWholeOgg(const std::string& path)
+{
+  constexpr std::streamoff largestPage = 65307;
+  constexpr std::size_t header = 27; // bytes, the last of which is the number of segments
+  constexpr char isLast = 4;         // flag in the fifth byte
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  const auto size = std::min<std::streamoff>(file.tellg(), largestPage);
+  std::string end(static_cast<std::size_t>(std::max<std::streamoff>(size, 0)), '\0');
+  file.seekg(-size, std::ios::end);
+  file.read(end.data(), size);
+  const auto page = end.rfind("OggS");
+  if (!file || page == std::string::npos || page + header > end.size())
+  {
+    return false;
+  }
+  const std::size_t segments = static_cast<unsigned char>(end[page + header - 1]);
+  const auto lengths = end.begin() + static_cast<std::ptrdiff_t>(page + header);
+  return (end[page + 5] & isLast) && page + header + segments <= end.size() &&
+    std::accumulate(lengths, lengths + static_cast<std::ptrdiff_t>(segments),
+      page + header + segments,
+      [](std::size_t sum, char length)
+      { return sum + static_cast<unsigned char>(length); }) == end.size();
 }
 
 //------------------------------------------------------------------------------
@@ -139,9 +169,7 @@ Frames::~Frames()
 void Frames::StartFilm(vtkRenderWindow* window)
 {
   const fs::path film = this->Settings.Film;
-  this->Part =
-    (film.parent_path() / ("." + std::to_string(getpid()) + "-" + film.filename().string()))
-      .string();
+  this->Part = Temporary::MakeNameBeside(film.string());
   this->Kept.emplace(this->Part);
   if (IsOgv(film.string()))
   {
@@ -208,7 +236,7 @@ void Frames::Finish()
   if (this->Writer)
   {
     this->Writer->End();
-    isWritten = !this->Writer->GetError();
+    isWritten = !this->Writer->GetError() && IsWholeOgg(this->Part);
     this->Writer = nullptr;
   }
   else

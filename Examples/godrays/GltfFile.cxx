@@ -227,9 +227,18 @@ void GltfFile::WriteCopy()
   this->PathToRead = (fs::path(folder) / fs::path(this->Path).filename()).string();
   this->Copy.emplace(this->PathToRead);
   std::ofstream copy(this->PathToRead, std::ios::binary);
+  const auto check = [&]
+  {
+    if (!copy.flush())
+    {
+      throw Failure(this->Path + ": pictures are missing, and a copy without them in " + folder +
+        " could not be written; is the disk full?");
+    }
+  };
   if (this->Rest == 0)
   {
     copy << this->Json;
+    check();
     return;
   }
   std::ifstream file(this->Path, std::ios::binary);
@@ -244,4 +253,5 @@ void GltfFile::WriteCopy()
   {
     copy << file.rdbuf();
   }
+  check();
 }

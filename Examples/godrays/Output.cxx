@@ -54,9 +54,8 @@ void WriteWhole(Writer* writer, const std::string& option, const std::string& pa
 {
   std::error_code error;
   const fs::path final = fs::weakly_canonical(path, error);
-  const fs::path part =
-    final.parent_path() / ("." + std::to_string(getpid()) + "-" + final.filename().string());
-  const Temporary temporary(part.string());
+  const std::string part = Temporary::MakeNameBeside(path);
+  const Temporary temporary(part);
   writer->SetFileName(part.c_str());
   writer->Write();
   const auto size = fs::file_size(part, error);
@@ -157,9 +156,16 @@ void CheckOutput(
       option + ": there is no folder " + folder.string() + "; make it first, with mkdir -p",
       Failure::File);
   }
-  if (fs::is_directory(path, error))
+  const fs::file_status status = fs::status(path, error);
+  if (error && status.type() != fs::file_type::not_found)
   {
-    throw Failure(option + ": " + path + " is a directory; give the name of a file", Failure::File);
+    throw Failure(option + ": " + path + " cannot be: " + error.message(), Failure::File);
+  }
+  if (fs::exists(status) && !fs::is_regular_file(status))
+  {
+    throw Failure(option + ": " + path + " is a directory or a device; give the name of a file" +
+        (option == "--output" ? ", or - for the standard output" : ""),
+      Failure::File);
   }
   for (const fs::path& written : { folder, fs::path(path) })
   {

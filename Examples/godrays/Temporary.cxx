@@ -5,6 +5,8 @@
 #include <array>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
+#include <unistd.h>
 
 namespace
 {
@@ -66,6 +68,15 @@ Temporary::~Temporary()
   {
     used[this->Place] = 0;
   }
+}
+
+//------------------------------------------------------------------------------
+std::string Temporary::MakeNameBeside(const std::string& path)
+{
+  std::error_code error;
+  const auto whole = std::filesystem::weakly_canonical(path, error);
+  const std::string name = "." + std::to_string(getpid()) + "-part" + whole.extension().string();
+  return (whole.parent_path() / name).string();
 }
 
 //------------------------------------------------------------------------------

@@ -19,6 +19,9 @@ public:
   Temporary(const Temporary&) = delete;
   void operator=(const Temporary&) = delete;
 
+  /// Returns a name in the folder of a file, with its extension; short, whatever the file's own is.
+  static std::string MakeNameBeside(const std::string& path);
+
   /// Remove all that there are, the latest first. A signal handler may call this.
   static void RemoveAll();
 
