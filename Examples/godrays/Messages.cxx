@@ -17,7 +17,8 @@
 namespace
 {
 int userError = STDERR_FILENO;
-std::string crashLine;
+std::string crashCause;
+std::string crashLine; // with the last error of VTK, which may abort after one
 int crashCode = 1;
 constexpr std::array<int, 5> CrashSignals = { SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL };
 
@@ -93,7 +94,14 @@ public:
 
   void DisplayText(const char*) override {}
   void DisplayDebugText(const char*) override {}
-  void DisplayErrorText(const char* text) override { Collector::Add(this->Errors, text); }
+  void DisplayErrorText(const char* text) override
+  {
+    Collector::Add(this->Errors, text);
+    if (!crashCause.empty() && !this->Errors.empty())
+    {
+      crashLine = crashCause + " (VTK says: " + this->Errors.back() + ")\n";
+    }
+  }
   void DisplayWarningText(const char* text) override { Collector::Add(this->Warnings, text); }
   void DisplayGenericWarningText(const char* text) override
   {
@@ -126,6 +134,7 @@ Messages::Messages(bool catchStandardError, const std::string& onCrash, int exit
   {
     return;
   }
+  crashCause = onCrash;
   crashLine = onCrash + "\n";
   crashCode = exitCode;
   this->Printed = std::tmpfile();

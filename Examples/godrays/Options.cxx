@@ -47,7 +47,8 @@ std::array<double, 2> FindSun(
   }
   vtkNew<vtkGodRaysSunPosition> sun;
   vtkObject::GlobalWarningDisplayOff(); // it is told below
-  const bool read = sun->SetDateTime(date);
+  const bool hasZone = date.find_first_of("Z+-", date.find(':')) != std::string::npos;
+  const bool read = sun->SetDateTime(date) && hasZone;
   vtkObject::GlobalWarningDisplayOn();
   if (!read)
   {

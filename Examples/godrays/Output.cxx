@@ -24,8 +24,10 @@
 #include "vtkXMLImageDataWriter.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <thread>
 #include <unistd.h>
 
 #ifdef VTK_USE_X
@@ -215,7 +217,17 @@ void CheckDisplay()
     throw Failure(
       "there is no X display to draw on (DISPLAY is not set)" + remedy, Failure::Display);
   }
-  Display* display = XOpenDisplay(name);
+  // Held until the program ends: a server without -noreset resets when its last connection is closed, as
+  // between two windows of VTK, and refuses further ones meanwhile.
+  static Display* display = nullptr;
+  for (int attempt = 0; !display && attempt < 20; ++attempt)
+  {
+    if (attempt > 0)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50)); // it may reset just now
+    }
+    display = XOpenDisplay(name);
+  }
   if (!display)
   {
     throw Failure(
@@ -223,7 +235,6 @@ void CheckDisplay()
   }
   int numbers[3];
   const bool hasOpenGL = XQueryExtension(display, "GLX", numbers, numbers + 1, numbers + 2) != 0;
-  XCloseDisplay(display);
   if (!hasOpenGL)
   {
     throw Failure(

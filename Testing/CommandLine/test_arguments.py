@@ -33,6 +33,7 @@ class Arguments(ProgramTest):
             (["--sun", "1,2", "--light", "1,2,3"], ["--sun", "--light"]),
             (["--date", "2024-06-21T12:00Z"], ["--date", "--place"]),
             (["--place", "48,11"], ["--date", "--place"]),
+            (["--date", "2024-06-21T12:00", "--place", "48,11"], ["--date", "a zone"]),
             (["--date", "noon", "--place", "48,11"], ["--date", "'noon'", "2024-06-21T"]),
             (["--date", "2024-06-21T12:00Z", "--place", "48,190"], ["--place", "-180 to 180"]),
             (["--date", "2024-06-21T12:00Z", "--place", "48,11", "--sun", "1,2"], ["--sun"]),
@@ -154,6 +155,60 @@ class Arguments(ProgramTest):
         self.read(target, (1200, 800))
         self.assertEqual(len(list(folder.iterdir())), 2)
 
+    def test_a_disk_that_is_full_at_any_byte(self):
+        """Of each kind of file: no cut file is taken for a whole one, and the former one stays."""
+        former = b"the former file"
+        folder = self.folder / "full"
+        folder.mkdir()
+        kinds = {name: ["--output", folder / name] for name in ("a.png", "a.jpg", "a.hdr")}
+        kinds["a.vti"] = ["--preset", "haze", "--numbers", folder / "a.vti"]
+        kinds["a.ogv"] = ["--turntable", "3", "--film", folder / "a.ogv"]
+        for name, arguments in kinds.items():
+            command = [os.environ["GODRAYS_PROGRAM"], self.mesh, "--size", "160x120", *arguments]
+            self.assertEqual(subprocess.run(command, check=False).returncode, 0)
+            size = (folder / name).stat().st_size
+            for limit in (100, size // 2, size - 1, size):
+                (folder / name).write_bytes(former)
+                done = subprocess.run(command, capture_output=True, text=True, restore_signals=False,
+                    preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
+                with self.subTest(name, limit=limit, size=size):
+                    if done.returncode == 0:
+                        self.assertGreaterEqual((folder / name).stat().st_size, size - 8)
+                        self.assertEqual(limit, size)
+                    else:
+                        self.assertEqual(done.returncode, 3, done.stderr)
+                        self.assertIn("could not be written", done.stderr)
+                        self.assertEqual((folder / name).read_bytes(), former)
+            self.assertEqual([each.name for each in folder.iterdir()], [name], "something is left")
+            (folder / name).unlink()
+
+    def test_names_and_things_that_are_no_files(self):
+        name = "n" * 251 + ".png"
+        self.assertEqual(godrays(self.mesh, "--output", self.folder / name).returncode, 0)
+        self.assertGreater((self.folder / name).stat().st_size, 1000)
+        self.fails(self.mesh, "--output", self.folder / ("n" + name), says=["too long"], codes=[3])
+        pipe = self.folder / "pipe.png"
+        os.mkfifo(pipe)
+        link = self.folder / "device.png"
+        link.symlink_to("/dev/null")
+        for path in pipe, link:
+            self.fails(self.mesh, "--output", path, says=["a device", "- for the standard"], codes=[3])
+        self.assertTrue(pipe.is_fifo() and link.is_char_device())
+        film = self.folder / "film.ogv"
+        film.symlink_to("/dev/null")
+        self.fails(self.mesh, "--turntable", "3", "--film", film, says=["--film", "a device"], codes=[3])
+
+    def test_a_full_folder_for_temporary_files(self):
+        path = self.folder / "missing.gltf"
+        path.write_text('{"asset":{"version":"2.0"},"nodes":[],"scene":0,"scenes":[{"nodes":[]}],'
+                        '"images":[{"uri":"none.png"}]}' + " " * 1000)
+        done = subprocess.run(
+            [os.environ["GODRAYS_PROGRAM"], path, "--output", self.folder / "p.png"],
+            capture_output=True, text=True, restore_signals=False,
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100)))
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertRegex(done.stderr, "a copy without them in .* could not be written; is the disk full")
+
     def test_nothing_is_left_of_a_program_that_is_ended(self):
         former = b"the former picture"
         for number in (signal.SIGINT, signal.SIGTERM):
@@ -180,6 +235,16 @@ class Arguments(ProgramTest):
         with tempfile.TemporaryDirectory() as folder:
             self.fails(path, "--output", self.folder / "p.png", says=["cannot be read"], TMPDIR=folder)
             self.assertEqual(os.listdir(folder), [])
+
+    def test_a_server_that_ends_without_connections(self):
+        """Xvfb -terminate ends where one without -noreset resets: between connections there must be one."""
+        with subprocess.Popen(["Xvfb", "-displayfd", "1", "-terminate", "-screen", "0", "640x480x24"],
+                stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as server:
+            self.addCleanup(server.kill)
+            display = ":" + server.stdout.readline().strip()
+            done = godrays(self.mesh, "--size", "64x48", "--output", self.folder / "p.png", DISPLAY=display)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertEqual(server.wait(20), 0)
 
     def test_no_display(self):
         picture = self.folder / "p.png"
