@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures and layers as arrays: render(), scatter(), the layers of a frame; the context manager; -m godrays."""
 
+import importlib.util
 import os
 import pathlib
 import pickle
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -13,12 +15,20 @@ import unittest
 
 import godrays
 import numpy
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkConeSource, vtkCylinderSource, vtkSphereSource
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+from vtkmodules.vtkIOImage import vtkJPEGReader
 from vtkmodules.vtkIOPLY import vtkPLYWriter
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkRenderWindowInteractor,
+)
 
 SIZE = (120, 90)
 BEHIND = (0.1, 0.15, -1)
@@ -233,6 +243,74 @@ class Render(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "no color 'nocolor'"):
             godrays.render(cone, SIZE, background="nocolor")
 
+    def test_looks_of_data(self):
+        """Each changes the pixels of the data as it says; the control is the picture without it."""
+        source = vtkSphereSource()
+        source.Update()
+        data = source.GetOutput()
+        height = vtk_to_numpy(data.GetPoints().GetData())[:, 2]
+        array = numpy_to_vtk(height, deep=True)
+        array.SetName("height")
+        data.GetPointData().AddArray(array)
+        cells = numpy_to_vtk(numpy.arange(data.GetNumberOfCells(), dtype=float), deep=True)
+        cells.SetName("number")
+        data.GetCellData().AddArray(cells)
+
+        def middle(**look):
+            picture = godrays.render(data, SIZE, rays=False, background=(0, 0, 0), **look)
+            return picture[30:60, 45:75].astype(float)
+
+        plain = middle()
+        self.assertLess(numpy.ptp(plain, axis=2).max(), 2)  # white
+        self.assertLess(middle(color="red")[..., 1:].max(), 3)
+        self.assertLess(middle(opacity=0.3).mean(), 0.8 * plain.mean())
+        by_name, by_numbers = (middle(scalars=each) for each in ("height", height))
+        self.assertTrue((by_name == by_numbers).all())
+        self.assertGreater(numpy.ptp(by_name, axis=2).mean(), 20)
+        self.assertGreater(numpy.abs(by_name - middle(scalars="number")).mean(), 10)
+        self.assertFalse(data.GetPointData().HasArray("scalars"), "the data are the user's")
+        table = vtkLookupTable()
+        table.SetNumberOfTableValues(2)
+        table.SetTableValue(0, 0, 1, 0, 1)
+        table.SetTableValue(1, 0, 0, 1, 1)
+        two = middle(scalars="height", cmap=table)
+        self.assertLess(two[..., 0].max(), 3)
+        self.assertGreater(two[0, :, 2].mean(), 5 * two[0, :, 1].mean())  # the upper half is blue
+        self.assertGreater(two[-1, :, 1].mean(), 5 * two[-1, :, 2].mean())
+        if not importlib.util.find_spec("matplotlib"):
+            with self.assertRaisesRegex(ValueError, "cmap='viridis' needs Matplotlib"):
+                middle(scalars="height", cmap="viridis")
+            return
+        grey = middle(scalars="height", cmap="gray")
+        self.assertLess(numpy.ptp(grey, axis=2).max(), 2)
+        self.assertGreater(grey[0].mean(), grey[-1].mean() + 50)
+        with self.assertRaisesRegex(ValueError, "no cmap 'viridi'; did you mean viridis"):
+            middle(scalars="height", cmap="viridi")
+
+    def test_a_sun_as_the_program_has_it(self):
+        source = vtkCylinderSource()
+        for up, direction in (("z", (0, 1, 0)), ("y", (0, 0, -1)), ("x", (0, 0, 1))):
+            by_angles = godrays.render(source, SIZE, sun=(0, 0), up=up, camera=(0, 10))
+            by_direction = godrays.render(source, SIZE, light=direction, up=up, camera=(0, 10))
+            self.assertTrue((by_angles == by_direction).all(), up)
+
+    def test_show(self):
+        """What the window shows when its loop starts is the picture of render()."""
+        seen = []
+
+        class Interactor(vtkRenderWindowInteractor):
+            def Start(self):
+                seen.append(godrays._render._read(self.GetRenderWindow(), False))
+
+        source = vtkCylinderSource()
+        real = godrays._render.vtkRenderWindowInteractor
+        godrays._render.vtkRenderWindowInteractor = Interactor
+        self.addCleanup(setattr, godrays._render, "vtkRenderWindowInteractor", real)
+        self.assertIsNone(godrays.show(source, SIZE, "low-sun", color="tan", sun_at=(0.4, 0.7)))
+        expected = godrays.render(source, SIZE, "low-sun", color="tan", sun_at=(0.4, 0.7))
+        self.assertLess(numpy.abs(seen[0].astype(int) - expected).mean(), 1)
+        self.assertGreater(expected.std(), 10)
+
     def test_a_volume_of_data_is_seen_by_its_surface(self):
         self.assertGreater(godrays.render(vtkRTAnalyticSource(), SIZE).std(), 10)
 
@@ -260,8 +338,28 @@ class Render(unittest.TestCase):
         again = pickle.loads(pickle.dumps(picture))
         self.assertIs(type(again), type(picture))
         self.assertTrue((again == picture).all())
-        with self.assertRaisesRegex(ValueError, r"'picture.jpg' should end in [.]png"):
-            picture.save("picture.jpg")
+        with self.assertRaisesRegex(ValueError, r"'picture.gif' should end in [.]png or [.]jpg"):
+            picture.save("picture.gif")
+
+    def test_a_full_disk_keeps_the_former_file(self):
+        code = "import godrays, pathlib, resource, signal, sys; file = pathlib.Path(sys.argv[1])\n" \
+            "from vtkmodules.vtkFiltersSources import vtkSphereSource\n" \
+            "from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow\n" \
+            "signal.signal(signal.SIGXFSZ, signal.SIG_IGN)\n" \
+            "picture = godrays.render(vtkSphereSource(), (80, 60))\n" \
+            "window, renderer = vtkRenderWindow(), vtkRenderer()\n" \
+            "window.SetOffScreenRendering(True); window.SetSize(80, 60); window.AddRenderer(renderer)\n" \
+            "godrays.enable(renderer, light=(0, 0.1, -1), preset='haze')\n" \
+            "window.Render(); resource.setrlimit(resource.RLIMIT_FSIZE, (300, 300))\n" \
+            "for name in 'a.png', 'a.jpg', 'a.vti':\n" \
+            "    (file / name).write_bytes(b'former')\n" \
+            "    try: godrays.measure(window, file=file / name) if '.vti' in name else picture.save(file / name)\n" \
+            "    except OSError: print(name, (file / name).read_bytes(), len(list(file.iterdir())))\n"
+        with tempfile.TemporaryDirectory() as folder:
+            ran = subprocess.run([sys.executable, "-c", code, folder], capture_output=True, text=True)
+            self.assertEqual(ran.stdout, "a.png b'former' 1\na.jpg b'former' 2\na.vti b'former' 3\n", ran.stderr)
+            with self.assertRaises(OSError):
+                godrays.render(vtkSphereSource(), SIZE).save(pathlib.Path(folder) / "none" / "a.png")
 
     def test_it_shows_itself(self):
         picture = godrays.render(vtkSphereSource(), SIZE)
@@ -272,8 +370,32 @@ class Render(unittest.TestCase):
             file = pathlib.Path(folder) / "picture.png"
             picture.save(file)
             self.assertEqual(file.read_bytes(), png)
+            for name in "picture.jpg", "picture.JPEG":
+                picture.save(file.with_name(name))
+                reader = vtkJPEGReader()
+                reader.SetFileName(str(file.with_name(name)))
+                reader.Update()
+                off = godrays.to_array(reader.GetOutput()).astype(int) - picture
+                self.assertLess(numpy.abs(off).mean(), 4)
+            with self.assertRaisesRegex(ValueError, "should end in .png: the picture has an alpha"):
+                godrays.render(vtkSphereSource(), SIZE, transparent=True).save(file.with_name("a.jpg"))
         self.assertIsNone((picture / 2)._repr_png_())  # numbers
         self.assertEqual(picture[:10, :20]._repr_png_()[19], 20)  # a part is a picture
+
+    def test_a_server_that_ends_without_connections(self):
+        """Xvfb -terminate ends where one without -noreset resets: between connections there must be one."""
+        if vtkRenderWindow().GetClassName() != "vtkXOpenGLRenderWindow" or not shutil.which("Xvfb"):
+            self.skipTest("there is no Xvfb, or this VTK can draw without a screen")
+        code = "import godrays; from vtkmodules.vtkFiltersSources import vtkConeSource\n" \
+            "for i in range(3): print(godrays.render(vtkConeSource(), (64, 48)).std() > 5)"
+        with subprocess.Popen(["Xvfb", "-displayfd", "1", "-terminate", "-screen", "0", "640x480x24"],
+                stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as server:
+            self.addCleanup(server.kill)
+            display = ":" + server.stdout.readline().strip()
+            ran = subprocess.run([sys.executable, "-c", code], env={**os.environ, "DISPLAY": display},
+                capture_output=True, text=True)
+            self.assertEqual((ran.returncode, ran.stdout), (0, "True\n" * 3), ran.stderr)
+            self.assertEqual(server.wait(20), 0)
 
     def test_without_a_screen(self):
         if vtkRenderWindow().GetClassName() != "vtkXOpenGLRenderWindow":

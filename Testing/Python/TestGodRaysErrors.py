@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Properties of the wrapped classes, and what they tell: exceptions and warnings of Python."""
 
+import datetime
 import functools
 import importlib.metadata
 import inspect
@@ -43,6 +44,8 @@ class Properties(unittest.TestCase):
                 snake = to_snake(name)
                 if not method.startswith("Get") or not isinstance(getattr(cls, snake, None), property):
                     continue
+                if not re.match(rf"{method}\(self\)", getattr(cls, method).__doc__):
+                    continue  # rays.light is that of GetLight(0)
                 with self.subTest(f"{cls.__name__}.{snake}"):
                     value = getattr(one, method)()
                     got = getattr(one, snake)
@@ -108,7 +111,7 @@ class Properties(unittest.TestCase):
             one = make(cls)
             of_models |= {to_snake(name) for name in get_names(one)} if one else set()
         # which tags volumes, and which is a short name
-        self.assertEqual(keywords - of_pass - of_models, {"ambient_occlusion", "medium", "shadows"})
+        self.assertEqual(keywords - of_pass - of_models, {"ambient_occlusion", "light_color", "medium", "shadows"})
         self.assertGreater(len(keywords), 50)
         sky = {to_snake(name) for name in get_names(godrays.vtkGodRaysSkyPass())}
         self.assertEqual(set(godrays.sky.__kwdefaults__) - sky, set())
@@ -266,7 +269,25 @@ class Mistakes(unittest.TestCase):
             ("no color '#zzzzzz'", lambda: godrays.render(cone, background="#zzzzzz")),
             (r"light=\(1, 0\) is no direction; say in three numbers", lambda: godrays.render(cone, light=(1, 0))),
             ("sun_at='top' should be a place", lambda: godrays.enable(self.renderer, sun_at="top")),
+            (r"sun_at=\(400, 300\) should be a place", lambda: godrays.enable(self.renderer, sun_at=(400, 300))),
             ("sun=3 should be a vtkGodRaysSun, .azimuth, elevation.", lambda: godrays.sky(self.renderer, sun=3)),
+            (r"sun=\(190, 98\) should be \(azimuth, ", lambda: godrays.enable(self.renderer, sun=(190, 98))),
+            (r"sun=\(1, 2, 3\) should be \(azimuth, ", lambda: godrays.render(cone, sun=(1, 2, 3))),
+            ("sun, light and sun_at each say where", lambda: godrays.render(cone, sun=(1, 2), light=(1, 2, 3))),
+            ("light_color='nocolor'|no color 'nocolor'", lambda: godrays.render(cone, light_color="nocolor")),
+            ("light_color is for lights: props shine",
+                lambda: godrays.enable(self.renderer, light=vtkActor(), light_color="red")),
+            ("color is in the place of scalars", lambda: godrays.render(cone, color="red", scalars="a")),
+            (r"color=\(2, 0, 0\) should be three numbers", lambda: godrays.render(cone, color=(2, 0, 0))),
+            (r"opacity=\[3\] should be in \[0, 1\]", lambda: godrays.render(cone, opacity=3)),
+            ("no array 'temprature' of numbers; there are: Normals|no array", lambda: godrays.render(cone, scalars="temprature")),
+            ("scalars has 5 numbers, where the data have", lambda: godrays.render(cone, scalars=[1, 2, 3, 4, 5])),
+            ("cmap is for scalars, and the data have none", lambda: godrays.render(cone, cmap="viridis")),
+            ("'2024-06-21T12:00' has no time zone: write", lambda: godrays.sun("2024-06-21T12:00", 48, 11)),
+            ("has no time zone: write",
+                lambda: godrays.sun(datetime.datetime(2024, 6, 21, 12), 48, 11)),
+            ("below the horizon.*it does not rise on that day", lambda: godrays.sun("2024-12-21T12:00Z", 80, 0)),
+            ("below the horizon.*it rises at", lambda: godrays.sun("2024-12-21T00:00Z", 48, 0)),
             ("no place at latitude 'a' and longitude 2: they are in", lambda: godrays.sun("2024-06-21T12:00", "a", 2)),
             ("None is no date with a time", lambda: godrays.sun(None, 1, 2)),
             ("light='middle' should be a place", lambda: godrays.scatter([[1.0]], light="middle")),
@@ -279,13 +300,21 @@ class Mistakes(unittest.TestCase):
         class Closed:
             renderer = None
 
+        class Noted:  # as PyVista has it
+            renderer = self.renderer
+            _closed = True
+
         for error, words, call in (
             (TypeError, "needs a vtkImageData, not NoneType", lambda: godrays.to_array(None)),
             (TypeError, "needs a filter, a vtkAlgorithm, not NoneType", lambda: godrays.apply(None, [[1.0]])),
             (TypeError, "needs a dict of parameters, not NoneType", lambda: godrays.from_pmndrs(None)),
             (TypeError, "god rays need a vtkRenderer.*not NoneType", lambda: godrays.enable(None)),
             (ValueError, "the Closed has no renderer: it is closed", lambda: godrays.enable(Closed())),
+            (ValueError, "the Noted has no renderer: it is closed", lambda: godrays.enable(Noted())),
             (ValueError, "there are no data", lambda: godrays.render([])),
+            (TypeError, "color is for data; a vtk.*Actor has its own", lambda: godrays.render(vtkActor(), color="red")),
+            (TypeError, "opacity is for data; a scene", lambda: godrays.render(self.renderer, opacity=0.5)),
+            (TypeError, "show.. has no parameter transparent", lambda: godrays.show(None, transparent=True)),
             (godrays.Error, "it is a folder", lambda: godrays.render("/")),
         ):
             with self.subTest(words), self.assertRaisesRegex(error, words):

@@ -180,8 +180,94 @@ class Enable(unittest.TestCase):
         lamp = vtkLight()
         renderer.AddLight(lamp)
         rays = godrays.enable(renderer)
-        self.assertEqual(rays.GetSunPlacement(), vtkGodRaysPass.SUN_BY_HAND)
+        self.assertEqual(rays.GetSunPlacement(), vtkGodRaysPass.SUN_IF_NO_LIGHT)
         self.assertEqual([rays.GetLight(i) for i in range(rays.GetNumberOfLights())], [lamp])
+
+    def test_lights_that_make_no_shafts(self):
+        """Those of the renderer make way for a sun; those that are named are told, once, with a remedy."""
+        behind_the_eye = (0.1, 0.2, 1)
+        for named in (False, True):
+            window, renderer, _ = make_scene()
+            before = pixels(window)
+            light = vtkLight()
+            light.SetPosition(behind_the_eye)
+            renderer.AddLight(light)
+            with warnings.catch_warnings(record=True) as caught, self.subTest(named=named):
+                warnings.simplefilter("always")
+                rays = godrays.enable(renderer, light=light if named else None)
+                for _ in range(8):
+                    changed = pixels(window)
+                    renderer.GetActiveCamera().Azimuth(0 if named else 45)
+                    self.assertEqual(rays.scattering is None, named, rays.plan)
+            told = [str(each.message) for each in caught if each.category is godrays.GodRaysWarning]
+            if named:
+                self.assertEqual(len(told), 1, told)
+                self.assertRegex(told[0], "no light reaches.*behind the camera.*SunPlacement")
+                self.assertEqual(told[0], rays.advice.strip() + ".")
+            else:
+                self.assertEqual(told, [])
+                self.assertNotEqual(changed, before)
+                self.assertEqual(rays.GetNumberOfLights(), 2)
+
+    def test_a_sun_by_azimuth_and_elevation(self):
+        _, renderer, _ = make_scene()
+        rays = godrays.enable(renderer, sun=(90, 0))
+        self.assertAlmostEqual(math.dist(rays.light.GetPosition(), (1, 0, 0)), 0)
+        godrays.enable(renderer, sun=(0, 30))
+        self.assertAlmostEqual(math.dist(rays.light.GetPosition(), (0, 0.75**0.5, 0.5)), 0)
+        self.assertEqual(rays.GetNumberOfLights(), 1)
+        sky = godrays.sky(renderer, up=(0, 1, 0), north=(0, 0, -1))
+        godrays.enable(renderer, sun=[0, 0])
+        self.assertAlmostEqual(math.dist(rays.light.GetPosition(), (0, 0, -1)), 0)
+        sun = godrays.vtkGodRaysSun()
+        godrays.enable(renderer, sun=sun)  # as before, the property of the pass
+        self.assertIs(rays.GetSun(), sun)
+        self.assertIsNotNone(sky)
+
+    def test_a_color_of_the_light(self):
+        _, renderer, _ = make_scene()
+        lamp = vtkLight()
+        rays = godrays.enable(renderer, light=[lamp, BEHIND], light_color="#ff8000")
+        for i in range(2):
+            self.assertAlmostEqual(math.dist(rays.GetLight(i).GetDiffuseColor(), (1, 128 / 255, 0)), 0)
+        window, renderer, _ = make_scene()
+        rays = godrays.enable(renderer, light_color=(0, 0, 1))  # of a sun that is yet to be placed
+        window.Render()
+        self.assertEqual(rays.light.GetDiffuseColor(), (0, 0, 1))
+        red, _, blue = rays.scattering.mean((0, 1))
+        self.assertGreater(blue, 10 * red)
+
+    def test_light_preset_and_repr_of_the_rays(self):
+        window, renderer, cone = make_scene()
+        rays = godrays.enable(renderer)
+        self.assertRegex(repr(rays), r"^<vtkGodRaysPass: default, intensity 1, 0 lights; no frame yet>$")
+        self.assertIsNone(rays.light)
+        rays.light = BEHIND
+        self.assertEqual(rays.light.GetPosition(), BEHIND)
+        self.assertEqual(rays.GetSunPlacement(), vtkGodRaysPass.SUN_BY_HAND)
+        rays.light = cone
+        self.assertIsNone(rays.light)
+        self.assertEqual(vtkGodRaysPass.GetRole(cone), vtkGodRaysPass.LIGHT)
+        godrays.tag(cone, "automatic")
+        rays.light = None
+        window.Render()
+        self.assertIsNotNone(rays.light)
+        for name in godrays.presets():
+            rays.preset = name
+            self.assertEqual(rays.model.Describe(), godrays.vtkGodRaysPresets.NewModel(name).Describe())
+            same = godrays.vtkGodRaysPresets.NewModel(rays.preset)
+            self.assertEqual(same.Describe(), rays.model.Describe())
+        rays.preset = "fog"
+        self.assertEqual(rays.preset, "fog")
+        rays.asymmetry = 0.123
+        self.assertIsNone(rays.preset)
+        with self.assertRaisesRegex(ValueError, "no preset 'fogg'; did you mean fog"):
+            rays.preset = "fogg"
+        window.Render()
+        self.assertRegex(repr(rays), "vtkGodRaysHomogeneousModel.*1 lights; light: .*scattering")
+        self.assertIn("Intensity: 1", str(rays))
+        with self.assertRaisesRegex(godrays.Error, "on no renderer"):
+            vtkGodRaysPass().light = BEHIND
 
     def test_a_tagged_prop_is_light_enough(self):
         _, renderer, cone = make_scene()

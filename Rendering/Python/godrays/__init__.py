@@ -21,6 +21,7 @@ as godrays.Error.
 
 from __future__ import annotations
 
+import re
 import warnings
 from numbers import Real
 from typing import TYPE_CHECKING, Any
@@ -69,12 +70,15 @@ from ._parameters import get_names as _get_names
 from ._parameters import make_model as _make_model
 from ._properties import set_value as _set_value
 from ._render import render as render
+from ._render import show as show
 from ._targets import find_angles as _find_angles
+from ._targets import find_direction as _find_direction
 from ._targets import find_renderer as _find_renderer
 from ._targets import find_shining as _find_shining
 from ._targets import is_closed as _is_closed
 from ._targets import rebuild as _rebuild
 from ._targets import refer as _refer
+from ._targets import to_color as _to_color
 from ._targets import to_lights as _to_lights
 from ._targets import to_list as _to_list
 from ._targets import to_prop as _to_prop
@@ -103,6 +107,7 @@ def enable(
     preset: str | None = None,
     sun_at: Sequence[float] | None = None,
     *,
+    light_color: str | Sequence[float] | None = None,
     medium: Props | None = (),
     shadows: bool | None = None,
     ambient_occlusion: bool | None = None,
@@ -123,7 +128,7 @@ def enable(
     interactive_error_tolerance: float | None = None,
     untagged_props_occlude: bool | None = None,
     source_radius: float | None = None,
-    sun: vtkGodRaysSun | None = None,
+    sun: vtkGodRaysSun | Sequence[float] | None = None,
     sun_angular_radius: float | None = None,
     sun_placement: str | int | None = None,
     background_glow: float | None = None,
@@ -183,10 +188,11 @@ def enable(
         as props and lights. Effects of a plotter can be put on before and after.
     light: what shines. A vtkLight; a prop, which shines in the colours in which it is drawn; three
         numbers, the direction from which sunlight comes, such as sun() gives; or a list of these. None
-        takes the props tagged "light", or else the renderer's own lights that stand in the scene, or
-        else places a sun behind it, where it makes the most shafts; it moves when its place becomes poor in
-        another view, but for sun_placement="once". The scene is lit as before. See
-        vtkGodRaysPass.PlaceSun().
+        takes the props tagged "light", or else the renderer's own lights that stand in the scene; if these
+        cannot reach the picture, or there are none, a sun is placed behind it, where it makes the most
+        shafts; it moves when its place becomes poor in another view, but for sun_placement="sun_once". The
+        scene is lit as before. See vtkGodRaysPass.PlaceSun().
+    light_color: the colour of the lights: a name of vtkNamedColors, "#rrggbb", or three numbers in [0, 1].
     occluders, ignored: props to tag. Props without a tag block light unless
         untagged_props_occlude=False.
     medium: volumes whose data scatter light, as smoke does, in place of being drawn by their mappers. They
@@ -198,7 +204,9 @@ def enable(
     preset: the name of a look or of a medium, see vtkGodRaysPresets.ListNames. It chooses the model that
         has it, unless one is given.
     sun_at: a place in the picture, from (0, 0) at its lower left to (1, 1), at which a sun is put with the
-        camera as it is.
+        camera as it is. Valid range: [-1, 2].
+    sun: a light by two numbers, (azimuth clockwise from north, elevation) [degrees], as of sky(); without a
+        sky, z is up and y is north. Or the vtkGodRaysSun whose angular radius the rays take.
     model: an object, or one of "radial", "published", "homogeneous", "atmosphere" and "volume".
     parameters: every other property of the pass, its model and its integrator; also in the spelling
         ``SunAngularRadius``.
@@ -218,9 +226,9 @@ def enable(
     """
     given = locals()
     keywords = enable.__kwdefaults__ or {}
+    own = ("ambient_occlusion", "light_color", "medium", "shadows")
     parameters.update(
-        {name: given[name] for name in keywords
-            if name not in ("ambient_occlusion", "medium", "shadows") and given[name] is not None})
+        {name: given[name] for name in keywords if name not in own and given[name] is not None})
     if shadows is not None:
         names = {name.replace("_", "").lower(): name for name in parameters}
         name = names.get("surfaceshadows", "surface_shadows")
@@ -230,6 +238,10 @@ def enable(
     rays = vtkGodRaysPass.Find(renderer)
     known = rays is not None
     rays = rays or vtkGodRaysPass()
+    if sun is not None and not isinstance(sun, vtkGodRaysSun):
+        if light is not None or sun_at is not None:
+            raise ValueError("sun, light and sun_at each say where the light is; give one of them")
+        light = _find_direction("sun", parameters.pop("sun"), renderer)
 
     # Look at everything before anything is changed.
     medium = [_to_prop(prop) for prop in _to_list(medium)]
@@ -239,8 +251,7 @@ def enable(
     ):
         parameters = {**parameters, "model": "volume"}
     parameters = _add_model(rays, preset, parameters)
-    others = (
-        "ambient_occlusion", "ignored", "light", "medium", "occluders", "preset", "shadows", "sun_at")
+    others = (*own, "ignored", "light", "occluders", "preset", "sun_at")
     settings = _find_settings(rays, parameters, others)
     if getattr(rays, "_has_shadows_alone", False) and rays.GetIntensity() == 0:  # by shadows()
         settings.setdefault("Intensity", 1.0)
@@ -249,11 +260,17 @@ def enable(
     ignored = [_to_prop(prop) for prop in _to_list(ignored)]
     tagged = _find_shining(renderer)
     if sun_at is not None:
-        sun_at = _to_numbers("sun_at", sun_at, (2,), "a place in the picture, such as (0.7, 0.8)")
+        meaning = "a place in the picture, such as (0.7, 0.8), from (0, 0) at its lower left to (1, 1)"
+        sun_at = _to_numbers("sun_at", sun_at, (2,), meaning, (-1, 2))
     elif not lights and not tagged and rays.GetNumberOfLights() == 0:
         lights = [each for each in renderer.GetLights() if each.LightTypeIsSceneLight()]
-        by_hand, placed = vtkGodRaysPass.SUN_BY_HAND, vtkGodRaysPass.SUN_EVERY_VIEW
-        settings.setdefault("SunPlacement", by_hand if lights else placed)
+        needed, placed = vtkGodRaysPass.SUN_IF_NO_LIGHT, vtkGodRaysPass.SUN_EVERY_VIEW
+        settings.setdefault("SunPlacement", needed if lights else placed)
+
+    if light_color is not None:
+        light_color = _to_color("light_color", light_color)
+        if not any(isinstance(each, vtkLight) for each in lights) and (lights or tagged):
+            raise ValueError("light_color is for lights: props shine in the colours in which they are drawn")
 
     if known and (light is not None or sun_at is not None):
         rays.SetSunPlacement(vtkGodRaysPass.SUN_BY_HAND)
@@ -284,6 +301,11 @@ def enable(
 
     if sun_at is not None:
         rays.PlaceSun(renderer, *sun_at)
+    if light_color is not None:
+        if not rays.GetNumberOfLights():
+            rays.PlaceSun(renderer)
+        for each in map(rays.GetLight, range(rays.GetNumberOfLights())):
+            each.SetDiffuseColor(light_color)
     if ambient_occlusion is not None:
         _occlude(renderer, ambient_occlusion)
     rays._has_shadows_alone = False
@@ -483,12 +505,12 @@ def sun(
 ) -> tuple[float, float, float]:
     """The direction of the sun at a time and place, as a light of enable().
 
-    date: a datetime of the library with its time zone, or a text like 2024-06-21T19:30+02:00; without
-        a zone it is UTC.
+    date: a datetime of the library with its time zone, or a text like 2024-06-21T19:30+02:00, whose zone is
+        an offset from UTC, or Z for UTC.
     latitude, longitude: positive to the north and to the east [degrees].
     up, north: their directions in the scene. Defaults are those of a map.
 
-    ValueError: there is no such date or place, or the sun is below the horizon.
+    ValueError: there is no such date or place, its zone is not said, or the sun is below the horizon.
     """
     position = vtkGodRaysSunPosition()
     text = date.isoformat() if hasattr(date, "isoformat") else date
@@ -503,16 +525,19 @@ def sun(
         raise ValueError(
             f"{text!r} is no date with a time from 1900 to 2100, such as 2024-06-21T19:30+02:00"
         )
+    if not re.search("[Z+-]", text[text.find(":") :]):
+        raise ValueError(f"{text!r} has no time zone: write {text}+02:00, two hours ahead of UTC, or {text}Z")
     position.SetLatitude(latitude)
     position.SetLongitude(longitude)
     direction = [0.0, 0.0, 0.0]
     if not position.GetDirection(up, north, direction):
         raise ValueError(f"up={up} and north={north} must be finite, not 0 and not parallel")
     if position.GetElevation() < 0:
+        hours = f"rises at {position.GetSunrise():.2f} h and sets at {position.GetSunset():.2f} h"
+        if position.GetDayType() == position.POLAR_NIGHT:
+            hours = "does not rise on that day there"
         raise ValueError(
-            f"the sun is {-position.GetElevation():.1f} degrees below the horizon at {text}; it "
-            f"rises at {position.GetSunrise():.2f} h and sets at {position.GetSunset():.2f} h"
-        )
+            f"the sun is {-position.GetElevation():.1f} degrees below the horizon at {text}; it {hours}")
     return direction[0], direction[1], direction[2]
 
 
@@ -541,6 +566,36 @@ def _layer(name):
         had no rays. See Get{name}Image().""")
 
 
+def _get_light(rays):
+    """The first light of the rays, None if there is none; set, it is what `light` of enable() is."""
+    return rays.GetLight(0)
+
+
+def _put_light(rays, light):
+    if light is None:
+        rays.RemoveAllLights()
+        rays.SetSunPlacement(rays.SUN_EVERY_VIEW)
+    else:
+        enable(_enter(rays)._target(), light)
+
+
+def _get_preset(rays):
+    """The preset that the model's parameters are, None if they are none; set, it is that of enable()."""
+    said = rays.GetModel().Describe()
+    return next((name for name in presets() if vtkGodRaysPresets.NewModel(name).Describe() == said), None)
+
+
+def _put_preset(rays, name):
+    _add_model(rays, name, {})  # tells of a name that there is not
+    rays.ApplyPreset(name)
+
+
+def _represent(rays):
+    plan = rays.GetPlan().strip().replace("\n", "; ") or "no frame yet"
+    return (f"<{rays.GetClassName()}: {rays.preset or rays.GetModel().GetClassName()}, intensity "
+        f"{rays.GetIntensity():g}, {rays.GetNumberOfLights()} lights; {plan}>")
+
+
 def _model():
     """The property model of a pass, which takes the names that enable() takes, too."""
     own = vars(vtkGodRaysPass)["model"]
@@ -557,6 +612,9 @@ for _name, _attribute in {
     "scattering": _layer("Scattering"),
     "occlusion": _layer("Occlusion"),
     "model": _model(),
+    "light": property(_get_light, _put_light, None, _get_light.__doc__),
+    "preset": property(_get_preset, _put_preset, None, _get_preset.__doc__),
+    "__repr__": _represent,
     "__enter__": _enter,
     "__exit__": _exit,
 }.items():
@@ -571,7 +629,8 @@ if not TYPE_CHECKING:
     __all__ = [
         "Error", "GodRaysWarning", "apply", "disable", "enable", "from_babylon", "from_blender",
         "from_good_godrays", "from_pmndrs", "from_threejs", "from_unity", "from_unreal", "measure", "presets",
-        "raising", "render", "scatter", "shadows", "sky", "sun", "tag", "to_array", "to_image", "tone_map",
+        "raising", "render", "scatter", "shadows", "show", "sky", "sun", "tag", "to_array", "to_image",
+        "tone_map",
         *(each.__name__ for each in _classes),
     ]
 

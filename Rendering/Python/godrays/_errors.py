@@ -26,13 +26,16 @@ def tell_names(name: Any, names: Iterable[str]) -> str:
     return f"; {meant} are: {', '.join(names)}"
 
 
-def to_numbers(name: str, value: Any, counts: Sequence[int], meaning: str) -> list[float]:
+def to_numbers(
+    name: str, value: Any, counts: Sequence[int], meaning: str, bounds: tuple[float, float] | None = None
+) -> list[float]:
     """A value as so many finite numbers; ValueError, with what it should be, if it is no such thing."""
     try:
         numbers = [float(number) for number in value]
     except (TypeError, ValueError):
         numbers = []
-    if len(numbers) not in counts or not all(map(math.isfinite, numbers)):
+    low, high = bounds or (-math.inf, math.inf)
+    if len(numbers) not in counts or not all(math.isfinite(x) and low <= x <= high for x in numbers):
         raise ValueError(f"{name}={value!r} should be {meaning}")
     return numbers
 

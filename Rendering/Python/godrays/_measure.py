@@ -4,11 +4,12 @@
 
 from __future__ import annotations
 
+import pathlib
 from typing import TYPE_CHECKING, Any
 
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
-from ._targets import find_renderer
+from ._targets import find_renderer, write_whole
 from .vtkGodRaysFilters import vtkGodRaysEXRWriter
 from .vtkGodRaysRendering import vtkGodRaysPass
 
@@ -77,10 +78,14 @@ def measure(
             writer.SetDataModeToBinary()  # some readers take no appended data
         writer.AddObserver("ErrorEvent", lambda *_: None)  # told as an exception
         writer.SetInputData(image)
-        writer.SetFileName(str(file))
-        writer.Write()
-        if writer.GetErrorCode():
-            raise OSError(f"{file} cannot be written; is there such a folder, and is there room?")
+
+        def write(path: pathlib.Path) -> None:
+            writer.SetFileName(str(path))
+            writer.Write()
+            if writer.GetErrorCode() or not path.is_file():
+                raise OSError(f"{file} cannot be written; is there such a folder, and is there room?")
+
+        write_whole(file, write)
     found = {}
     width, height, _ = image.GetDimensions()
     for data in (image.GetPointData(), image.GetFieldData()):

@@ -116,7 +116,8 @@ def _with_keywords(cls: Any) -> type:
         cls.__setattr__(self, name, value)
 
     made = type(cls.__name__, (cls,), {
-        "__init__": init, "__setattr__": put, "__module__": cls.__module__, "__doc__": cls.__doc__})
+        "__init__": init, "__setattr__": put, "__repr__": lambda self: cls.__repr__(self),
+        "__module__": cls.__module__, "__doc__": cls.__doc__})
     return made
 
 
@@ -133,4 +134,9 @@ def _make(cls: type, name: str) -> property:
 def add(cls: type, name: str, attribute: Any) -> None:
     """Add an attribute to a wrapped class. VTK's classes are static types, which take none by setattr()."""
     gc.get_referents(vars(cls))[0][name] = attribute
+    if name == "__repr__":  # is called by a pointer; that of a class made in Python looks the name up
+        made = type("made", (), {name: attribute})
+        offset = object.__basicsize__ + 9 * ctypes.sizeof(ctypes.c_void_p)  # PyTypeObject.tp_repr
+        to_pointer = ctypes.c_void_p.from_address
+        to_pointer(id(cls) + offset).value = to_pointer(id(made) + offset).value
     ctypes.pythonapi.PyType_Modified(ctypes.py_object(cls))

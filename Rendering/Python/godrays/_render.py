@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Data to a picture, without a window: render()."""
+"""Data to a picture, or to a window: render() and show()."""
 
 from __future__ import annotations
 
@@ -9,10 +9,11 @@ import importlib
 import math
 import os
 import pathlib
-import re
+import time
 import warnings
 from typing import TYPE_CHECKING, Any
 
+from vtkmodules.vtkCommonCore import vtkLookupTable, vtkScalarsToColors
 from vtkmodules.vtkCommonDataModel import vtkBoundingBox, vtkCompositeDataSet, vtkDataObject, vtkDataSet
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkRenderingCore import (
@@ -22,10 +23,12 @@ from vtkmodules.vtkRenderingCore import (
     vtkProp,
     vtkRenderer,
     vtkRenderWindow,
+    vtkRenderWindowInteractor,
 )
 
 from ._arrays import to_image
 from ._errors import Error, GodRaysWarning, hushed, tell_names, to_numbers
+from ._targets import find_direction, to_color, write_whole
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -53,6 +56,10 @@ def render(
     background: str | Sequence[float] | None = "#060a14",
     transparent: bool = False,
     rays: bool = True,
+    color: str | Sequence[float] | None = None,
+    opacity: float | None = None,
+    scalars: Any = None,
+    cmap: Any = None,
     **parameters: Any,
 ) -> Any:
     """Draw data with god rays, without a window, and return the picture.
@@ -65,43 +72,97 @@ def render(
     preset: as of enable(); see presets().
     camera: from where the data are seen, (azimuth, elevation) [degrees]. All data are in the picture. Or a
         vtkCamera.
-    up: the axis that points up, "x", "y" or "z". Azimuths are counted from the axis that comes next, in the
-        order x, y, z, x, to the one after that: with z up, from x to y.
+    up: the axis that points up, "x", "y" or "z". Azimuths of the camera are counted from the axis that comes
+        next, in the order x, y, z, x, to the one after that: with z up, from x to y.
     zoom: how much larger all is seen [no unit].
     background: a name of vtkNamedColors, "#rrggbb", "#rgb", or three numbers in [0, 1].
     transparent: give the picture an alpha, that of the data.
     rays: off, the same picture is drawn without them.
-    parameters: all that enable() takes, such as light, sun_at, intensity.
+    color: of the data, in the place of their scalars; as background.
+    opacity: of the data. Valid range: [0, 1]. Default is 1.
+    scalars: what colours the data: the name of an array of their points or cells, or an array of one number
+        each. Default is the array that they have for it.
+    cmap: the colour map of the scalars: a name of Matplotlib's, such as "viridis", or a vtkScalarsToColors.
+    parameters: all that enable() takes, such as light, sun_at, intensity. sun=(azimuth, elevation) is counted
+        as of the program: clockwise from north, which is +y where z is up, -z where y is, +z where x is.
 
     Returns uint8 [row, column, channel] with 3 channels, or 4 if transparent; the top row first. It shows
     itself in Jupyter, and has save(file).
     Error: there is no screen to draw on, or a file cannot be read. ValueError: nothing of the data could be
-    seen, or a number is not as said above.
+    seen, or a number is not as said above. TypeError: props and scenes have their own colours.
     """
+    return _draw(data, size, preset, {name: value for name, value in locals().items() if name in _KEYWORDS},
+        parameters, lambda window: _read(window, transparent))
+
+
+def show(data: Any, size: Sequence[int] = (800, 600), preset: str | None = None, **parameters: Any) -> None:
+    """Show data with god rays in a window, until the user closes it or presses Q.
+
+    data, size, preset: as of render().
+    parameters: all else that render() takes, but transparent.
+
+    The camera is turned with the left button of the mouse, moved with the middle one, and zoomed with the
+    right one. Errors are those of render().
+    """
+    if "transparent" in parameters:
+        raise TypeError("show() has no parameter transparent: a window has no alpha")
+    options = {name: parameters.pop(name, value) for name, value in _KEYWORDS.items()}
+    del options["transparent"]
+    _draw(data, size, preset, options, parameters, _interact)
+
+
+_KEYWORDS = dict(render.__kwdefaults__ or {})
+_LOOKS = ("color", "opacity", "scalars", "cmap")
+
+
+def _interact(window: Any) -> None:
+    import vtkmodules.vtkRenderingUI  # which has the interactors of platforms
+    from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
+
+    interactor = vtkRenderWindowInteractor()
+    interactor.SetRenderWindow(window)
+    interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
+    interactor.Initialize()
+    window.Render()
+    interactor.Start()
+
+
+def _draw(data: Any, size: Any, preset: Any, options: dict[str, Any], parameters: Any, finish: Any) -> Any:
+    """Make the scene in a window that is seen or not, and return what finish(window) does."""
     import godrays
 
     _check_names(parameters, godrays.enable)
+    on_screen = "transparent" not in options
+    transparent = options.get("transparent", False)
+    look = {name: options[name] for name in _LOOKS if options[name] is not None}
     sides = f"a width and a height of 1 to {_LARGEST} pixels"
     width, height = (int(number) for number in to_numbers("size", size, (2,), sides))
     if not 1 <= min(width, height) <= max(width, height) <= _LARGEST:
         raise ValueError(f"size={size!r} should be {sides}")
+    if options["up"] not in ("x", "y", "z"):
+        raise ValueError(f'up={options["up"]!r} should be "x", "y" or "z"')
     scene = _scene(data)
-    own = scene is None
-    if own:
+    if scene is None:
         scene = vtkRenderer()
-        for prop in _props(data):
+        for prop in _props(data, look):
             scene.AddViewProp(prop)
         if not scene.VisibleActorCount() + scene.VisibleVolumeCount():
             raise ValueError("there are no data: nothing could be seen")
         if not vtkBoundingBox(scene.ComputeVisiblePropBounds()).IsValid():
             raise ValueError("no point of the data has finite coordinates: nothing could be seen")
-        if background is not None:
-            scene.SetBackground(*_color(background))
-        _look(scene, camera, up, zoom, width / height)
+        if options["background"] is not None:
+            scene.SetBackground(*to_color("background", options["background"]))
+        _look(scene, options["camera"], options["up"], options["zoom"], width / height)
+    elif look:
+        raise TypeError(f"{next(iter(look))} is for data; a scene has its own")
+    sun = parameters.get("sun")
+    if not (sun is None or hasattr(sun, "GetFrame") or {"light", "sun_at"} & set(parameters)):
+        parameters["light"] = find_direction("sun", parameters.pop("sun"), scene, options["up"])
     window = vtkRenderWindow()
     _need_screen(window)
     former = scene.GetRenderWindow()
-    window.SetOffScreenRendering(True)
+    window.SetOffScreenRendering(not on_screen)
+    window.SetWindowName("godrays")
     window.SetMultiSamples(0 if transparent else 8)
     window.SetAlphaBitPlanes(transparent)
     window.SetSize(width, height)
@@ -110,15 +171,15 @@ def render(
     window.AddRenderer(scene)
     found = godrays.vtkGodRaysPass.Find(scene)
     try:
-        if rays:
+        if options["rays"]:
             godrays.enable(scene, preset=preset, **parameters)
         elif found is not None:
             found.Detach(scene)
-        return _read(window, transparent)
+        return finish(window)
     finally:
-        if rays and found is None:
+        if options["rays"] and found is None:
             godrays.disable(scene)
-        elif not rays and found is not None:
+        elif not options["rays"] and found is not None:
             found.Attach(scene)
         window.RemoveRenderer(scene)
         window.Finalize()
@@ -128,7 +189,7 @@ def render(
 
 def _check_names(parameters: dict[str, Any], enable: Any) -> None:
     """Tell of a name that is probably a misspelt one of render()'s own, which enable() cannot know."""
-    own = list(render.__kwdefaults__ or {})
+    own = list(_KEYWORDS)
     known = {name.replace("_", "") for name in enable.__kwdefaults__}
     for name in parameters:
         end = "" if name.replace("_", "").lower() in known else tell_names(name, own)
@@ -142,10 +203,12 @@ def _scene(data: Any) -> Any:
     return found if isinstance(found, vtkRenderer) else None
 
 
-def _props(data: Any) -> list[Any]:
+def _props(data: Any, look: dict[str, Any]) -> list[Any]:
     if isinstance(data, (list, tuple)):
-        return [prop for each in data for prop in _props(each)]
+        return [prop for each in data for prop in _props(each, look)]
     if isinstance(data, vtkProp):
+        if look:
+            raise TypeError(f"{next(iter(look))} is for data; a {data.GetClassName()} has its own")
         return [data]
     mapper = vtkDataSetMapper()
     if isinstance(data, (str, os.PathLike)):
@@ -178,7 +241,77 @@ def _props(data: Any) -> list[Any]:
     actor = vtkActor()
     actor.GetProperty().SetPointSize(3)
     actor.SetMapper(mapper)
+    _color(actor, mapper, data, **look)
     return [actor]
+
+
+def _color(
+    actor: Any, mapper: Any, data: Any, color: Any = None, opacity: Any = None, scalars: Any = None,
+    cmap: Any = None
+) -> None:
+    """Give the data of an actor the looks that render() is asked for."""
+    if color is not None:
+        if scalars is not None or cmap is not None:
+            raise ValueError("color is in the place of scalars and cmap; give one of them")
+        actor.GetProperty().SetColor(to_color("color", color))
+        mapper.ScalarVisibilityOff()
+    if opacity is not None:
+        actor.GetProperty().SetOpacity(to_numbers("opacity", [opacity], (1,), "in [0, 1]", (0, 1))[0])
+    points, cells = data.GetPointData(), data.GetCellData()
+    if scalars is not None and not isinstance(scalars, str):
+        from vtkmodules.util.numpy_support import numpy_to_vtk
+        import numpy
+
+        array = numpy_to_vtk(numpy.ascontiguousarray(scalars, float).ravel(), deep=True)
+        array.SetName("scalars")
+        count = array.GetNumberOfTuples()
+        if count not in (data.GetNumberOfPoints(), data.GetNumberOfCells()):
+            raise ValueError(f"scalars has {count} numbers, where the data have {data.GetNumberOfPoints()} "
+                f"points and {data.GetNumberOfCells()} cells")
+        copy = data.NewInstance()
+        copy.ShallowCopy(data)
+        mapper.SetInputData(copy)
+        points, cells = copy.GetPointData(), copy.GetCellData()
+        (points if count == data.GetNumberOfPoints() else cells).AddArray(array)
+        scalars = "scalars"
+    shown = points.GetScalars() or cells.GetScalars()
+    if scalars is not None:
+        owner = points if points.HasArray(scalars) else cells
+        shown = owner.GetArray(scalars)
+        if shown is None:
+            names = [each.GetArrayName(i) or ""
+                for each in (points, cells) for i in range(each.GetNumberOfArrays())]
+            raise ValueError(f"the data have no array {scalars!r} of numbers" + tell_names(scalars, names))
+        if owner is points:
+            mapper.SetScalarModeToUsePointFieldData()
+        else:
+            mapper.SetScalarModeToUseCellFieldData()
+        mapper.SelectColorArray(scalars)
+        mapper.SetScalarRange(shown.GetFiniteRange(-1 if shown.GetNumberOfComponents() > 1 else 0))
+    if cmap is not None:
+        if shown is None:
+            raise ValueError("cmap is for scalars, and the data have none")
+        mapper.SetColorModeToMapScalars()
+        mapper.SetLookupTable(_table(cmap))
+        mapper.UseLookupTableScalarRangeOff()
+
+
+def _table(cmap: Any) -> vtkScalarsToColors:
+    """The colours of a colour map of Matplotlib, by its name, or of VTK, as they are."""
+    if isinstance(cmap, vtkScalarsToColors):
+        return cmap
+    try:
+        from matplotlib import colormaps
+    except ImportError as error:
+        meaning = "needs Matplotlib, or should be a vtkScalarsToColors"
+        raise ValueError(f"cmap={cmap!r} {meaning}: {error}") from error
+    if cmap not in list(colormaps):
+        raise ValueError(f"there is no cmap {cmap!r}" + tell_names(cmap, colormaps))
+    table = vtkLookupTable()
+    table.SetNumberOfTableValues(256)
+    for i, color in enumerate(colormaps[cmap](range(256))):
+        table.SetTableValue(i, color)
+    return table
 
 
 def _read_file(path: pathlib.Path) -> Any:
@@ -215,8 +348,6 @@ def _look(scene: Any, camera: Any, up: str, zoom: float, aspect: float) -> None:
         raise ValueError(f"camera={camera!r} should be {meaning}")
     if not (isinstance(zoom, (int, float)) and math.isfinite(zoom) and zoom > 0):
         raise ValueError(f"zoom={zoom!r} should be a positive number")
-    if up not in ("x", "y", "z"):
-        raise ValueError(f'up={up!r} should be "x", "y" or "z"')
     first = ("xyz".index(up) + 1) % 3
     place, upwards = [0.0] * 3, [0.0] * 3
     place[first] = math.cos(elevation) * math.cos(azimuth)
@@ -234,40 +365,31 @@ def _look(scene: Any, camera: Any, up: str, zoom: float, aspect: float) -> None:
     scene.ResetCameraClippingRange()
 
 
-def _color(color: Any) -> Sequence[float]:
-    if not isinstance(color, str):
-        meaning = 'three numbers in [0, 1], "#rrggbb" or a name of vtkNamedColors'
-        numbers = to_numbers("background", color, (3,), meaning)
-        if not 0 <= min(numbers) <= max(numbers) <= 1:
-            raise ValueError(f"background={color!r} should be {meaning}")
-        return numbers
-    from vtkmodules.vtkCommonColor import vtkNamedColors
-
-    text = color.strip()
-    if re.fullmatch("#([0-9a-fA-F]{3}){1,2}", text):
-        digits = len(text) // 3
-        return [int(text[i : i + digits], 16) / (16**digits - 1) for i in range(1, len(text), digits)]
-    colors = vtkNamedColors()
-    if not colors.ColorExists(text):
-        raise ValueError(f"there is no color {color!r}; give #rrggbb or a name of vtkNamedColors")
-    return list(colors.GetColor3d(text))
-
-
 def _need_screen(window: Any) -> None:
-    """VTK ends the program if a window for X finds no screen."""
-    if window.GetClassName() != "vtkXOpenGLRenderWindow":
+    """VTK ends the program if a window for X finds no screen.
+
+    The connection is kept: a server without -noreset resets when the last one is closed, as between this and
+    VTK's, and refuses further ones meanwhile.
+    """
+    name = os.environ.get("DISPLAY") or ""
+    if window.GetClassName() != "vtkXOpenGLRenderWindow" or name in _screens:
         return
     try:
         library = ctypes.CDLL("libX11.so.6")
     except OSError:
         return
     library.XOpenDisplay.restype = ctypes.c_void_p
-    display = library.XOpenDisplay(None)
-    if not display:
-        name = os.environ.get("DISPLAY")
-        raise Error(f"VTK needs a screen to draw on, and there is none at DISPLAY={name or ''}: run this "
-            'under xvfb-run -a -s "-screen 0 1280x1024x24"')
-    library.XCloseDisplay(ctypes.c_void_p(display))
+    for attempt in range(20 if name else 1):
+        time.sleep(0.05 if attempt else 0)  # the server may reset just now
+        display = library.XOpenDisplay(None)
+        if display:
+            _screens[name] = display
+            return
+    raise Error(f"VTK needs a screen to draw on, and there is none at DISPLAY={name}: run this "
+        'under xvfb-run -a -s "-screen 0 1280x1024x24"')
+
+
+_screens: dict[str, Any] = {}  # of DISPLAY, as Xlib has it
 
 
 def _read(window: Any, transparent: bool) -> Any:
@@ -284,11 +406,11 @@ def _read(window: Any, transparent: bool) -> Any:
     return _picture_class()(vtk_to_numpy(values).reshape(height, width, -1)[::-1])
 
 
-def to_png(array: Any) -> bytes:
-    """The PNG of a picture, uint8 [row, column] or [row, column, channel], the top row first."""
-    from vtkmodules.vtkIOImage import vtkPNGWriter
+def encode(array: Any, suffix: str = ".png") -> bytes:
+    """The file of a picture, uint8 [row, column] or [row, column, channel], the top row first."""
+    from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGWriter
 
-    writer = vtkPNGWriter()
+    writer = vtkPNGWriter() if suffix == ".png" else vtkJPEGWriter()
     writer.WriteToMemoryOn()
     writer.SetInputData(to_image(array))
     writer.Write()
@@ -310,13 +432,21 @@ def _picture_class() -> Any:
             def _repr_png_(self) -> Any:
                 if self.ndim not in (2, 3) or 0 in self.shape or self.dtype != numpy.uint8:
                     return None  # what has been computed with it is numbers
-                return to_png(numpy.asarray(self))
+                return encode(numpy.asarray(self))
 
             def save(self, file: Any) -> None:
-                """Write the picture as PNG. ValueError: the name ends otherwise."""
-                if pathlib.Path(file).suffix.lower() != ".png":
-                    raise ValueError(f"file={str(file)!r} should end in .png: save() writes no other type")
-                pathlib.Path(file).write_bytes(to_png(numpy.asarray(self)))
+                """Write the picture as .png, or .jpg, which has no alpha.
+
+                ValueError: the name ends otherwise.
+                """
+                suffix = pathlib.Path(file).suffix.lower()
+                if suffix not in (".png", ".jpg", ".jpeg"):
+                    raise ValueError(
+                        f"file={str(file)!r} should end in .png or .jpg: save() writes no other type")
+                if suffix != ".png" and self.ndim == 3 and self.shape[2] == 4:
+                    raise ValueError(f"file={str(file)!r} should end in .png: the picture has an alpha")
+                data = encode(numpy.asarray(self), suffix)
+                write_whole(file, lambda path: path.write_bytes(data))
 
         Picture.__qualname__ = "Picture"  # where pickle finds it
         _picture = Picture

@@ -6,13 +6,18 @@ from __future__ import annotations
 
 import math
 import numbers
+import os
+import pathlib
+import re
 import sys
 import weakref
 
+from vtkmodules.vtkCommonColor import vtkNamedColors
 from vtkmodules.vtkRenderingCore import vtkLight, vtkProp, vtkRenderer, vtkRenderWindow
 
+from ._errors import to_numbers
 from .vtkGodRaysFilters import vtkGodRaysSun, vtkGodRaysSunPosition
-from .vtkGodRaysRendering import vtkGodRaysPass
+from .vtkGodRaysRendering import vtkGodRaysPass, vtkGodRaysSkyPass
 
 
 def find_renderer(target):
@@ -35,8 +40,9 @@ def find_renderer(target):
 
 
 def is_closed(target):
-    """Whether it is a plotter that has been closed."""
-    return hasattr(target, "renderer") and target.renderer is None
+    """Whether it is a plotter that has been closed: vedo drops its renderer, PyVista notes it."""
+    return hasattr(target, "renderer") and (
+        target.renderer is None or getattr(target, "_closed", None) is True)
 
 
 def find_renderer_of_view(view):
@@ -140,6 +146,37 @@ def make_sun(direction):
     return sun
 
 
+def find_direction(name, angles, renderer, up="z"):
+    """The direction of a sun at these angles: of the renderer's sky or, without one, with this axis up."""
+    meaning = "(azimuth, elevation) in degrees, with an elevation in [-90, 90]"
+    azimuth, elevation = to_numbers(name, angles, (2,), meaning)
+    if abs(elevation) > 90:
+        raise ValueError(f"{name}={angles!r} should be {meaning}")
+    sky = vtkGodRaysSkyPass.Find(renderer)
+    sun = sky.GetSun() if sky else vtkGodRaysSun()
+    if not sky:
+        sun.SetFrame(getattr(sun, f"{up.upper()}_UP"))
+    upwards, north, direction = [0.0] * 3, [0.0] * 3, [0.0] * 3
+    sun.GetAxes(renderer.GetActiveCamera(), upwards, north)
+    vtkGodRaysSunPosition.ComputeDirection(azimuth, elevation, upwards, north, direction)
+    return direction
+
+
+def to_color(name, color):
+    """Three numbers in [0, 1] for a color, which is these, "#rrggbb", "#rgb" or a name of vtkNamedColors."""
+    if not isinstance(color, str):
+        meaning = 'three numbers in [0, 1], "#rrggbb" or a name of vtkNamedColors'
+        return to_numbers(name, color, (3,), meaning, (0, 1))
+    text = color.strip()
+    if re.fullmatch("#([0-9a-fA-F]{3}){1,2}", text):
+        digits = len(text) // 3
+        return [int(text[i : i + digits], 16) / (16**digits - 1) for i in range(1, len(text), digits)]
+    colors = vtkNamedColors()
+    if not colors.ColorExists(text):
+        raise ValueError(f"there is no color {color!r}; give #rrggbb or a name of vtkNamedColors")
+    return list(colors.GetColor3d(text))
+
+
 def find_angles(direction, sun, renderer):
     """Azimuth and elevation of a direction in the frame of a vtkGodRaysSun [degrees]."""
     camera = renderer.GetActiveCamera() if sun.GetFrame() == vtkGodRaysSun.CAMERA else None
@@ -148,6 +185,17 @@ def find_angles(direction, sun, renderer):
     if not vtkGodRaysSunPosition.ComputeAngles(direction, up, north, angles):
         raise ValueError("up and north should be directions that are not parallel")
     return angles
+
+
+def write_whole(file, write):
+    """Have write(path) write a file beside the one of this name, which takes its place once it is whole."""
+    path = pathlib.Path(os.path.realpath(file))
+    part = path.with_name(f".{os.getpid()}-part{path.suffix}")
+    try:
+        write(part)
+        os.replace(part, path)
+    finally:
+        part.unlink(missing_ok=True)
 
 
 def refer(thing):
