@@ -4,6 +4,7 @@
 
 #include "vtkFloatArray.h"
 #include "vtkGodRaysGridPicture.h"
+#include "vtkGodRaysMemory.h"
 #include "vtkGodRaysSetGet.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -13,6 +14,7 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <string>
 
 vtkStandardNewMacro(vtkGodRaysGridFilter);
 
@@ -63,6 +65,8 @@ int vtkGodRaysGridFilter::RequestData(
   }
   const std::size_t pixels =
     static_cast<std::size_t>(std::max(this->Size[0], 0)) * std::max(this->Size[1], 0);
+  constexpr double bytes = 24.0; // of a pixel
+  fault = fault.empty() ? vtkGodRays::FindMemoryFault(bytes * pixels, "Size") : fault;
   vtkSmartPointer<vtkFloatArray> depths;
   if (input[1]->GetNumberOfInformationObjects() > 0)
   {

@@ -5,6 +5,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
 #include "vtkGodRaysKronrod.h"
+#include "vtkGodRaysMemory.h"
 #include "vtkGodRaysProgress.h"
 #include "vtkGodRaysSetGet.h"
 #include "vtkGodRaysSkyAtmosphere.h"
@@ -25,6 +26,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 vtkStandardNewMacro(vtkGodRaysSkySource);
 
@@ -509,6 +511,19 @@ int vtkGodRaysSkySource::RequestData(
   vtkImageData* image = vtkImageData::GetData(output);
   if (!this->Prepare())
   {
+    image->Initialize();
+    return 1; // the executive would only add that something failed
+  }
+  const int* extent = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
+  double bytes = 3.0 * (this->OutputScalarType == VTK_DOUBLE ? sizeof(double) : sizeof(float));
+  for (int i = 0; i < 3; ++i)
+  {
+    bytes *= extent[2 * i + 1] - extent[2 * i] + 1.0;
+  }
+  const std::string fault = vtkGodRays::FindMemoryFault(bytes, "Resolution");
+  if (!fault.empty())
+  {
+    vtkErrorMacro("Cannot compute a sky: " << fault);
     image->Initialize();
     return 1; // the executive would only add that something failed
   }

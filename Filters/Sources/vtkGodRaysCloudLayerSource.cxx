@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysCloudLayerSource.h"
 
+#include "vtkGodRaysMemory.h"
 #include "vtkGodRaysNoise.h"
 #include "vtkGodRaysSetGet.h"
 #include "vtkGodRaysSourceTools.h"
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 vtkStandardNewMacro(vtkGodRaysCloudLayerSource);
 
@@ -285,7 +287,18 @@ int vtkGodRaysCloudLayerSource::RequestData(
   {
     information->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
   }
-  const bool finished =
+  constexpr double bytesOfPoint = 56.0; // with its part of the polygons
+  constexpr double bytesOfTexel = 4.0;
+  const double texels = (extent[1] - extent[0] + 1.0) * (extent[3] - extent[2] + 1.0);
+  std::string fault =
+    vtkGodRays::FindMemoryFault(bytesOfPoint * this->Resolution * this->Resolution, "Resolution");
+  fault =
+    fault.empty() ? vtkGodRays::FindMemoryFault(bytesOfTexel * texels, "TextureResolution") : fault;
+  if (!fault.empty())
+  {
+    vtkErrorMacro("Cannot compute clouds: " << fault);
+  }
+  const bool finished = fault.empty() &&
     (!IsFirstPiece(output->GetInformationObject(0)) || this->MakeGeometry(clouds, geometry)) &&
     this->MakeTexture(clouds, extent, texture);
   if (!finished)

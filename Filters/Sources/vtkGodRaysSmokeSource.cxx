@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysSmokeSource.h"
 
+#include "vtkGodRaysMemory.h"
 #include "vtkGodRaysProgress.h"
 #include "vtkGodRaysSetGet.h"
 #include "vtkGodRaysSmokeSolver.h"
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkGodRaysSmokeSource);
@@ -179,6 +181,11 @@ std::string vtkGodRaysSmokeSource::FindFault() const
   {
     fault << "Dimensions " << this->Dimensions[0] << " " << this->Dimensions[1] << " "
           << this->Dimensions[2] << " are more than " << MostPoints << " points. Take fewer.";
+  }
+  else if (constexpr double bytes = 36.0; // of a point: two densities, six shares, the output
+           !vtkGodRays::FindMemoryFault(bytes * points, "").empty())
+  {
+    fault << vtkGodRays::FindMemoryFault(bytes * points, "Dimensions");
   }
   else if (this->TimeStep > this->GetLargestTimeStep())
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysTerrainSource.h"
 
+#include "vtkGodRaysMemory.h"
 #include "vtkGodRaysNoise.h"
 #include "vtkGodRaysSetGet.h"
 #include "vtkGodRaysSourceTools.h"
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 vtkStandardNewMacro(vtkGodRaysTerrainSource);
 
@@ -138,6 +140,15 @@ int vtkGodRaysTerrainSource::RequestData(
   double origin[3];
   double spacing[3];
   this->GetGrid(origin, spacing);
+  constexpr double bytes = 35.0; // of a point
+  const std::string fault = vtkGodRays::FindMemoryFault(
+    bytes * (extent[1] - extent[0] + 1.0) * (extent[3] - extent[2] + 1.0), "Dimensions");
+  if (!fault.empty())
+  {
+    vtkErrorMacro("Cannot compute a terrain: " << fault);
+    image->Initialize();
+    return 1; // the executive would only add that something failed
+  }
   image->SetExtent(extent);
   image->SetOrigin(origin);
   image->SetSpacing(spacing);

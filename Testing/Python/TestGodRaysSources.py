@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The sources of scenes of the Python module godrays, with VTK's filters behind them."""
 
+import subprocess
+import sys
 import unittest
 
 import godrays
@@ -10,6 +12,50 @@ from vtkmodules.vtkFiltersCore import vtkAssignAttribute, vtkPolyDataNormals
 from vtkmodules.vtkFiltersGeneral import vtkWarpScalar
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkImagingCore import vtkImageDataStreamer
+
+
+class Memory(unittest.TestCase):
+    """What is beyond the memory of the process is refused with the number, before it is asked for."""
+
+    CODE = """
+import resource, sys
+import godrays
+from vtkmodules.vtkCommonDataModel import vtkImageData
+large = 768 << 20
+resource.setrlimit(resource.RLIMIT_DATA, (large, large))
+name, settings, number = eval(sys.argv[1])
+source = getattr(godrays, name)()
+for setter, values in settings.items():
+    getattr(source, setter)(*values)
+if source.GetNumberOfInputPorts():
+    image = vtkImageData()
+    image.SetDimensions(4, 4, 4)
+    image.AllocateScalars(10, 1)
+    image.GetPointData().GetScalars().Fill(1)
+    source.SetInputData(image)
+try:
+    with godrays.raising():
+        source.Update()
+    print("no error")
+except godrays.Error as error:
+    print(error, source.GetOutputDataObject(0).GetNumberOfPoints())
+"""
+
+    def test_sizes_beyond_it(self):
+        for case in (
+            ("vtkGodRaysTerrainSource", {"SetDimensions": (40000, 40000)}, "Dimensions"),
+            ("vtkGodRaysTerrainSource", {"SetDimensions": (1000000, 1000000)}, "Dimensions"),
+            ("vtkGodRaysSmokeSource", {"SetDimensions": (300, 300, 300)}, "Dimensions"),
+            ("vtkGodRaysCloudLayerSource", {"SetResolution": (4096,)}, "Resolution"),
+            ("vtkGodRaysCloudLayerSource", {"SetTextureResolution": (16384,)}, "TextureResolution"),
+            ("vtkGodRaysSkySource", {"SetResolution": (16384,)}, "Resolution"),
+            ("vtkGodRaysGridFilter", {"SetSize": (32768, 32768)}, "Size"),
+        ):
+            with self.subTest(case):
+                ran = subprocess.run([sys.executable, "-c", self.CODE, repr(case)], capture_output=True, text=True)
+                self.assertEqual(ran.returncode, 0, ran.stderr)
+                self.assertRegex(ran.stdout,
+                    rf"[.0-9e+]+ GiB of memory would be needed, where there are 0.75. Set a smaller {case[2]}. 0$")
 
 
 class Terrain(unittest.TestCase):
