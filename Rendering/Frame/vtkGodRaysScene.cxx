@@ -278,6 +278,12 @@ vtkGodRaysOverlays::~vtkGodRaysOverlays()
 void vtkGodRaysOverlays::Draw()
 {
   vtkRenderer* renderer = this->State->GetRenderer();
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  int viewport[4];
+  vtkGodRaysScene::GetViewport(this->State, viewport);
+  // Some passes, such as vtkShadowMapPass, leave those of the whole window.
+  window->GetState()->vtkglViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+  window->GetState()->vtkglScissor(viewport[0], viewport[1], viewport[2], viewport[3]);
   for (const auto& overlay : this->Overlays)
   {
     overlay.second->RenderOpaqueGeometry(renderer); // where text and scalar bars are prepared

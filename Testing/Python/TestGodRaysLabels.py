@@ -13,12 +13,27 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingAnnotation import vtkAxesActor, vtkCaptionActor2D, vtkLegendScaleActor
+from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkRenderingCore import (
+    vtkActor,
     vtkBillboardTextActor3D,
     vtkLight,
+    vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
     vtkTextActor,
+)
+from vtkmodules.vtkRenderingOpenGL2 import (
+    vtkCameraPass,
+    vtkDepthOfFieldPass,
+    vtkEDLShading,
+    vtkOpenGLFXAAPass,
+    vtkRenderPassCollection,
+    vtkRenderStepsPass,
+    vtkSequencePass,
+    vtkShadowMapPass,
+    vtkSSAOPass,
+    vtkToneMappingPass,
 )
 
 WIDTH, HEIGHT = 160, 120
@@ -125,6 +140,78 @@ class Labels(unittest.TestCase):
         covered = (over_white == over_black).all(axis=2)  # by what is opaque
         self.assertGreater(covered.sum(), 300)
         numpy.testing.assert_array_equal(lit_scale[covered], over_black[covered])
+
+    def test_text_in_a_subplot_under_each_effect(self):
+        """Its box is that without the effect; some of VTK's leave the viewport of the window."""
+        self.renderer.SetViewport(0.5, 0, 1, 1)
+        other = vtkRenderer()
+        other.SetViewport(0, 0, 0.5, 1)
+        self.window.AddRenderer(other)
+        cube = vtkCubeSource()
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputConnection(cube.GetOutputPort())
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        actor.GetProperty().SetColor(0.5, 0.3, 0.2)
+        self.renderer.AddActor(actor)
+        lamp = vtkLight()
+        lamp.SetPosition(3, 4, 6)
+        lamp.SetPositional(True)
+        lamp.SetConeAngle(40)
+        self.renderer.AddLight(lamp)
+        text = vtkTextActor()
+        text.SetInput("HIH")
+        text.GetTextProperty().SetColor(0, 1, 0)
+        text.GetTextProperty().SetFontSize(20)
+        text.SetPosition(8, 5)
+        self.renderer.AddViewProp(text)
+
+        def written():
+            picture = self.shown()
+            green = picture[..., 1].astype(int)
+            rows, columns = numpy.nonzero((green > picture[..., 0] + 60) & (green > picture[..., 2] + 60))
+            self.assertGreater(len(rows), 30)
+            return numpy.array([rows.min(), rows.max(), columns.min(), columns.max()])
+
+        expected = written()
+        self.assertGreater(expected[2], WIDTH // 2)
+
+        def over(kind, delegate=None):
+            effect = kind()
+            effect.SetDelegatePass(delegate or vtkRenderStepsPass())
+            self.renderer.SetPass(effect)
+
+        def shadows():
+            passes = vtkRenderPassCollection()
+            shadow = vtkShadowMapPass()
+            for each in (shadow.GetShadowMapBakerPass(), shadow):
+                passes.AddItem(each)
+            sequence = vtkSequencePass()
+            sequence.SetPasses(passes)
+            camera = vtkCameraPass()
+            camera.SetDelegatePass(sequence)
+            self.renderer.SetPass(camera)
+
+        for name, put in {
+            "enable_shadows": lambda: self.renderer.SetUseShadows(True),
+            "ambient occlusion": lambda: self.renderer.SetUseSSAO(True),
+            "shadow maps": shadows,
+            "vtkSSAOPass": lambda: over(vtkSSAOPass),
+            "vtkEDLShading": lambda: over(vtkEDLShading),
+            "vtkDepthOfFieldPass": lambda: over(vtkDepthOfFieldPass),
+            "vtkToneMappingPass": lambda: over(vtkToneMappingPass),
+            "vtkOpenGLFXAAPass": lambda: over(vtkOpenGLFXAAPass),
+        }.items():
+            with self.subTest(name):
+                self.rays.Detach(self.renderer)
+                self.renderer.SetPass(None)
+                put()
+                self.rays.Attach(self.renderer)
+                found = written()
+                self.assertIn("scattering:", self.rays.GetPlan())
+                self.assertLessEqual(abs(found - expected).max(), 1, (found, expected))
+                self.renderer.SetUseShadows(False)
+                self.renderer.SetUseSSAO(False)
 
     def test_captions_keep_their_leaders_beside_text(self):
         text = vtkTextActor()
