@@ -649,7 +649,7 @@ void vtkGodRaysPass::AdviseOnLights()
     cause = plan.substr(start, plan.find('\n', start) - start);
   }
   this->Advise("no light reaches the picture (" + cause +
-    "). Put a light behind the data, where the camera sees it, or set SunPlacement to "
+    "). Move a light behind the data, where the camera sees it, or set SunPlacement to "
     "SUN_EVERY_VIEW, which places a sun");
 }
 
@@ -680,7 +680,7 @@ void vtkGodRaysPass::FindConcerns()
   }
   else if (concern.empty() && !showsRays && left > unchanged && self.Effect->GetOwnProps().empty())
   {
-    this->Advise("the rays change nothing that can be seen. Put a light where it is seen past "
+    this->Advise("the rays change nothing that can be seen. Move a light where it is seen past "
                  "something, before a background that is not white, or set a larger Intensity");
   }
 }

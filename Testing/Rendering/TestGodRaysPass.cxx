@@ -248,7 +248,7 @@ TEST_F(GodRaysPassStraightThrough, ForEveryReason)
   this->ExpectIdentical("scatter nothing", "Set its density");
   model->SetDensity(density);
 
-  const std::string place = "Put a light behind the data";
+  const std::string place = "Move a light behind the data";
   sun->SwitchOff();
   this->ExpectIdentical("off or black", place);
   sun->SwitchOn();
@@ -291,7 +291,7 @@ TEST_F(GodRaysPassStraightThrough, ButLayersWithoutLightAreShownDark)
     }
   }
   this->Scene.Rays->SetOutput(vtkGodRaysPass::COMPOSITE);
-  this->ExpectIdentical("neither it nor its glow", "Put a light behind the data");
+  this->ExpectIdentical("neither it nor its glow", "Move a light behind the data");
 }
 
 TEST_F(GodRaysPassStraightThrough, WhereNoRayReachesThePixelsKeepTheirBytes)
