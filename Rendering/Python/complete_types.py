@@ -11,6 +11,8 @@ import re
 import sys
 
 LAYERS = "".join(f"    @property\n    def {name}(self) -> Any: ...\n" for name in ("occlusion", "scattering"))
+LAYERS += "".join(f"    @property\n    def {name}(self) -> Any: ...\n"
+    f"    @{name}.setter\n    def {name}(self, value: Any) -> None: ...\n" for name in ("light", "preset"))
 CONTEXT = """    def __enter__(self) -> 'vtkGodRaysPass': ...
     def __exit__(self, *error: Any) -> None: ...
 """

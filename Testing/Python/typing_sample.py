@@ -20,6 +20,9 @@ godrays.enable(window, light=lamp, preset="fog", asymmetry=0.3)
 godrays.enable(plotter, light=(1, 2, 1), occluders=[actor], ignored=actor, density=0.9)
 godrays.enable(plotter.renderer, light=[lamp, actor, (0.0, 1.0, 0.0)], model="radial")
 godrays.enable(plotter, light=None, occluders=None, model=vtkGodRaysHomogeneousModel())
+godrays.enable(plotter, sun=(190, 8), light_color="orange")
+rays.light = (0.0, 1.0, 0.5)
+rays.preset = "low-sun"
 rays.SetIntensity(0.7)
 rays.intensity = 0.7
 rays.output = vtkGodRaysPass.SCATTERING
@@ -28,6 +31,7 @@ with godrays.enable(renderer, light=(0, 0, 1), intensity=0.5, model="homogeneous
     fog.background_glow = 0.5
 picture = godrays.render(actor, (320, 240), preset="low-sun", camera=(-60, 15), sun_at=(0.3, 0.8))
 picture.save("picture.png")
+godrays.render(actor, scalars="height", cmap="viridis", opacity=0.5, sun=[190, 8])
 names: dict[str, str] = godrays.presets()
 godrays.enable(renderer, **godrays.from_pmndrs({"density": 0.9}))
 shafts = godrays.scatter([[0.0, 1.0]], (0.5, 0.5), density=1.0)
