@@ -567,7 +567,10 @@ def _layer(name):
 
 
 def _get_light(rays):
-    """The first light of the rays, None if there is none; set, it is what `light` of enable() is."""
+    """The first light of the rays, None if there is none; set, it is what `light` of enable() is.
+
+    Default is none: enable() takes the renderer's, or a sun is placed.
+    """
     return rays.GetLight(0)
 
 
@@ -580,7 +583,10 @@ def _put_light(rays, light):
 
 
 def _get_preset(rays):
-    """The preset that the model's parameters are, None if they are none; set, it is that of enable()."""
+    """The preset that the model's parameters are, None if they are none; set, it is that of enable().
+
+    Default is "default".
+    """
     said = rays.GetModel().Describe()
     return next((name for name in presets() if vtkGodRaysPresets.NewModel(name).Describe() == said), None)
 
