@@ -138,7 +138,16 @@ void GodRaysSample(int count)
   }
 }
 
-// Returns 1 where nothing hides the light, 0 where something does; between them within a texel of an edge,
+// Returns how far to go from a place along its facet's normal, where the light grazes it: a bias of depth would
+// let light through along edges, in closed rooms, too. 2/3 of a texel is how far away texels count.
+const float godraysSteep = 4.0; // slope from which on
+vec3 GodRaysLift(vec3 facet, float facing, vec2 scale)
+{
+  float grazing = max(length(facet.xy) - godraysSteep * facing, 0.0);
+  return 0.75 / min(scale.x, scale.y) * grazing * facet;
+}
+
+// Returns 1 where nothing hides the light, 0 where something does; between them within a third of a texel of an edge,
 // and behind what lets a part of the light through. The normal is the facet's, of length 1; toLight is the
 // way to a lamp, or a direction of length 1. The facet faces the light. A soft shadow is left to sample, if
 // disc is the number of one.
@@ -154,6 +163,8 @@ vec3 GodRaysThrough(int map, int faces, bool isLamp, int disc, vec3 place, vec3 
   float unit = depths.y; // window depth of a length across the light, or of one at distance 1
   float rounding = 5e-7;
   bool isIn = true;
+  bool isHard = disc < 0 && map % 2 == 0;
+  vec2 scale = godraysFaces[4 * map].xy;
   if (isLamp)
   {
     if (faces > 1)
@@ -170,14 +181,18 @@ vec3 GodRaysThrough(int map, int faces, bool isLamp, int disc, vec3 place, vec3 
       facet.x *= side;
       corner += size * vec2(face % 3, face / 3);
     }
-    float nearness = 1.0 / at.z;
     isIn = at.z > 0.0;
+    float nearness = 1.0 / at.z;
+    if (isHard)
+    {
+      at += GodRaysLift(facet, facing * nearness, scale * nearness);
+      nearness = 1.0 / at.z;
+    }
     at = vec3(at.xy * nearness, depths.x - depths.y * nearness);
     facing *= nearness;
     unit *= nearness;
     rounding += depths.z * nearness;
   }
-  vec2 scale = godraysFaces[4 * map].xy;
   vec2 texel = at.xy * scale + godraysFaces[4 * map].zw;
   isIn = isIn && texel == clamp(texel, vec2(0.0), vec2(size));
   for (int k = 1; k < faces && !isLamp; ++k) // nested ones: the finest that has the place
@@ -196,13 +211,20 @@ vec3 GodRaysThrough(int map, int faces, bool isLamp, int disc, vec3 place, vec3 
   {
     return vec3(1.0); // beyond the map nothing casts a shadow
   }
-  // Window depths are affine in places of the map on each plane. What they change by as far as 1.5 texels,
-  // by which the four texels are away from the place, is in the bias; so are 0.2 texels along the light,
-  // and what depths are rounded by, here and in the map. A slope above 20 would let light through along
-  // edges.
+  if (isHard && !isLamp)
+  {
+    vec3 lift = GodRaysLift(facet, facing, scale);
+    texel += lift.xy * scale;
+    at.z += lift.z;
+  }
+  // Window depths are affine in places of the map on each plane. What they change by as far as 1.5 texels, by
+  // which texels are away from the place, is in the bias, or as far as 1 where only nearer ones count; so are
+  // 0.2 texels along the light, and what depths are rounded by, here and in the map. A larger slope would
+  // let light through along edges.
   vec2 slope = facet.xy / facing;
   unit /= min(scale.x, scale.y);
-  float nearer = at.z - unit * (0.2 + 1.5 * min(length(slope), isLamp ? 50.0 : 20.0)) - rounding;
+  float most = isHard ? godraysSteep : isLamp ? 50.0 : 20.0;
+  float nearer = at.z - unit * (0.2 + (isHard ? 1.0 : 1.5) * min(length(slope), most)) - rounding;
   if (disc >= 0)
   {
     vec2 gradient = unit * min(scale.x, scale.y) / scale * slope;
@@ -233,8 +255,9 @@ vec3 GodRaysThrough(int map, int faces, bool isLamp, int disc, vec3 place, vec3 
     vec4(texelFetch(godraysOpaque, low, 0).r, texelFetch(godraysOpaque, low + ivec2(1, 0), 0).r,
       texelFetch(godraysOpaque, low + ivec2(0, 1), 0).r,
       texelFetch(godraysOpaque, low + ivec2(1, 1), 0).r));
+  // An edge that is a third of a texel wide is nearer to that of a point's light.
   vec2 rows = mix(lit.xz, lit.yw, part.x);
-  return vec3(mix(rows.x, rows.y, part.y));
+  return vec3(clamp(3.0 * mix(rows.x, rows.y, part.y) - 1.0, 0.0, 1.0));
 }
 
 // Returns which part of a light shadows and the medium leave. The numbers of faces are those of its two

@@ -476,9 +476,9 @@ struct Case
 };
 
 const Case Cases[] = {
-  { "pillars", PILLARS, { 0.7, 0.01, 0.01 }, { 1.5, 0.05, 0.01 }, { 1.3, 0.03, 0.01 }, 3.5 },
-  { "hills", HILLS, { 1.3, 0.08, 0.2 }, { 2.6, 0.2, 0.55 }, { 2.2, 0.15, 0.15 }, 3.5 },
-  { "plates", PLATES, { 0.6, 0.02, 0.02 }, { 1.1, 0.06, 0.06 }, { 1.5, 0.03, 0.06 }, 5.5 },
+  { "pillars", PILLARS, { 0.3, 0.01, 0.01 }, { 0.7, 0.02, 0.01 }, { 0.6, 0.01, 0.01 }, 3.5 },
+  { "hills", HILLS, { 0.5, 0.02, 0.03 }, { 1.0, 0.05, 0.15 }, { 1.0, 0.05, 0.02 }, 3.5 },
+  { "plates", PLATES, { 0.25, 0.01, 0.01 }, { 0.5, 0.03, 0.03 }, { 0.7, 0.01, 0.04 }, 5.5 },
 };
 
 void ExpectBelow(const char* what, const Errors& errors, const Errors& bounds)
@@ -1546,6 +1546,41 @@ TEST(GodRaysSurfaceShadows, OfSharedActorsAreThoseOfTheirRenderer)
   zoo.Rays->Detach(zoo.Renderer);
   EXPECT_FALSE(zoo.Floor->GetPropertyKeys() &&
     zoo.Floor->GetPropertyKeys()->Has(vtkOpenGLRenderPass::RenderPasses()));
+}
+
+// From inside a closed room no wall should be lit, also where light from outside grazes walls, along their
+// edges. Thin lines are.
+TEST(GodRaysSurfaceShadows, LeaveThinLinesInClosedRooms)
+{
+  Messages messages;
+  Zoo zoo;
+  zoo.Renderer->RemoveActor(zoo.Floor);
+  zoo.PlateSource->SetBounds(-4.0, 4.0, -3.0, 3.0, 0.0, 2.5);
+  zoo.Camera->SetViewAngle(80.0);
+  std::mt19937 random(20260102);
+  const auto draw = [&] { return 2.0 * static_cast<double>(random()) / 4294967296.0 - 1.0; };
+  double shares[2] = {};
+  const int pixels = 200 * 150;
+  for (int i = 0; i < 40; ++i)
+  {
+    const bool isLamp = i % 2 == 1;
+    const Vec3 towards = normalize(Vec3(draw(), draw(), 1.05 * std::abs(draw()) + 0.02));
+    const Vec3 from = 7.0 * towards;
+    zoo.Light->SetPositional(isLamp);
+    zoo.Light->SetConeAngle(180.0);
+    zoo.Light->SetPosition(from.x, from.y, from.z);
+    zoo.Camera->SetPosition(2.0 * draw(), 1.5 * draw(), 1.25);
+    const double turn = 3.1 * draw();
+    const double* eye = zoo.Camera->GetPosition();
+    zoo.Camera->SetFocalPoint(eye[0] + std::cos(turn), eye[1] + std::sin(turn), 1.2 + 0.3 * draw());
+    zoo.Renderer->ResetCameraClippingRange();
+    const Pixels dark = zoo.Draw(true, 0.0);
+    shares[isLamp] += CountDifferentPixels(zoo.Draw(), dark, 2) / (20.0 * pixels);
+  }
+  std::printf(
+    "lit from outside: by suns %.4f %%, by lamps %.4f %%\n", 100.0 * shares[0], 100.0 * shares[1]);
+  EXPECT_LT(shares[0], 0.004);
+  EXPECT_LT(shares[1], 0.009);
 }
 
 // Over wide ground, too, edges of shadows stay where they are in the world: most frames of a camera that
