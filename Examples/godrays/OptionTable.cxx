@@ -161,7 +161,7 @@ void AddRayOptions(Parser& parser, Options& options)
     "(CIE "
     "1976 L*): for figures whose colours stand for numbers");
   parser.AddFlag("--shadows", options.Shadows,
-    "Lights cast shadows on surfaces, too; --intensity 0 leaves these alone, --no-rays none");
+    "Lights cast shadows on surfaces, too; with --no-rays they are alone");
   parser.App
     .add_flag_function(
       "--no-rays", [&options](std::int64_t) { options.Rays = false; },

@@ -185,6 +185,11 @@ std::optional<Options> ParseCommandLine(int argc, char* argv[])
     return {};
   }
   CheckTogether(options);
+  if (options.Shadows && !options.Rays)
+  {
+    options.Rays = true;
+    options.Intensity = 0.0;
+  }
   if (options.Window)
   {
     const auto& [level, width] = *options.Window;

@@ -138,8 +138,8 @@ void GodRaysSample(int count)
   }
 }
 
-// Returns how far to go from a place along its facet's normal, where the light grazes it: a bias of depth would
-// let light through along edges, in closed rooms, too. 2/3 of a texel is how far away texels count.
+// Returns how far to go from a place along its facet's normal, where the light grazes it: a bias of depth
+// would let light through along edges, in closed rooms, too. Texels count as far as 2/3 of one away.
 const float godraysSteep = 4.0; // slope from which on
 vec3 GodRaysLift(vec3 facet, float facing, vec2 scale)
 {
@@ -147,8 +147,8 @@ vec3 GodRaysLift(vec3 facet, float facing, vec2 scale)
   return 0.75 / min(scale.x, scale.y) * grazing * facet;
 }
 
-// Returns 1 where nothing hides the light, 0 where something does; between them within a third of a texel of an edge,
-// and behind what lets a part of the light through. The normal is the facet's, of length 1; toLight is the
+// Returns 1 where nothing hides the light, 0 where something does; between them within a third of a texel of
+// an edge, and behind what lets a part of the light through. The normal is the facet's, of length 1; toLight is the
 // way to a lamp, or a direction of length 1. The facet faces the light. A soft shadow is left to sample, if
 // disc is the number of one.
 vec3 GodRaysThrough(int map, int faces, bool isLamp, int disc, vec3 place, vec3 normal, vec3 toLight)

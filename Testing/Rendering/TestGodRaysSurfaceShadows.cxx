@@ -179,6 +179,11 @@ std::vector<Seen> Look(vtkRenderer* renderer, const RayCaster& rays)
   const Vec3 right = normalize(cross(ahead, GetVector(camera->GetViewUp())));
   const Vec3 up = normalize(cross(right, ahead));
   const bool isParallel = camera->GetParallelProjection() != 0;
+  double wide = 1.0;
+  if (auto* transform = camera->GetUserViewTransform())
+  {
+    wide = transform->GetMatrix()->GetElement(0, 0);
+  }
   const double half = isParallel
     ? camera->GetParallelScale()
     : distance * std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
@@ -187,8 +192,8 @@ std::vector<Seen> Look(vtkRenderer* renderer, const RayCaster& rays)
   {
     for (int x = 0; x < part[0]; ++x)
     {
-      const Vec3 across =
-        half / part[1] * ((2.0 * x + 1.0 - part[0]) * right + (2.0 * y + 1.0 - part[1]) * up);
+      const Vec3 across = half / part[1] *
+        ((2.0 * x + 1.0 - part[0]) / wide * right + (2.0 * y + 1.0 - part[1]) * up);
       const Vec3 from = isParallel ? eye + across : eye;
       const Vec3 along = isParallel ? ahead : ahead + across;
       Seen& pixel = seen[static_cast<std::size_t>(origin[1] + y) * size[0] + origin[0] + x];
@@ -861,6 +866,20 @@ void UseCameraLight(Zoo& zoo)
   zoo.Light->SetPosition(-0.7, 0.6, 0.8);
 }
 
+/// Has the camera's user view transform scale the scene.
+void ScaleView(Zoo& zoo, double x, double y, double z)
+{
+  vtkNew<vtkTransform> scaling;
+  scaling->Scale(x, y, z);
+  zoo.Camera->SetUserViewTransform(scaling);
+}
+
+void MirrorView(Zoo& zoo)
+{
+  ScaleView(zoo, -1.0, 1.0, 1.0);
+  zoo.Property->SetInterpolationToFlat(); // VTK turns normals of others away from the eye
+}
+
 void TurnLight(Zoo& zoo)
 {
   vtkNew<vtkTransform> turn;
@@ -932,6 +951,13 @@ const struct Row
   { "three lights of which one is off", { AddOtherLights } },
   { "camera light", { UseCameraLight } },
   { "light with a matrix", { TurnLight } },
+  { "mirrored view", { MirrorView } },
+  { "mirrored view of a lamp",
+    { MirrorView, [](Zoo& zoo) { zoo.SetLamp(180.0, -1.0, -0.5, 3.5); } } },
+  { "wide view", { [](Zoo& zoo) { ScaleView(zoo, 1.5, 1.0, 1.0); } } },
+  { "wide view of a lamp",
+    { [](Zoo& zoo) { ScaleView(zoo, 1.5, 1.0, 1.0); },
+      [](Zoo& zoo) { zoo.SetLamp(180.0, -1.0, -0.5, 3.5); } } },
   { "far from the origin", { [](Zoo& zoo) { zoo.Place(1.0, 1e6); } } },
   { "tiny", { [](Zoo& zoo) { zoo.Place(1e-4); } } },
   { "huge", { [](Zoo& zoo) { zoo.Place(1e5); } } },
@@ -1032,6 +1058,21 @@ TEST(GodRaysSurfaceShadows, OfAHeadlightAreNone)
   EXPECT_EQ(zoo.Draw(), zoo.Draw(false));
   zoo.Draw();
   EXPECT_TRUE(Says(zoo.Rays->GetPlan(), "shadows of 0 of 1 lights")) << zoo.Rays->GetPlan();
+}
+
+TEST(GodRaysSurfaceShadows, OfLightsThatAreNotFiniteAreToldOf)
+{
+  Messages messages;
+  Zoo zoo;
+  const Pixels with = zoo.Draw();
+  auto lost = MakeSun({ std::nan(""), 0.0, 1.0 });
+  lost->SetIntensity(0.0);
+  zoo.Renderer->AddLight(lost);
+  zoo.Draw();
+  EXPECT_EQ(zoo.Draw(), with);
+  const auto told = messages.Take();
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_TRUE(Says(told[0], "no shadows on surfaces of a light, directional")) << told[0];
 }
 
 TEST(GodRaysSurfaceShadows, LeaveSelectionsAlone)
