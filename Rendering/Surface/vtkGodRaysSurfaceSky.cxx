@@ -53,6 +53,16 @@ void vtkGodRaysSurfaceSky::Begin(vtkRenderer* renderer, const Request& request)
   }
   vtkNew<vtkMatrix4x4> back;
   vtkMatrix4x4::Transpose(turn, back);
+  double squares[16]; // the identity, but where the view scales by different factors
+  vtkMatrix4x4::Multiply4x4(turn->GetData(), back->GetData(), squares);
+  const double uneven = std::abs(squares[0] - squares[5]) + std::abs(squares[0] - squares[10]) +
+    std::abs(squares[1]) + std::abs(squares[2]) + std::abs(squares[6]);
+  if (uneven > 0.01 && !this->HasWarned)
+  {
+    this->HasWarned = true;
+    vtkWarningMacro("Light of the sky on surfaces is not exact: the camera's user view transform "
+                    "scales by different factors. Scale the scene's actors in its place.");
+  }
   for (int c = 0; c < 3; ++c)
   {
     double half[16];

@@ -58,6 +58,7 @@ private:
   vtkGodRaysSurfaceSky(const vtkGodRaysSurfaceSky&) = delete;
   void operator=(const vtkGodRaysSurfaceSky&) = delete;
 
+  bool HasWarned = false;
   float Factors[27] = {}; // see vtkGodRaysSurfaceSkyFS.glsl
 };
 

@@ -19,6 +19,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkTexture.h"
+#include "vtkTransform.h"
 
 #include <algorithm>
 #include <cmath>
@@ -484,6 +485,20 @@ TEST_F(GodRaysSkyPass, LightsSurfaces)
   vtkGodRaysSkyPass::Detach(other);
   EXPECT_EQ(see(40.0, up, true), day);
   other->RemoveActor(surface);
+
+  // A view that scales by different factors is told of once; one that mirrors, or scales alike, is none.
+  std::vector<std::size_t> told;
+  for (const Vec3& factors :
+    { Vec3(1.0), Vec3(-1.0, 1.0, 1.0), Vec3(2.0), Vec3(1.5, 1.0, 1.0), Vec3(1.5, 1.0, 1.0) })
+  {
+    vtkNew<vtkTransform> scaling;
+    scaling->Scale(factors.x, factors.y, factors.z);
+    this->Renderer->GetActiveCamera()->SetUserViewTransform(scaling);
+    see(40.0, up, true);
+    told.push_back(this->Said.Take().size());
+  }
+  EXPECT_EQ(told, (std::vector<std::size_t>{ 0, 0, 0, 1, 0 }));
+  this->Renderer->GetActiveCamera()->SetUserViewTransform(nullptr);
 
   // A prop that shares its keys, as a copy and the parts of an assembly do, may go.
   vtkNew<vtkActor> copy;
