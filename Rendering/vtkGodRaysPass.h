@@ -297,7 +297,7 @@ public:
   ///@{
   /**
    * Set/Get whether lights that stand in the scene, those of the rays, too, cast shadows on surfaces: at
-   * most four, the strongest ones. Headlights cast none. Lights of the rays that the renderer lacks are
+   * most eight, the strongest ones. Headlights cast none. Lights of the rays that the renderer lacks are
    * added to it, with an intensity of at most 0.6, until Detach(). What blocks the light of rays casts a
    * shadow, but for points and lines; whatever VTK shades by its lights receives it. Intensity 0 leaves
    * shadows without rays. Default is off.

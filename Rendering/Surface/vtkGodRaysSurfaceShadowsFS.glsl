@@ -84,17 +84,11 @@ float godraysSeen[LIGHTS]; // of their lights
 // soft shadows [Fernando2005].
 float GodRaysSeen(GodRaysDisc disc)
 {
-  vec2 texel = disc.Texel;
-  ivec2 corner = ivec2(disc.Corner);
-  float size = disc.Size;
-  float nearer = disc.Nearer;
-  vec2 gradient = disc.Gradient;
-  vec2 soft = disc.Soft;
   // Turned from pixel to pixel: what samples miss is noise, not bands.
   float turn = 6.2831853 * InterleavedGradientNoise(gl_FragCoord.xy);
   // Blockers are searched in the cone from the place to the disc. It is searched more densely in its
   // middle, as what is close above the place is in a small part of it.
-  vec2 widest = min(nearer * soft, vec2(0.06 * size));
+  vec2 widest = min(disc.Nearer * disc.Soft, vec2(0.06 * disc.Size));
   float sum = 0.0;
   float weights = 0.0;
   int open = 0;
@@ -103,27 +97,28 @@ float GodRaysSeen(GodRaysDisc disc)
     float part = float(i) / 16.0;
     float angle = turn + 2.3999632 * float(i);
     vec2 offset = widest * part * part * vec2(cos(angle), sin(angle));
-    ivec2 at = ivec2(clamp(texel + offset, vec2(0.0), vec2(size - 1.0)));
-    float depth = texelFetch(godraysOpaque, corner + at, 0).r;
-    vec2 way = vec2(at) + 0.5 - texel;
-    float between = nearer + dot(gradient, way) - depth;
+    ivec2 at = ivec2(clamp(disc.Texel + offset, vec2(0.0), vec2(disc.Size - 1.0)));
+    float depth = texelFetch(godraysOpaque, ivec2(disc.Corner) + at, 0).r;
+    vec2 way = vec2(at) + 0.5 - disc.Texel;
+    float between = disc.Nearer + dot(disc.Gradient, way) - depth;
     open += between > 0.0 ? 0 : 1;
-    bool blocks = between > 0.0 && length(max(abs(way) - 1.0, 0.0) / soft) <= nearer - depth;
+    bool blocks = between > 0.0 && length(max(abs(way) - 1.0, 0.0) / disc.Soft) <= disc.Nearer - depth;
     float weight = blocks ? part * part * part : 0.0; // of the area that a sample stands for
     sum += weight * depth;
     weights += weight;
   }
   // Only half shadows need the rest. No turns of a loop are less work than a branch where processors draw.
   int samples = weights > 0.0 && open > 0 ? 32 : 0;
-  vec2 radius = clamp((nearer - sum / max(weights, 1e-30)) * soft, vec2(0.7), vec2(0.06 * size));
+  float between = disc.Nearer - sum / max(weights, 1e-30);
+  vec2 radius = clamp(between * disc.Soft, vec2(0.7), vec2(0.06 * disc.Size));
   float seen = 0.0;
   for (int i = 0; i < samples; ++i)
   {
     float angle = turn + 2.3999632 * float(i);
     vec2 offset = radius * sqrt((float(i) + 0.5) / 32.0) * vec2(cos(angle), sin(angle));
-    ivec2 at = ivec2(clamp(texel + offset, vec2(0.0), vec2(size - 1.0)));
-    float depth = min(nearer + dot(gradient, vec2(at) + 0.5 - texel), 1.0);
-    seen += depth <= texelFetch(godraysOpaque, corner + at, 0).r ? 1.0 : 0.0;
+    ivec2 at = ivec2(clamp(disc.Texel + offset, vec2(0.0), vec2(disc.Size - 1.0)));
+    float depth = min(disc.Nearer + dot(disc.Gradient, vec2(at) + 0.5 - disc.Texel), 1.0);
+    seen += depth <= texelFetch(godraysOpaque, ivec2(disc.Corner) + at, 0).r ? 1.0 : 0.0;
   }
   return samples > 0 ? seen / 32.0 : weights > 0.0 ? 0.0 : 1.0;
 }
@@ -148,9 +143,9 @@ vec3 GodRaysLift(vec3 facet, float facing, vec2 scale)
 }
 
 // Returns 1 where nothing hides the light, 0 where something does; between them within a third of a texel of
-// an edge, and behind what lets a part of the light through. The normal is the facet's, of length 1; toLight is the
-// way to a lamp, or a direction of length 1. The facet faces the light. A soft shadow is left to sample, if
-// disc is the number of one.
+// an edge, and behind what lets a part of the light through. The normal is the facet's, of length 1; toLight
+// is the way to a lamp, or a direction of length 1. The facet faces the light. A soft shadow is left to
+// sample, if disc is the number of one.
 vec3 GodRaysThrough(int map, int faces, bool isLamp, int disc, vec3 place, vec3 normal, vec3 toLight)
 {
   vec4 block = godraysBlocks[map];
