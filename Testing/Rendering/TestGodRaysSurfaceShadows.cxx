@@ -1167,6 +1167,13 @@ TEST(GodRaysSurfaceShadows, OfLightsAdd)
     const Pixels all = GetPixels(zoo.Window);
     EXPECT_TRUE(Says(zoo.Rays->GetPlan(), "shadows of 8 of 8 lights, 0 maps drawn, 0 shaders"))
       << zoo.Rays->GetPlan();
+    lights[1]->SetPosition(-1.1, -0.5, 3.5);
+    GetPixels(zoo.Window);
+    EXPECT_TRUE(
+      Says(zoo.Rays->GetPlan(), opacity < 1.0 ? " 2 maps drawn" : " 1 maps drawn, 0 shaders"))
+      << "of what is opaque, and of panes " << zoo.Rays->GetPlan();
+    lights[1]->SetPosition(-1.0, -0.5, 3.5);
+    EXPECT_EQ(GetPixels(zoo.Window), all);
     std::vector<Pixels> each;
     for (vtkLight* light : lights)
     {
