@@ -7,7 +7,12 @@ import functools
 import importlib.metadata
 import inspect
 import math
+import os
+import pathlib
 import re
+import subprocess
+import sys
+import tempfile
 import unittest
 import warnings
 
@@ -352,6 +357,54 @@ class Package(unittest.TestCase):
         self.assertEqual(list(presets)[0], "default")
         self.assertEqual(", ".join(presets), godrays.vtkGodRaysPresets.ListNames())
         self.assertGreater(min(map(len, presets.values())), 10)
+
+
+class AnotherVTK(unittest.TestCase):
+    """The VTK of this process is not the one that the package is built for, or PyVista's is not."""
+
+    def run_python(self, code, files):
+        """Run code in another Python, in which modules come first, texts by path."""
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in files.items():
+                path = pathlib.Path(folder, name)
+                path.parent.mkdir(exist_ok=True)
+                path.write_text(text, encoding="utf-8")
+            paths = [folder, str(pathlib.Path(godrays.__file__).parents[1]), os.environ.get("PYTHONPATH", "")]
+            return subprocess.run([sys.executable, "-c", code], check=False, text=True, stderr=subprocess.PIPE,
+                env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)}).stderr
+
+    def test_an_import_beside_it_fails_in_one_line(self):
+        version = "class vtkVersion:\n    def GetVTKVersion(self): return '9.0.2'\n"
+        pair = "def vtk_backend(): return 'cvista'\n"
+        cases = (  # what is there, what is told, the remedy
+            ({"vtkmodules/__init__.py": "", "vtkmodules/vtkCommonCore.py": version},
+                "this Python has VTK 9.0.2", "vtk=="),
+            ({"vtkmodules/__init__.py": ""}, "No module named 'vtkmodules.vtkCommonCore'", "vtk=="),
+            ({"pyvista.py": pair}, "PyVista runs on cvista: install godrays-cvista", "PYVISTA_VTK_BACKEND=vtkmodules"))
+        for files, reason, remedy in cases:
+            with self.subTest(reason):
+                told = self.run_python(f"import {'pyvista, ' if 'pyvista.py' in files else ''}godrays", files)
+                told = [line for line in told.splitlines() if not line.startswith((" ", "Traceback"))]
+                self.assertEqual(len(told), 1, told)
+                for words in (f"godrays {godrays.__version__} is built for vtk {vtkVersion().GetVTKVersion()[:3]}, but ",
+                        reason, remedy):
+                    self.assertIn(words, told[0])
+
+    def test_pyvista_on_the_same_one_is_no_fault(self):
+        for text in ("", "def vtk_backend(): return 'vtk'\n"):
+            self.assertEqual(self.run_python("import pyvista, godrays", {"pyvista.py": text}), "")
+
+    def test_its_objects_are_told_from_ours(self):
+        base = type("vtkObjectBase", (), {"__module__": "cvista.vtkCommonCore"})
+        other = type("vtkRenderer", (base,), {})()
+        uses = {
+            "enable": lambda: godrays.enable(other), "light": lambda: godrays.enable(vtkRenderer(), light=other),
+            "sky": lambda: godrays.sky(vtkRenderer(), light=other), "tag": lambda: godrays.tag(other, "occluder"),
+            "render": lambda: godrays.render(other), "apply": lambda: godrays.apply(other, [[0.0]]),
+            "to_array": lambda: godrays.to_array(other)}
+        for name, use in uses.items():
+            with self.subTest(name), self.assertRaisesRegex(TypeError, "vtkRenderer of cvista: .* for vtkmodules"):
+                use()
 
 
 if __name__ == "__main__":

@@ -26,20 +26,13 @@ import warnings
 from numbers import Real
 from typing import TYPE_CHECKING, Any
 
-try:
-    import vtkmodules.vtkRenderingOpenGL2  # the OpenGL classes behind vtkRenderer and the like
-    from vtkmodules.vtkCommonDataModel import vtkImageData
-    from vtkmodules.vtkRenderingCore import vtkLight
+from ._vtk import name_type as _name_type
+from ._vtk import vtkImageData, vtkLight
 
-    from .vtkGodRaysFilters import *
-    from .vtkGodRaysSources import *
-    from .vtkGodRaysRendering import *
-except ImportError as error:
-    raise ImportError(
-        f"godrays needs the VTK for which it was built, in the Python of that VTK: {error}. On "
-        "Debian 12 install python3-vtk9 and use /usr/bin/python3; leave other VTKs out of "
-        "PYTHONPATH."
-    ) from error
+# After _vtk, which sees to it that they can be loaded.
+from .vtkGodRaysFilters import *
+from .vtkGodRaysSources import *
+from .vtkGodRaysRendering import *
 
 from . import _arrays, _browser, _errors
 from . import _properties as _property
@@ -423,7 +416,7 @@ def sky(
         if len(sun) == 3 and not any(sun):
             raise ValueError(f"sun={sun} should be {meaning}")
     if light is not None and not isinstance(light, vtkLight):
-        raise TypeError(f"light should be a vtkLight, not {type(light).__name__}")
+        raise TypeError(f"light should be a vtkLight, not {_name_type(light)}")
     if isinstance(atmosphere, str):
         name, atmosphere = atmosphere, vtkGodRaysAtmosphere()
         atmosphere.AddObserver("ErrorEvent", lambda *_: None)  # told as an exception

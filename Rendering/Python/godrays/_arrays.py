@@ -8,11 +8,9 @@ import inspect
 import textwrap
 from typing import TYPE_CHECKING, Any
 
-from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
-
 from ._errors import Error, raising, to_numbers
 from ._properties import describe, set_value, snake
+from ._vtk import load, name_type, vtkAlgorithm, vtkImageData
 from .vtkGodRaysFilters import vtkGodRaysScatteringFilter, vtkGodRaysToneMappingFilter
 
 if TYPE_CHECKING:
@@ -27,7 +25,8 @@ def to_image(array: Any) -> vtkImageData:
     ValueError: it is no such array.
     """
     import numpy
-    from vtkmodules.util.numpy_support import numpy_to_vtk
+
+    numpy_to_vtk = load("util.numpy_support").numpy_to_vtk
 
     array = numpy.asarray(array)
     if array.ndim not in (2, 3) or 0 in array.shape or array.dtype.kind not in "fiub":
@@ -54,10 +53,10 @@ def to_array(image: vtkImageData) -> Any:
     Error: the image is empty. TypeError: it is no image.
     """
     import numpy
-    from vtkmodules.util.numpy_support import vtk_to_numpy
+    vtk_to_numpy = load("util.numpy_support").vtk_to_numpy
 
     if not isinstance(image, vtkImageData):
-        raise TypeError(f"to_array() needs a vtkImageData, not {type(image).__name__}")
+        raise TypeError(f"to_array() needs a vtkImageData, not {name_type(image)}")
     scalars = image.GetPointData().GetScalars()
     if scalars is None or scalars.GetNumberOfTuples() == 0:
         raise Error("the image is empty")
@@ -74,7 +73,7 @@ def apply(filter: Any, array: Any) -> Any:
     Returns the filter's output, likewise. Error: what the filter tells, if it is one of this project's.
     """
     if not isinstance(filter, vtkAlgorithm):
-        raise TypeError(f"apply() needs a filter, a vtkAlgorithm, not {type(filter).__name__}")
+        raise TypeError(f"apply() needs a filter, a vtkAlgorithm, not {name_type(filter)}")
     filter.SetInputDataObject(0, to_image(array))
     with raising():
         filter.Update()

@@ -11,7 +11,7 @@ import warnings
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
+from ._vtk import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
 
 _MESSAGE = re.compile(
     r"^(?P<kind>ERROR|Warning|Generic Warning): In (?P<file>[^\n]*), line \d+\n"

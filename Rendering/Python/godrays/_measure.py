@@ -7,9 +7,8 @@ from __future__ import annotations
 import pathlib
 from typing import TYPE_CHECKING, Any
 
-from vtkmodules.vtkCommonDataModel import vtkImageData
-
 from ._targets import find_renderer, write_whole
+from ._vtk import load, vtkImageData
 from .vtkGodRaysFilters import vtkGodRaysEXRWriter
 from .vtkGodRaysRendering import vtkGodRaysPass
 
@@ -42,8 +41,7 @@ def measure(
 
     ValueError: the picture has no medium, or the file is of another kind. OSError: it cannot be written.
     """
-    from vtkmodules.util.numpy_support import vtk_to_numpy
-    from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
+    vtk_to_numpy = load("util.numpy_support").vtk_to_numpy
 
     renderer = find_renderer(target)
     rays = vtkGodRaysPass.Find(renderer)
@@ -73,7 +71,7 @@ def measure(
         if not rays.GetMediumImage(image, *asked):
             raise ValueError("the picture has no light in a medium: " + rays.GetPlan().strip())
     if file is not None:
-        writer = vtkGodRaysEXRWriter() if suffix == ".exr" else vtkXMLImageDataWriter()
+        writer = vtkGodRaysEXRWriter() if suffix == ".exr" else load("vtkIOXML").vtkXMLImageDataWriter()
         if suffix == ".vti":
             writer.SetDataModeToBinary()  # some readers take no appended data
         writer.AddObserver("ErrorEvent", lambda *_: None)  # told as an exception

@@ -4,11 +4,9 @@
 
 from __future__ import annotations
 
-from vtkmodules.vtkCommonCore import vtkObject
-from vtkmodules.vtkRenderingOpenGL2 import vtkImageProcessingPass
-
 from ._errors import tell_names
 from ._properties import constant, snake
+from ._vtk import vtkImageProcessingPass, vtkObject
 from .vtkGodRaysRendering import (
     vtkGodRaysAtmosphereModel,
     vtkGodRaysHomogeneousModel,

@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import ctypes
-import importlib
 import math
 import os
 import pathlib
@@ -13,22 +12,27 @@ import time
 import warnings
 from typing import TYPE_CHECKING, Any
 
-from vtkmodules.vtkCommonCore import vtkLookupTable, vtkScalarsToColors
-from vtkmodules.vtkCommonDataModel import vtkBoundingBox, vtkCompositeDataSet, vtkDataObject, vtkDataSet
-from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
-from vtkmodules.vtkRenderingCore import (
+from ._arrays import to_image
+from ._errors import Error, GodRaysWarning, hushed, tell_names, to_numbers
+from ._targets import find_direction, to_color, write_whole
+from ._vtk import (
+    load,
+    name_type,
     vtkActor,
+    vtkAlgorithm,
+    vtkBoundingBox,
     vtkCamera,
+    vtkCompositeDataSet,
+    vtkDataObject,
+    vtkDataSet,
     vtkDataSetMapper,
+    vtkLookupTable,
     vtkProp,
     vtkRenderer,
     vtkRenderWindow,
     vtkRenderWindowInteractor,
+    vtkScalarsToColors,
 )
-
-from ._arrays import to_image
-from ._errors import Error, GodRaysWarning, hushed, tell_names, to_numbers
-from ._targets import find_direction, to_color, write_whole
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -116,12 +120,10 @@ _LOOKS = ("color", "opacity", "scalars", "cmap")
 
 
 def _interact(window: Any) -> None:
-    import vtkmodules.vtkRenderingUI  # which has the interactors of platforms
-    from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
-
+    load("vtkRenderingUI")  # which has the interactors of platforms
     interactor = vtkRenderWindowInteractor()
     interactor.SetRenderWindow(window)
-    interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
+    interactor.SetInteractorStyle(load("vtkInteractionStyle").vtkInteractorStyleTrackballCamera())
     interactor.Initialize()
     window.Render()
     interactor.Start()
@@ -217,22 +219,18 @@ def _props(data: Any, look: dict[str, Any]) -> list[Any]:
         data.Update()
         data = data.GetOutputDataObject(0)
     if isinstance(data, vtkCompositeDataSet):
-        from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter
-
-        surface = vtkCompositeDataGeometryFilter()
+        surface = load("vtkFiltersGeometry").vtkCompositeDataGeometryFilter()
         surface.SetInputData(data)
         surface.Update()
         data = surface.GetOutput()
     if not isinstance(data, vtkDataSet):
-        kind = data.GetClassName() if isinstance(data, vtkDataObject) else type(data).__name__
+        kind = data.GetClassName() if isinstance(data, vtkDataObject) else name_type(data)
         raise TypeError(
             f"render() needs a data set, a vtkAlgorithm, a file, a vtkProp, a renderer or a list, not {kind}")
     if data.GetNumberOfPoints() == 0:
         raise ValueError("the data set has no points: nothing could be seen")
     if data.GetNumberOfCells() == 0:
-        from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
-
-        cloud = vtkVertexGlyphFilter()
+        cloud = load("vtkFiltersGeneral").vtkVertexGlyphFilter()
         cloud.SetInputData(data)
         cloud.Update()
         data = cloud.GetOutput()
@@ -259,10 +257,10 @@ def _color(
         actor.GetProperty().SetOpacity(to_numbers("opacity", [opacity], (1,), "in [0, 1]", (0, 1))[0])
     points, cells = data.GetPointData(), data.GetCellData()
     if scalars is not None and not isinstance(scalars, str):
-        from vtkmodules.util.numpy_support import numpy_to_vtk
         import numpy
 
-        array = numpy_to_vtk(numpy.ascontiguousarray(scalars, float).ravel(), deep=True)
+        values = numpy.ascontiguousarray(scalars, float).ravel()
+        array = load("util.numpy_support").numpy_to_vtk(values, deep=True)
         array.SetName("scalars")
         count = array.GetNumberOfTuples()
         if count not in (data.GetNumberOfPoints(), data.GetNumberOfCells()):
@@ -324,7 +322,7 @@ def _read_file(path: pathlib.Path) -> Any:
     if not path.is_file():
         raise Error(f"{path}: there is no such file")
     module, name = _READERS[suffix]
-    reader = getattr(importlib.import_module(f"vtkmodules.{module}"), name)()
+    reader = getattr(load(module), name)()
     reader.SetFileName(str(path))
     with hushed() as messages:
         reader.Update()
@@ -393,24 +391,21 @@ _screens: dict[str, Any] = {}  # of DISPLAY, as Xlib has it
 
 
 def _read(window: Any, transparent: bool) -> Any:
-    from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
-    from vtkmodules.util.numpy_support import vtk_to_numpy
-
     window.Render()
     width, height = window.GetSize()
-    values = vtkUnsignedCharArray()
+    values = load("vtkCommonCore").vtkUnsignedCharArray()
     if transparent:
         window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, values, 0)
     else:
         window.GetPixelData(0, 0, width - 1, height - 1, 0, values, 0)
+    vtk_to_numpy = load("util.numpy_support").vtk_to_numpy
     return _picture_class()(vtk_to_numpy(values).reshape(height, width, -1)[::-1])
 
 
 def encode(array: Any, suffix: str = ".png") -> bytes:
     """The file of a picture, uint8 [row, column] or [row, column, channel], the top row first."""
-    from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGWriter
-
-    writer = vtkPNGWriter() if suffix == ".png" else vtkJPEGWriter()
+    writers = load("vtkIOImage")
+    writer = writers.vtkPNGWriter() if suffix == ".png" else writers.vtkJPEGWriter()
     writer.WriteToMemoryOn()
     writer.SetInputData(to_image(array))
     writer.Write()

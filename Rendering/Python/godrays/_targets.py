@@ -12,10 +12,8 @@ import re
 import sys
 import weakref
 
-from vtkmodules.vtkCommonColor import vtkNamedColors
-from vtkmodules.vtkRenderingCore import vtkLight, vtkProp, vtkRenderer, vtkRenderWindow
-
 from ._errors import to_numbers
+from ._vtk import load, name_type, vtkLight, vtkProp, vtkRenderer, vtkRenderWindow
 from .vtkGodRaysFilters import vtkGodRaysSun, vtkGodRaysSunPosition
 from .vtkGodRaysRendering import vtkGodRaysPass, vtkGodRaysSkyPass
 
@@ -34,7 +32,7 @@ def find_renderer(target):
     if not isinstance(target, vtkRenderer):
         raise TypeError(
             "god rays need a vtkRenderer, a vtkRenderWindow or a plotter with a renderer, not "
-            f"{type(target).__name__}"
+            f"{name_type(target)}"
         )
     return target
 
@@ -111,7 +109,7 @@ def to_list(things):
 
 def to_prop(thing):
     if not is_prop(thing):
-        raise TypeError(f"a vtkProp, such as a vtkActor, is needed, not {type(thing).__name__}")
+        raise TypeError(f"a vtkProp, such as a vtkActor, is needed, not {name_type(thing)}")
     thing = unwrap(thing)
     return thing if isinstance(thing, vtkProp) else thing.actor
 
@@ -132,7 +130,7 @@ def to_lights(light):
         return [to_prop(light)]
     raise TypeError(
         "a light is a vtkLight, a vtkProp, three numbers (the direction from which it comes) or a "
-        f"list of these, not {type(light).__name__}"
+        f"list of these, not {name_type(light)}"
     )
 
 
@@ -171,7 +169,7 @@ def to_color(name, color):
     if re.fullmatch("#([0-9a-fA-F]{3}){1,2}", text):
         digits = len(text) // 3
         return [int(text[i : i + digits], 16) / (16**digits - 1) for i in range(1, len(text), digits)]
-    colors = vtkNamedColors()
+    colors = load("vtkCommonColor").vtkNamedColors()
     if not colors.ColorExists(text):
         raise ValueError(f"there is no color {color!r}; give #rrggbb or a name of vtkNamedColors")
     return list(colors.GetColor3d(text))
