@@ -104,7 +104,7 @@ fi
 cp --dereference --remove-destination /etc/resolv.conf /etc/hosts "$root/etc/"
 
 cache=$(ccache --get-config cache_dir 2>/dev/null) || cache=${XDG_CACHE_HOME:-$HOME/.cache}/ccache
-trees=(build build-paraview build-release build-sanitizers build-threads) # those of CMakePresets.json
+trees=(build build-paraview build-release build-sanitizers build-threads build-wheel) # CMakePresets.json's, TestWheel's
 mkdir -p "$cache" "$root/godrays" "$root/ccache" "${trees[@]}" "${trees[@]/#/$folder/}"
 
 environment=(HOME=/root CCACHE_DIR=/ccache PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8)

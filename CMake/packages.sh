@@ -33,7 +33,7 @@ case $suite in
     test_packages+=(python3-pyvista)
     paraview_packages+=(qt6-svg-plugins python3-paraview-) ;;
   forky) # Debian 14
-    test_packages+=(python3-pyvista)
+    test_packages+=(python3-pyvista python3-scikit-build-core python3-auditwheel patchelf)
     paraview_packages+=(qt6-svg-plugins qt6-base-dev qt6-5compat-dev qt6-tools-dev libvtk9-qt-dev python3-paraview)
     paraview_panel=ON
     paraview_shares_vtk=true ;;
