@@ -20,7 +20,7 @@ project = "vtkGodRays"
 author = copyright = "the vtkGodRays authors"
 extensions = ["myst_parser"]
 root_doc = "Documentation/index"
-include_patterns = ["README.md", "CONTRIBUTING.md", "Documentation/**.md", "Examples/**.md", "Plugin/**.md"]
+include_patterns = ["*.md", "Documentation/**.md", "Examples/**.md", "Plugin/**.md"]
 exclude_patterns = ["build*", "Testing"]
 myst_heading_anchors = 4
 html_theme = "sphinx_rtd_theme"
