@@ -16,8 +16,8 @@
 #                  build-sanitizers/, and run a short form of the tests in C++. With GODRAYS_LONG=1 all of
 #                  them, and those of filters with ThreadSanitizer and VTK's threads of its own, as it does
 #                  not see how TBB's wait, in build-threads/
-#   -L <label>     only tests with a label that matches this: see Testing/CMakeLists.txt. Programs of tests in
-#                  C++ are built for these alone
+#   -L <label>     only tests with a label that matches this: see Testing/CMakeLists.txt. Only what these need is
+#                  built: programs of tests in C++, examples and the program, ParaView's plugin
 #   -LE <label>    only tests without it
 #   -E <name>      only tests whose names do not match this
 
@@ -63,6 +63,33 @@ took() # <stage>: tell how long it took, since the last one
   begun=$SECONDS
 }
 begun=$SECONDS
+
+is_selected() # <label> <selection>...
+{
+  local label=$1
+  shift
+  while [ $# -gt 0 ]; do
+    case $1 in
+      -L) [[ $label =~ $2 ]] || return 1 ;;
+      -LE) if [[ $label =~ $2 ]]; then return 1; fi ;;
+    esac
+    shift 2
+  done
+}
+
+has_tests() # <label>...: whether tests with one of these labels are selected
+{
+  local label
+  for label in "$@"; do
+    if is_selected "$label" "${selection[@]}"; then return 0; fi
+  done
+  return 1
+}
+
+# The examples, the program and ParaView's plugin are built only for tests of them.
+examples=OFF
+if has_tests cli consumer example fuzzing package plugin portability; then examples=ON; fi
+if ! has_tests consumer package plugin; then paraview=false; fi
 
 # ---------------------------------------------------------------------------------------------
 # Packages
@@ -137,23 +164,10 @@ find_tests_in_cxx() # <selection>...: the labels that it selects, as a list of C
   echo "$list"
 }
 
-is_selected() # <label> <selection>...
-{
-  local label=$1
-  shift
-  while [ $# -gt 0 ]; do
-    case $1 in
-      -L) [[ $label =~ $2 ]] || return 1 ;;
-      -LE) if [[ $label =~ $2 ]]; then return 1; fi ;;
-    esac
-    shift 2
-  done
-}
-
 build() # <preset> <argument>... for the configuration
 {
   echo "== Building: $1"
-  cmake --preset "$1" -DGODRAYS_BUILD_TESTING=ON -DGODRAYS_BUILD_EXAMPLES=ON \
+  cmake --preset "$1" -DGODRAYS_BUILD_TESTING=ON -DGODRAYS_BUILD_EXAMPLES=$examples \
     "-DGODRAYS_TESTS_IN_CXX=$(find_tests_in_cxx "${selection[@]}")" "${@:2}"
   cmake --build --preset "$1"
   took "building $1"
@@ -180,10 +194,8 @@ cmake --install build --prefix build/install >build/install.log ||
 if $paraview && ! $paraview_shares_vtk; then
   make_paraview_root build-paraview/root
   tests=$(find_tests_in_cxx "${selection[@]}" "${paraview_selection[@]}")
-  examples=ON
   if [ "$tests" = none ]; then examples=OFF; fi
-  build paraview -DGODRAYS_BUILD_PARAVIEW_PANEL=$paraview_panel "-DGODRAYS_TESTS_IN_CXX=$tests" \
-    -DGODRAYS_BUILD_EXAMPLES=$examples
+  build paraview -DGODRAYS_BUILD_PARAVIEW_PANEL=$paraview_panel "-DGODRAYS_TESTS_IN_CXX=$tests"
   trees+=(build-paraview)
 fi
 
