@@ -21,7 +21,7 @@ author = copyright = "the vtkGodRays authors"
 extensions = ["myst_parser"]
 root_doc = "Documentation/index"
 include_patterns = ["*.md", "Documentation/**.md", "Examples/**.md", "Plugin/**.md"]
-exclude_patterns = ["build*", "Testing"]
+exclude_patterns = ["build*", "Testing", "Documentation/Paper"]
 myst_heading_anchors = 4
 html_theme = "sphinx_rtd_theme"
 html_theme_options = {"navigation_depth": 2, "collapse_navigation": False}
