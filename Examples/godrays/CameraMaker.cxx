@@ -62,16 +62,16 @@ void CameraMaker::SetClippingRange(vtkCamera* camera) const
   double look[3];
   camera->GetPosition(position);
   camera->GetDirectionOfProjection(look);
-  double far = 0.0;
+  double farthest = 0.0;
   for (int i = 0; i < 8; ++i)
   {
     const double corner[3] = { bounds[i & 1], bounds[2 + (i >> 1 & 1)], bounds[4 + (i >> 2)] };
     double arm[3];
     vtkMath::Subtract(corner, position, arm);
-    far = std::max(far, vtkMath::Dot(arm, look));
+    farthest = std::max(farthest, vtkMath::Dot(arm, look));
   }
-  far = far > 0.0 ? 1.01 * far : this->Diagonal;
-  camera->SetClippingRange(1e-3 * far, far);
+  farthest = farthest > 0.0 ? 1.01 * farthest : this->Diagonal;
+  camera->SetClippingRange(1e-3 * farthest, farthest);
 }
 
 //------------------------------------------------------------------------------

@@ -3,10 +3,10 @@
 #include "Configuration.h"
 
 #include "Failure.h"
+#include "System.h"
 
 #include <cstdlib>
 #include <filesystem>
-#include <fnmatch.h>
 #include <fstream>
 
 namespace
@@ -65,7 +65,7 @@ std::vector<std::string> ReadConfiguration(const std::string& path, const std::s
         throw Failure(
           path + ":" + std::to_string(number) + ": " + line + " should end in ], as in [*.vti]");
       }
-      fits = fnmatch(line.substr(1, line.size() - 2).c_str(), name.c_str(), 0) == 0;
+      fits = System::Matches(name, line.substr(1, line.size() - 2));
       continue;
     }
     const auto equal = line.find('=');

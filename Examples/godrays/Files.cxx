@@ -11,6 +11,7 @@
 #include "PlyStrips.h"
 #include "Progress.h"
 #include "Series.h"
+#include "System.h"
 #include "UpAxis.h"
 
 #include "vtk3DSImporter.h"
@@ -69,7 +70,6 @@
 #include <fstream>
 #include <functional>
 #include <map>
-#include <unistd.h>
 
 namespace
 {
@@ -499,7 +499,7 @@ const ReadFunction& CheckFile(const std::string& path)
   {
     throw Failure(path + ": is a directory; name the files in it");
   }
-  if (error || access(path.c_str(), R_OK) != 0)
+  if (error || !System::Has(System::MayRead, path))
   {
     throw Failure(path + ": may not be read; change its permissions");
   }

@@ -4,19 +4,18 @@
 
 #include "Failure.h"
 #include "Output.h"
+#include "System.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkOggTheoraWriter.h"
 #include "vtkRenderWindow.h"
 
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <numeric>
 #include <sstream>
-#include <unistd.h>
 
 namespace
 {
@@ -26,21 +25,6 @@ namespace fs = std::filesystem;
 bool IsOgv(const std::string& path)
 {
   return fs::path(path).extension() == ".ogv";
-}
-
-//------------------------------------------------------------------------------
-bool HasProgram(const std::string& name)
-{
-  const char* path = std::getenv("PATH");
-  std::stringstream folders(path ? path : "");
-  for (std::string folder; std::getline(folders, folder, ':');)
-  {
-    if (access((fs::path(folder) / name).c_str(), X_OK) == 0)
-    {
-      return true;
-    }
-  }
-  return false;
 }
 
 //------------------------------------------------------------------------------
@@ -69,17 +53,6 @@ bool IsWholeOgg(const std::string& path)
       page + header + segments,
       [](std::size_t sum, char length)
       { return sum + static_cast<unsigned char>(length); }) == end.size();
-}
-
-//------------------------------------------------------------------------------
-std::string QuoteForShell(const std::string& text)
-{
-  std::string quoted = "'";
-  for (const char letter : text)
-  {
-    quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  }
-  return quoted + "'";
 }
 }
 
@@ -147,7 +120,7 @@ Frames::Frames(const Options& options)
   {
     throw Failure("--film: " + film + " should end in .ogv, .mp4, .webm, .mkv or .gif");
   }
-  if (!IsOgv(film) && !HasProgram("ffmpeg"))
+  if (!IsOgv(film) && !System::HasProgram("ffmpeg"))
   {
     throw Failure("--film: there is no ffmpeg to write " + extension +
       " with; install it, give a name that ends in .ogv, or write pictures with --output "
@@ -160,7 +133,7 @@ Frames::~Frames()
 {
   if (this->Encoder)
   {
-    pclose(this->Encoder);
+    System::EndCommand(this->Encoder);
   }
   this->Writer = nullptr;
 }
@@ -182,13 +155,13 @@ void Frames::StartFilm(vtkRenderWindow* window)
     this->Writer = writer;
     return;
   }
-  std::signal(SIGPIPE, SIG_IGN); // what ffmpeg does not take is told below
   std::ostringstream command;
   // Most players want even sizes and colours of half their resolution.
   command << "ffmpeg -loglevel error -y -f image2pipe -framerate " << this->Settings.FrameRate
-          << " -i - -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' "
-          << (film.extension() == ".gif" ? "" : "-pix_fmt yuv420p ") << QuoteForShell(this->Part);
-  this->Encoder = popen(command.str().c_str(), "w");
+          << " -i - -vf " << System::QuoteForShell("pad=ceil(iw/2)*2:ceil(ih/2)*2") << ' '
+          << (film.extension() == ".gif" ? "" : "-pix_fmt yuv420p ")
+          << System::QuoteForShell(this->Part);
+  this->Encoder = System::StartCommand(command.str());
 }
 
 //------------------------------------------------------------------------------
@@ -241,7 +214,7 @@ void Frames::Finish()
   }
   else
   {
-    isWritten = this->Encoder && pclose(this->Encoder) == 0;
+    isWritten = this->Encoder && System::EndCommand(this->Encoder);
     this->Encoder = nullptr;
   }
   std::error_code error;

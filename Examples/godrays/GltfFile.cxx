@@ -4,6 +4,7 @@
 
 #include "Failure.h"
 #include "Json.h"
+#include "System.h"
 
 #include "vtkVersionMacros.h"
 #include "vtksys/SystemTools.hxx"
@@ -215,9 +216,8 @@ void GltfFile::ReplaceUris()
 //------------------------------------------------------------------------------
 void GltfFile::WriteCopy()
 {
-  std::error_code error;
-  std::string folder = (fs::temp_directory_path(error) / "godrays-XXXXXX").string();
-  if (error || !mkdtemp(folder.data()))
+  const std::string folder = System::MakeTemporaryFolder();
+  if (folder.empty())
   {
     throw Failure(this->Path +
       ": pictures are missing, and there is no folder for a copy without "

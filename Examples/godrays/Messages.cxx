@@ -2,53 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Messages.h"
 
+#include "System.h"
 #include "Temporary.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <csignal>
 #include <cstdio>
-#include <unistd.h>
 
 namespace
 {
-int userError = STDERR_FILENO;
+int userError = System::Errors;
 std::string crashCause;
 std::string crashLine; // with the last error of VTK, which may abort after one
 int crashCode = 1;
-constexpr std::array<int, 5> CrashSignals = { SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL };
 
 //------------------------------------------------------------------------------
 void EndAfterCrash(int)
 {
   // Only functions that a signal handler may call.
   Temporary::RemoveAll();
-  if (write(userError, crashLine.data(), crashLine.size()) < 0)
-  {
-    _exit(crashCode);
-  }
-  _exit(crashCode);
-}
-
-//------------------------------------------------------------------------------
-void CatchCrashes()
-{
-  static char stack[1 << 16]; // the program's own may be what is full
-  stack_t other = {};
-  other.ss_sp = stack;
-  other.ss_size = sizeof(stack);
-  sigaltstack(&other, nullptr);
-  struct sigaction action = {};
-  action.sa_handler = EndAfterCrash;
-  action.sa_flags = SA_ONSTACK;
-  for (const int signal : CrashSignals)
-  {
-    sigaction(signal, &action, nullptr);
-  }
+  System::Write(userError, crashLine.data(), crashLine.size());
+  System::EndNow(crashCode);
 }
 
 //------------------------------------------------------------------------------
@@ -138,27 +115,19 @@ Messages::Messages(bool catchStandardError, const std::string& onCrash, int exit
   crashLine = onCrash + "\n";
   crashCode = exitCode;
   this->Printed = std::tmpfile();
-  userError = dup(STDERR_FILENO);
-  if (!this->Printed || userError < 0 || dup2(fileno(this->Printed), STDERR_FILENO) < 0)
-  {
-    userError = STDERR_FILENO; // then the user sees them
-  }
-  CatchCrashes();
+  userError = System::DivertErrors(this->Printed);
+  System::CatchCrashes(EndAfterCrash);
 }
 
 //------------------------------------------------------------------------------
 Messages::~Messages()
 {
   vtkOutputWindow::SetInstance(this->Former);
-  if (userError != STDERR_FILENO)
+  if (userError != System::Errors)
   {
-    dup2(userError, STDERR_FILENO);
-    close(userError);
-    userError = STDERR_FILENO;
-    for (const int signal : CrashSignals)
-    {
-      std::signal(signal, SIG_DFL);
-    }
+    System::RestoreErrors(userError);
+    userError = System::Errors;
+    System::CatchCrashes(nullptr);
   }
   if (this->Printed)
   {
@@ -197,14 +166,11 @@ std::string Messages::GetPrinted() const
 //------------------------------------------------------------------------------
 void Messages::Show(const std::string& text)
 {
-  if (write(userError, text.data(), text.size()) < 0)
-  {
-    return; // there is nobody to tell
-  }
+  System::Write(userError, text.data(), text.size());
 }
 
 //------------------------------------------------------------------------------
 bool Messages::IsTerminal()
 {
-  return isatty(userError) == 1;
+  return System::IsTerminal(userError);
 }

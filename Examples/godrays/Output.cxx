@@ -4,6 +4,7 @@
 
 #include "Failure.h"
 #include "LinearPicture.h"
+#include "System.h"
 #include "Temporary.h"
 
 #include "vtkGodRaysEXRWriter.h"
@@ -28,7 +29,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <thread>
-#include <unistd.h>
 
 #ifdef VTK_USE_X
 #include <X11/Xlib.h>
@@ -171,7 +171,7 @@ void CheckOutput(
   }
   for (const fs::path& written : { folder, fs::path(path) })
   {
-    if (fs::exists(written, error) && access(written.c_str(), W_OK) != 0)
+    if (fs::exists(written, error) && !System::Has(System::MayWrite, written))
     {
       throw Failure(option + ": " + written.string() +
           " may not be written; change its permissions, or write elsewhere",

@@ -63,16 +63,16 @@ double ChooseRadius(vtkPolyData* cloud)
   vtkNew<vtkStaticPointLocator> locator;
   locator->SetDataSet(cloud);
   locator->BuildLocator();
-  vtkNew<vtkIdList> near;
+  vtkNew<vtkIdList> nearest;
   std::vector<double> distances;
   const vtkIdType count = cloud->GetNumberOfPoints();
   for (vtkIdType i = 0; i < count; i += 1 + count / enough)
   {
     double point[3];
     cloud->GetPoint(i, point);
-    locator->FindClosestNPoints(neighbor + 1, point, near);
+    locator->FindClosestNPoints(neighbor + 1, point, nearest);
     double other[3];
-    cloud->GetPoint(near->GetId(near->GetNumberOfIds() - 1), other);
+    cloud->GetPoint(nearest->GetId(nearest->GetNumberOfIds() - 1), other);
     distances.push_back(std::sqrt(vtkMath::Distance2BetweenPoints(point, other)));
   }
   const auto median = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);

@@ -3,6 +3,7 @@
 #include "StandardInput.h"
 
 #include "Failure.h"
+#include "System.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -69,9 +70,8 @@ StandardInput::StandardInput(std::vector<std::string>& files)
       "-: the standard input is of an unknown type, or empty; give a file with an extension",
       Failure::File);
   }
-  std::error_code error;
-  std::string name = (fs::temp_directory_path(error) / "godrays-XXXXXX").string();
-  if (error || !mkdtemp(name.data()))
+  const std::string name = System::MakeTemporaryFolder();
+  if (name.empty())
   {
     throw Failure("-: there is no folder for temporary files; set TMPDIR to one", Failure::File);
   }

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Temporary.h"
 
+#include "System.h"
+
 #include <array>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
-#include <unistd.h>
 
 namespace
 {
@@ -22,20 +23,6 @@ void EndBySignal(int signal)
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
-
-//------------------------------------------------------------------------------
-void CatchEnds()
-{
-  for (const int signal : { SIGINT, SIGTERM, SIGHUP })
-  {
-    struct sigaction former = {};
-    sigaction(signal, nullptr, &former);
-    if (former.sa_handler == SIG_DFL) // nohup ignores SIGHUP, and that is so to stay
-    {
-      std::signal(signal, EndBySignal);
-    }
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -43,7 +30,7 @@ Temporary::Temporary(const std::string& path)
   : Path(path)
   , Place(0)
 {
-  CatchEnds();
+  System::CatchEnds(EndBySignal);
   while (this->Place < Most && used[this->Place])
   {
     ++this->Place;
@@ -75,7 +62,8 @@ std::string Temporary::MakeNameBeside(const std::string& path)
 {
   std::error_code error;
   const auto whole = std::filesystem::weakly_canonical(path, error);
-  const std::string name = "." + std::to_string(getpid()) + "-part" + whole.extension().string();
+  const std::string name =
+    "." + std::to_string(System::GetProcess()) + "-part" + whole.extension().string();
   return (whole.parent_path() / name).string();
 }
 

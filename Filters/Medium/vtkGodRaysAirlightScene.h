@@ -69,7 +69,7 @@ struct vtkGodRaysAirlightScene
     const float pixel = static_cast<float>(this->PixelSize);
     const float px = (x - static_cast<float>(this->Center[0])) * pixel;
     const float py = (y - static_cast<float>(this->Center[1])) * pixel;
-    const float far = static_cast<float>(this->Medium.FarLimit);
+    const float farLimit = static_cast<float>(this->Medium.FarLimit);
     float to[3];
     for (int i = 0; i < 3; ++i)
     {
@@ -81,7 +81,7 @@ struct vtkGodRaysAirlightScene
       to[1] -= py;
       foot = to[2];
       height = std::sqrt(to[0] * to[0] + to[1] * to[1]);
-      end = far;
+      end = farLimit;
     }
     else
     {
@@ -92,7 +92,7 @@ struct vtkGodRaysAirlightScene
       const float b = to[2] * px - to[0];
       const float c = to[0] * py - to[1] * px;
       height = std::sqrt(a * a + b * b + c * c) * inverse;
-      end = far * length;
+      end = farLimit * length;
     }
     height = std::max(height, static_cast<float>(this->Nearest));
   }

@@ -87,9 +87,9 @@ void vtkGodRaysGridRay::FindShadow(Passage& passage, double end) const
       size +=
         passage.Grid->Points[i] + std::abs(passage.Place[i]) + end * std::abs(passage.Steps[i]);
     }
-    const double far = size / std::max(vtkGodRays::length(across), 1e-300);
-    polygon.push_back(Vec2(end, far));
-    polygon.push_back(Vec2(0.0, far));
+    const double reach = size / std::max(vtkGodRays::length(across), 1e-300);
+    polygon.push_back(Vec2(end, reach));
+    polygon.push_back(Vec2(0.0, reach));
   }
   else
   {

@@ -184,7 +184,7 @@ void vtkGodRaysInScattering::vtkInternals::FindOwn(int first, int row, int count
   const std::size_t pixel = static_cast<std::size_t>(row) * this->Size[0] + first;
   const vtkGodRaysAirlightScene& scene = this->Airlight.GetScene();
   const float size = scene.Parallel ? 0.0f : static_cast<float>(scene.PixelSize);
-  const float far = static_cast<float>(scene.Medium.FarLimit);
+  const float farLimit = static_cast<float>(scene.Medium.FarLimit);
   const float along = (static_cast<float>(row) - static_cast<float>(scene.Center[1])) * size;
   const bool hasLights = !this->Lights.empty();
   // A table's value is a fraction of the whole ray, which goes through a planet's ground.
@@ -194,7 +194,7 @@ void vtkGodRaysInScattering::vtkInternals::FindOwn(int first, int row, int count
   for (int i = 0; i < count; ++i)
   {
     const float depth = this->Depths[pixel + i];
-    if (isFraction && depth >= far)
+    if (isFraction && depth >= farLimit)
     {
       continue;
     }
@@ -202,7 +202,8 @@ void vtkGodRaysInScattering::vtkInternals::FindOwn(int first, int row, int count
     x[number] = static_cast<float>(first + i);
     y[number] = static_cast<float>(row);
     const float across = (x[number] - static_cast<float>(scene.Center[0])) * size;
-    distances[number] = std::min(depth, far) * std::sqrt(1.0f + across * across + along * along);
+    distances[number] =
+      std::min(depth, farLimit) * std::sqrt(1.0f + across * across + along * along);
     if (this->Airlight.IsOverPlanet())
     {
       distances[number] =
@@ -319,8 +320,8 @@ bool vtkGodRaysInScattering::vtkInternals::IsAlongLight(double x, double y, doub
   {
     return across < square * cells * cells * direction[2] * direction[2];
   }
-  const double far = scene.Medium.FarLimit;
-  return across * (scene.Point ? 1.0 : far * far) < cells * cells;
+  const double farLimit = scene.Medium.FarLimit;
+  return across * (scene.Point ? 1.0 : farLimit * farLimit) < cells * cells;
 }
 
 void vtkGodRaysInScattering::vtkInternals::WalkCoarsest()

@@ -399,10 +399,11 @@ double FindEnd(SweepPlan& plan)
     {
       continue;
     }
-    const double far = scheduler.GetFarthest();
-    const double near = scheduler.GetNearest();
+    const double farthest = scheduler.GetFarthest();
+    const double nearest = scheduler.GetNearest();
     // To where the image begins, or ends.
-    const double u = plan.Density > 0.0 ? near / far : (far + 1.0) / std::max(near, 1.0);
+    const double u =
+      plan.Density > 0.0 ? nearest / farthest : (farthest + 1.0) / std::max(nearest, 1.0);
     end = std::max(end, (1.0 - u) / plan.Density);
   }
   // In few steps, so that a fit serves many positions of the light.

@@ -99,10 +99,11 @@ vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::IntegratePart(const SkyWa
     return estimate.Value;
   }
   const double middle = 0.5 * (begin + end);
-  const Estimate near = this->EstimatePart(way, begin, middle, lit, multiple);
-  const Estimate far = this->EstimatePart(way, middle, end, lit, multiple);
-  return this->IntegratePart(way, begin, middle, lit, multiple, near, 0.5 * accepted, depth - 1) +
-    this->IntegratePart(way, middle, end, lit, multiple, far, 0.5 * accepted, depth - 1);
+  const Estimate nearPart = this->EstimatePart(way, begin, middle, lit, multiple);
+  const Estimate farPart = this->EstimatePart(way, middle, end, lit, multiple);
+  return this->IntegratePart(
+           way, begin, middle, lit, multiple, nearPart, 0.5 * accepted, depth - 1) +
+    this->IntegratePart(way, middle, end, lit, multiple, farPart, 0.5 * accepted, depth - 1);
 }
 
 vtkGodRaysSkyIntegrator::Vec3 vtkGodRaysSkyIntegrator::GetRadiance(
@@ -229,11 +230,11 @@ void vtkGodRaysSkyIntegrator::PrepareMultipleScattering()
           }
           SkyWay way = MakeSkyWay(this->Sky, height, slope, sunSlope, cosAngles[0]);
           const double weight = KronrodWeights[k] / 16.0; // of all directions
-          const double near = 0.15 * way.Length;
+          const double nearPart = 0.15 * way.Length;
           for (int part = 0; part < 2; ++part)
           {
-            const double begin = part == 0 ? 0.0 : near;
-            const double reach = 0.5 * ((part == 0 ? near : way.Length) - begin);
+            const double begin = part == 0 ? 0.0 : nearPart;
+            const double reach = 0.5 * ((part == 0 ? nearPart : way.Length) - begin);
             for (int n = 0; n < 15; ++n)
             {
               const int m = std::min(n, 14 - n);

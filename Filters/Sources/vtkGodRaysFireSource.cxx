@@ -52,7 +52,7 @@ enum Channel : unsigned int
 {
   POSITION = 0, // 3 numbers
   VELOCITY = 3, // 3 numbers
-  SIZE = 6,
+  EXTENT = 6,
   COLOR = 7,  // 3 numbers
   EDDIES = 10 // 3 noises
 };
@@ -177,7 +177,7 @@ vtkGodRaysFireSource::Particle vtkGodRaysFireSource::ComputeParticle(
       vtkGodRaysNoise::GradientNoise(inEddies, vtkGodRaysNoise::MakeSeed(seed, EDDIES + i)).Value;
   }
 
-  particle.Size = this->Size * (1.0 - part) * dice.Vary(SIZE, this->SizeRandomness);
+  particle.Size = this->Size * (1.0 - part) * dice.Vary(EXTENT, this->SizeRandomness);
   for (unsigned int c = 0; c < 3; ++c)
   {
     const double color = this->StartColor[c] + part * (this->EndColor[c] - this->StartColor[c]);

@@ -454,7 +454,7 @@ struct vtkGodRaysSunPlacer::Internals
     const auto lookAbout = [&](std::size_t count, double part)
     {
       std::partial_sort(places.begin(), places.begin() + count, places.end(), isBetter);
-      std::vector<Place> near;
+      std::vector<Place> nearby;
       for (std::size_t i = 0; i < 9 * count; ++i)
       {
         const Place& about = places[i / 9];
@@ -462,10 +462,10 @@ struct vtkGodRaysSunPlacer::Internals
           (about.Column + 0.5) / this->Columns + part * step[0] * (static_cast<int>(i % 3) - 1);
         const double y =
           (about.Row + 0.5) / this->Rows + part * step[1] * (static_cast<int>(i / 3 % 3) - 1);
-        near.push_back(this->At(x, std::max(y, low)));
+        nearby.push_back(this->At(x, std::max(y, low)));
       }
-      this->JudgeAll(near);
-      places.insert(places.end(), near.begin(), near.end());
+      this->JudgeAll(nearby);
+      places.insert(places.end(), nearby.begin(), nearby.end());
     };
     lookAbout(5, 0.4);
     lookAbout(2, 0.2);
