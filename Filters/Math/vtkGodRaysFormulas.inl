@@ -85,6 +85,7 @@ inline bool IsCosine(Real value)
 #include "vtkGodRaysColourMath.glsl"
 #include "vtkGodRaysGridMath.glsl"
 #include "vtkGodRaysLightMath.glsl"
+#include "vtkGodRaysOrdersMath.glsl"
 #include "vtkGodRaysPhaseMath.glsl"
 #include "vtkGodRaysPlanetMath.glsl"
 #include "vtkGodRaysRadialMath.glsl"

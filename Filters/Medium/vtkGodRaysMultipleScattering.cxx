@@ -1,0 +1,909 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGodRaysMultipleScattering.h"
+
+#include "vtkGodRaysGridBlocks.h"
+#include "vtkGodRaysGridLight.h"
+#include "vtkGodRaysOrdinates.h"
+#include "vtkMath.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <functional>
+#include <limits>
+#include <numeric>
+
+namespace
+{
+using vtkGodRays::Vec2;
+using vtkGodRays::Vec3;
+using Scene = vtkGodRaysTransportScene;
+using Peak = vtkGodRaysMultipleScattering::Peak;
+using Wall = vtkGodRaysOrdinates::Wall;
+
+constexpr int MaximumMoments = vtkGodRaysOrdinates::MaximumMoments;
+constexpr int Samples = 4;            // of a node's volume, along each axis
+constexpr double Nearest = 0.14;      // distance of a lamp from nodes, at least [cells]
+constexpr double LeastForward = 1e-3; // part below which there is no forward peak
+constexpr double DarkestDepth = 12.0; // scaled depth at which a peak's table ends
+constexpr float MostOpen = 0.5f;      // cover above which a node is opaque
+constexpr double MostStretched = 1.2; // ratio of a cell's edges, or so
+
+// Extrapolates a fixed-point iteration x -> g(x) from its last steps g(x) - x [Anderson1965].
+class FixedPoint
+{
+public:
+  // Makes the next x of the last one and of g(x).
+  void Advance(std::vector<float>& x, const std::vector<float>& g)
+  {
+    std::vector<float> step(x.size());
+    std::transform(g.begin(), g.end(), x.begin(), step.begin(), std::minus<float>());
+    if (!this->Step.empty())
+    {
+      for (std::size_t i = 0; i < x.size(); ++i)
+      {
+        this->Step[i] = step[i] - this->Step[i];
+        this->X[i] = x[i] - this->X[i] + this->Step[i];
+      }
+      this->Changes.push_back({ std::move(this->Step), std::move(this->X) });
+      if (this->Changes.size() > Depth)
+      {
+        this->Changes.pop_front();
+      }
+    }
+    this->X = x;
+    x = g;
+    const int count = static_cast<int>(this->Changes.size());
+    double matrix[Depth][Depth];
+    double* rows[Depth];
+    double weights[Depth];
+    const auto multiply = [](const std::vector<float>& a, const std::vector<float>& b)
+    { return std::inner_product(a.begin(), a.end(), b.begin(), 0.0); };
+    for (int i = 0; i < count; ++i)
+    {
+      rows[i] = matrix[i];
+      for (int j = 0; j <= i; ++j)
+      {
+        matrix[i][j] = matrix[j][i] = multiply(this->Changes[i].Step, this->Changes[j].Step);
+      }
+      matrix[i][i] *= 1.0 + 1e-6; // they may be parallel
+      weights[i] = multiply(this->Changes[i].Step, step);
+    }
+    const bool solved = count > 0 && vtkMath::SolveLinearSystem(rows, weights, count);
+    for (int i = 0; i < count && solved; ++i)
+    {
+      const float weight = static_cast<float>(weights[i]);
+      for (std::size_t k = 0; k < x.size(); ++k)
+      {
+        x[k] -= weight * this->Changes[i].Sum[k];
+      }
+    }
+    this->Step = std::move(step);
+  }
+
+private:
+  static constexpr int Depth = 5;
+  struct Change // from one x to the next: of the step, and of x and the step together
+  {
+    std::vector<float> Step;
+    std::vector<float> Sum;
+  };
+  std::deque<Change> Changes;
+  std::vector<float> X;
+  std::vector<float> Step;
+};
+
+// Finds the Legendre moments of a phase function, of which the first is 1: by midpoints in the third root of
+// 1 - cosine, which are dense in a peak, until they are small.
+std::vector<double> FindMoments(const Scene::PhaseMix& phase)
+{
+  constexpr int count = 4096;
+  constexpr std::size_t most = 2000;
+  std::vector<double> cosines(count);
+  std::vector<double> last(count);
+  std::vector<double> legendre(count, 1.0); // times the part of light
+  for (int i = 0; i < count; ++i)
+  {
+    const double x = (i + 0.5) / count;
+    cosines[i] = 1.0 - 2.0 * x * x * x;
+    last[i] = 0.0;
+    legendre[i] = 12.0 * vtkMath::Pi() * x * x * phase.Get(cosines[i]) / count;
+  }
+  std::vector<double> moments;
+  int small = 0;
+  while (moments.size() < most && small < 8)
+  {
+    const double l = static_cast<double>(moments.size());
+    moments.push_back(std::accumulate(legendre.begin(), legendre.end(), 0.0));
+    small = std::abs(moments.back()) < 1e-6 ? small + 1 : 0;
+    for (int i = 0; i < count; ++i)
+    {
+      const double next = ((2.0 * l + 1.0) * cosines[i] * legendre[i] - l * last[i]) / (l + 1.0);
+      last[i] = legendre[i];
+      legendre[i] = next;
+    }
+  }
+  return moments;
+}
+
+// Finds moment l of the peak function, of a phase function whose moment is m and whose forward part is f. Of
+// n events on a way, on the average, Poisson's law has none in e^-n of the cases: that is single scattering,
+// which is known exactly and taken away. Either one event of a path is not of the peak, or all are: such a
+// path counts once, not once for each event.
+// m - f + f (1 - e^-n)/n - e^-n m to the degree that is kept, above f (e^(-n (1 - m/f)) - e^-n)/n - e^-n m.
+double GetPeakMoment(double m, double f, double n, bool isKept)
+{
+  const double part = std::min(m / f, 1.0);
+  return isKept ? m - f + f * vtkGodRays::MeanExponential(n) - std::exp(-n) * m
+                : std::exp(-n) * (f * part * vtkGodRays::MeanExponential(-n * part) - m);
+}
+
+Peak MakePeak(const std::vector<double>& moments, int degree)
+{
+  Peak peak;
+  peak.ForwardPart = moments[degree + 1] >= LeastForward ? moments[degree + 1] : 0.0;
+  if (peak.ForwardPart == 0.0)
+  {
+    return peak;
+  }
+  // Without absorption, f/(1 - f) events come with each unit of scaled depth; else fewer.
+  peak.Most = DarkestDepth * peak.ForwardPart / (1.0 - peak.ForwardPart);
+  peak.Table.resize(Peak::Rows * Peak::Angles);
+  vtkSMPTools::For(0, Peak::Rows, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        const double place = row / (Peak::Rows - 1.0);
+        double last[Peak::Angles] = { 0.0 };
+        double legendre[Peak::Angles];
+        std::fill_n(legendre, Peak::Angles, 1.0);
+        for (std::size_t l = 0; l < moments.size(); ++l)
+        {
+          const double degrees = 2.0 * l + 1.0;
+          const double moment = degrees / (4.0 * vtkMath::Pi()) *
+            GetPeakMoment(moments[l], peak.ForwardPart, peak.Most * place * place,
+              static_cast<int>(l) <= degree);
+          for (int i = 0; i < Peak::Angles; ++i)
+          {
+            const double x = i / (Peak::Angles - 1.0);
+            peak.Table[row * Peak::Angles + i] += static_cast<float>(moment * legendre[i]);
+            const double next =
+              (degrees * (1.0 - 2.0 * x * x * x) * legendre[i] - l * last[i]) / (l + 1.0);
+            last[i] = legendre[i];
+            legendre[i] = next;
+          }
+        }
+      }
+    });
+  return peak;
+}
+
+Vec3 GetOffset(int code, int count)
+{
+  return (Vec3(code % count, code / count % count, code / (count * count)) + 0.5) / Vec3(count);
+}
+}
+
+double Peak::Get(double cosAngle, double events) const
+{
+  if (this->Table.empty())
+  {
+    return 0.0;
+  }
+  const Vec2 place =
+    vtkGodRays::PeakPlace(cosAngle, events, this->Most) * Vec2(Angles - 1.0, Rows - 1.0);
+  const int i = std::min(static_cast<int>(place.x), Angles - 2);
+  const int j = std::min(static_cast<int>(place.y), Rows - 2);
+  const float* const entry = this->Table.data() + static_cast<std::ptrdiff_t>(j) * Angles + i;
+  const Vec2 t = place - Vec2(i, j);
+  return (entry[0] + t.x * (entry[1] - entry[0])) * (1.0 - t.y) +
+    (entry[Angles] + t.x * (entry[Angles + 1] - entry[Angles])) * t.y;
+}
+
+Vec3 vtkGodRaysMultipleScattering::Texture::Sample(const Vec3& place) const
+{
+  const Vec3 last(this->Nodes[0] - 1, this->Nodes[1] - 1, this->Nodes[2] - 1);
+  const Vec3 at = vtkGodRays::clamp((place - this->Low) / this->Cell, Vec3(0.0), last);
+  const Vec3 cell = vtkGodRays::min(vtkGodRays::floor(at), last - 1.0);
+  const Vec3 t = at - cell;
+  Vec3 sum(0.0);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const Vec3 high(corner & 1, corner >> 1 & 1, corner >> 2);
+    const Vec3 weight = high * t + (1.0 - high) * (1.0 - t);
+    const Vec3 node = cell + high;
+    const float* const value = this->Values.data() +
+      3 * static_cast<std::size_t>((node.z * this->Nodes[1] + node.y) * this->Nodes[0] + node.x);
+    sum += weight.x * weight.y * weight.z * Vec3(value[0], value[1], value[2]);
+  }
+  return sum;
+}
+
+class vtkGodRaysMultipleScattering::vtkInternals
+{
+public:
+  struct Channel // a colour
+  {
+    std::vector<float> Extinction; // [node], scaled [1/Unit]
+    std::vector<float>
+      Scattering; // [degree][node]: scaled moments of the phase functions, times scattering
+    std::vector<float> Emission; // [moment][node]: light that is scattered for the first time
+    std::vector<float> Moments;  // [moment][node]: diffuse radiance
+  };
+
+  Scene Input;
+  Parameters Settings;
+  bool IsSolved = false;
+  std::vector<double> Mixture;              // what the peak was made of
+  std::vector<std::vector<double>> Moments; // of each component's phase function
+  std::vector<Vec3> Events;                 // of the peak, for each unit of a component's depth
+  Peak ForwardPeak;
+  std::vector<std::vector<vtkGodRaysGridLight>> OwnDepths; // [light][grid]
+  int Nodes[3] = { 2, 2, 2 };
+  std::size_t Size = 8; // nodes
+  Vec3 Cell = Vec3(1.0);
+  double Unit = 1.0; // of the channels' lengths [scene units]
+  Channel Channels[3];
+  std::vector<float> Cover;  // [node]
+  std::vector<float> Albedo; // of what covers
+  vtkGodRaysOrdinates Ordinates;
+  int Sweeps = 0;
+  double Residual = 0.0;
+  std::unique_ptr<vtkGodRaysMultipleScattering> Cheaper[3];
+
+  void Prepare();
+  void SetGrid();
+  void SampleNode(std::size_t node);
+  std::vector<Wall> MakeWalls(int color) const;
+  void Solve(int color);
+  void FillOpaque(Channel& channel) const;
+
+  // The light that arrives at a place through the scaled media, and the mean number of the peak's events on
+  // its way, which is not set if no light comes.
+  Vec3 GetArriving(
+    std::size_t light, const Vec3& place, double nearest, Vec3& towards, Vec3& events) const;
+
+  int CountMoments() const { return (this->Settings.Degree + 1) * (this->Settings.Degree + 1); }
+  static int GetDegree(int moment) { return moment < 1 ? 0 : moment < 4 ? 1 : moment < 9 ? 2 : 3; }
+  void GetIndices(std::size_t node, int* at) const
+  {
+    at[0] = static_cast<int>(node % this->Nodes[0]);
+    at[1] = static_cast<int>(node / this->Nodes[0] % this->Nodes[1]);
+    at[2] = static_cast<int>(node / this->Nodes[0] / this->Nodes[1]);
+  }
+  Vec3 GetPlace(std::size_t node) const
+  {
+    int at[3];
+    this->GetIndices(node, at);
+    return this->Input.Low + this->Cell * Vec3(at[0], at[1], at[2]);
+  }
+};
+
+// Finds what does not depend on places.
+void vtkGodRaysMultipleScattering::vtkInternals::Prepare()
+{
+  const Scene& scene = this->Input;
+  const int components = scene.GetNumberOfComponents();
+  constexpr int count = 16; // places along each axis, for mean albedos and the mean phase function
+  std::vector<Vec3> scattered(components, Vec3(0.0));
+  std::vector<Vec3> dimmed(components, Vec3(1e-300));
+  Vec3 all(1e-300);
+  for (int i = 0; i < components * count * count * count; ++i)
+  {
+    const Vec3 offset = GetOffset(i / components, count);
+    Vec3 scattering;
+    Vec3 extinction;
+    scene.Sample(i % components, glm::mix(scene.Low, scene.High, offset), scattering, extinction);
+    scattered[i % components] += scattering;
+    dimmed[i % components] += extinction;
+    all += scattering;
+  }
+  std::vector<double> mixture = { static_cast<double>(this->Settings.Degree) };
+  for (int k = 0; k < components; ++k)
+  {
+    const Scene::PhaseMix phase = scene.GetPhase(k);
+    mixture.insert(mixture.end(),
+      { phase.Get(1.0), phase.Get(0.3), phase.Get(-0.9),
+        (scattered[k].x + scattered[k].y + scattered[k].z) / (all.x + all.y + all.z) });
+  }
+  if (mixture != this->Mixture)
+  {
+    this->Mixture = mixture;
+    this->Moments.clear();
+    std::vector<double> means(16, 0.0);
+    for (int k = 0; k < components; ++k)
+    {
+      this->Moments.push_back(FindMoments(scene.GetPhase(k)));
+      means.resize(std::max(means.size(), this->Moments[k].size()));
+      for (std::size_t l = 0; l < this->Moments[k].size(); ++l)
+      {
+        means[l] += mixture[4 * k + 4] * this->Moments[k][l];
+      }
+    }
+    this->ForwardPeak = MakePeak(means, this->Settings.Degree);
+  }
+  this->Events.clear();
+  for (int k = 0; k < components; ++k)
+  {
+    this->Events.push_back(this->ForwardPeak.ForwardPart * scattered[k] / dimmed[k]);
+  }
+  this->OwnDepths.assign(scene.Lights.size(), {});
+  for (const vtkGodRaysGrid& grid : scene.Grids)
+  {
+    const vtkGodRaysGridBlocks blocks(grid);
+    for (std::size_t k = 0; k < scene.Lights.size(); ++k)
+    {
+      const Scene::Light& light = scene.Lights[k];
+      if (light.Depths.empty())
+      {
+        const double length = light.Directional ? vtkGodRays::length(light.Position) : 1.0;
+        this->OwnDepths[k].emplace_back();
+        this->OwnDepths[k].back().Build(grid, blocks, light.Position / length, light.Directional);
+      }
+    }
+  }
+}
+
+// Divides the box into cells that are as nearly cubes as whole numbers of them allow. Where a box is too thin
+// for that, the grid goes beyond it.
+void vtkGodRaysMultipleScattering::vtkInternals::SetGrid()
+{
+  const Vec3 size = this->Input.High - this->Input.Low;
+  double best = std::numeric_limits<double>::max();
+  for (int step = 0; step < 16; ++step)
+  {
+    const double edge =
+      std::max({ size.x, size.y, size.z }) / this->Settings.Cells * (1.0 - 0.015 * step);
+    double worst = 1.0;
+    int nodes[3];
+    Vec3 cell;
+    for (int i = 0; i < 3; ++i)
+    {
+      const int cells = std::max(static_cast<int>(std::lround(size[i] / edge)), 1);
+      const double ratio =
+        std::max(size[i] / (cells * edge), cells * edge / std::max(size[i], 1e-300));
+      const bool fits = ratio < MostStretched;
+      cell[i] = fits ? size[i] / cells : edge;
+      nodes[i] = 1 + (fits ? cells : static_cast<int>(std::ceil(size[i] / edge + 1e-9)));
+      worst = fits ? std::max(worst, ratio) : worst;
+    }
+    if (worst + 0.002 * step < best) // more cells are to be worth it
+    {
+      best = worst + 0.002 * step;
+      std::copy_n(nodes, 3, this->Nodes);
+      this->Cell = cell;
+    }
+  }
+  this->Size = static_cast<std::size_t>(this->Nodes[0]) * this->Nodes[1] * this->Nodes[2];
+  this->Unit = std::cbrt(this->Cell.x * this->Cell.y * this->Cell.z);
+  this->Ordinates.SetGrid(this->Settings.Directions, this->Nodes, this->Cell / this->Unit);
+}
+
+Vec3 vtkGodRaysMultipleScattering::vtkInternals::GetArriving(
+  std::size_t light, const Vec3& place, double nearest, Vec3& towards, Vec3& events) const
+{
+  const Scene::Light& source = this->Input.Lights[light];
+  double distance;
+  Vec3 arriving = this->Input.GetIrradiance(source, place, towards, distance);
+  const double near = std::min(distance / nearest, 1.0);
+  arriving *= near * near;
+  if (source.Visibility)
+  {
+    arriving *= source.Visibility(place);
+  }
+  if (arriving == Vec3(0.0))
+  {
+    return arriving;
+  }
+  Vec3 depth(0.0);
+  events = Vec3(0.0);
+  const int formulas = this->Input.Medium.NumberOfComponents;
+  for (int k = 0; k < this->Input.GetNumberOfComponents(); ++k)
+  {
+    Vec3 own;
+    if (k < formulas)
+    {
+      own = this->Input.GetDepth(k, source, place, towards, distance);
+    }
+    else
+    {
+      const vtkGodRaysGrid& grid = this->Input.Grids[k - formulas];
+      const vtkGodRaysGridLight& known =
+        source.Depths.empty() ? this->OwnDepths[light][k - formulas] : *source.Depths[k - formulas];
+      float values[3] = { 0.0f, 0.0f, 0.0f };
+      known.AddDepth(grid, grid.GetPlace(place), values);
+      own = grid.Bands == 1 ? Vec3(values[0]) : Vec3(values[0], values[1], values[2]);
+    }
+    depth += own;
+    events += own * this->Events[k];
+  }
+  return arriving * vtkGodRays::exp(events - depth);
+}
+
+// Takes means over the volume that is nearer to the node than to others, as far as it is in the grid. Light
+// is averaged with scattering: where a medium is dense, its light counts.
+void vtkGodRaysMultipleScattering::vtkInternals::SampleNode(std::size_t node)
+{
+  const Scene& scene = this->Input;
+  const int degrees = this->Settings.Degree + 1;
+  const Vec3 high =
+    scene.Low + this->Cell * Vec3(this->Nodes[0] - 1, this->Nodes[1] - 1, this->Nodes[2] - 1);
+  Vec3 dims(0.0);
+  std::array<Vec3, 4> scatters;
+  std::array<Vec3, MaximumMoments> emits;
+  scatters.fill(Vec3(0.0));
+  emits.fill(Vec3(0.0));
+  int count = 0;
+  int covered = 0;
+  for (int i = 0; i < Samples * Samples * Samples; ++i)
+  {
+    const Vec3 place = this->GetPlace(node) + this->Cell * (GetOffset(i, Samples) - 0.5);
+    if (vtkGodRays::clamp(place, scene.Low, high) != place)
+    {
+      continue;
+    }
+    ++count;
+    const double albedo = scene.Solid ? scene.Solid(place) : -1.0;
+    if (albedo >= 0.0)
+    {
+      ++covered;
+      this->Albedo[node] = static_cast<float>(albedo);
+      continue;
+    }
+    std::array<Vec3, 4> own;
+    own.fill(Vec3(0.0));
+    const double forward = this->ForwardPeak.ForwardPart;
+    for (int k = 0; k < scene.GetNumberOfComponents(); ++k)
+    {
+      Vec3 scattering;
+      Vec3 extinction;
+      scene.Sample(k, place, scattering, extinction);
+      dims += extinction - forward * scattering;
+      for (int l = 0; l < degrees; ++l)
+      {
+        own[l] += scattering * (this->Moments[k][l] - forward);
+      }
+    }
+    for (int l = 0; l < degrees; ++l)
+    {
+      scatters[l] += own[l];
+    }
+    for (std::size_t light = 0; light < scene.Lights.size() && own[0] != Vec3(0.0); ++light)
+    {
+      Vec3 towards;
+      Vec3 events;
+      const Vec3 arriving = this->GetArriving(light, place, Nearest * this->Unit, towards, events);
+      float harmonics[MaximumMoments];
+      vtkGodRaysOrdinates::GetHarmonics(-towards, this->Settings.Degree, harmonics);
+      for (int m = 0; m < this->CountMoments() && arriving != Vec3(0.0); ++m)
+      {
+        emits[m] += own[GetDegree(m)] * arriving * static_cast<double>(harmonics[m]);
+      }
+    }
+  }
+  const double factor = this->Unit / std::max(count, 1);
+  for (int c = 0; c < 3; ++c)
+  {
+    Channel& channel = this->Channels[c];
+    channel.Extinction[node] = static_cast<float>(factor * std::max(dims[c], 0.0));
+    for (int l = 0; l < degrees; ++l)
+    {
+      channel.Scattering[l * this->Size + node] = static_cast<float>(factor * scatters[l][c]);
+    }
+    for (int m = 0; m < this->CountMoments(); ++m)
+    {
+      channel.Emission[m * this->Size + node] = static_cast<float>(factor * emits[m][c]);
+    }
+  }
+  this->Cover[node] = static_cast<float>(covered) / static_cast<float>(std::max(count, 1));
+}
+
+// Lists the nodes that occluders cover in part, and those on faces of the box that reflect.
+std::vector<Wall> vtkGodRaysMultipleScattering::vtkInternals::MakeWalls(int color) const
+{
+  const Scene& scene = this->Input;
+  std::vector<Wall> walls;
+  for (std::size_t node = 0; node < this->Size; ++node)
+  {
+    int at[3];
+    this->GetIndices(node, at);
+    const float cover = this->Cover[node];
+    // What covers half of the volume hides all; what covers less is wider than its share of the volume.
+    Wall wall = { node, cover > MostOpen ? 0.0f : 1.0f - 1.5f * cover, this->Albedo[node], false,
+      {}, {} };
+    for (int face = 0; face < 6; ++face)
+    {
+      const int axis = face / 2;
+      const int step = face % 2 ? 1 : -1;
+      const bool isLast = at[axis] == (step > 0 ? this->Nodes[axis] - 1 : 0);
+      const bool isEntry = at[axis] == (step > 0 ? 0 : this->Nodes[axis] - 1);
+      Vec3 place = this->GetPlace(node);
+      if (isEntry && scene.FaceAlbedo[face ^ 1] > 0.0 && cover <= MostOpen)
+      {
+        wall.IsFree[face] = wall.IsFace = true;
+        wall.Albedo = static_cast<float>(scene.FaceAlbedo[face ^ 1]);
+      }
+      else if (cover > 0.0f && !isLast)
+      {
+        const std::ptrdiff_t stride = axis == 0 ? 1
+          : axis == 1                           ? this->Nodes[0]
+                                                : this->Nodes[0] * this->Nodes[1];
+        const std::size_t beside = node + step * stride;
+        wall.IsFree[face] = this->Cover[beside] <= MostOpen && this->Cover[beside] < cover - 0.05f;
+        place = this->GetPlace(beside);
+      }
+      int count = 0;
+      double sum = 0.0;
+      for (int sample = 0; sample < 4 && wall.IsFree[face] && wall.Albedo > 0.0f; ++sample)
+      {
+        Vec3 aside(0.0);
+        aside[(axis + 1) % 3] = sample % 2 ? 0.25 : -0.25;
+        aside[(axis + 2) % 3] = sample / 2 ? 0.25 : -0.25;
+        const Vec3 seen = place + aside * this->Cell;
+        count += scene.Solid && scene.Solid(seen) >= 0.0 ? 0 : 1;
+        for (std::size_t light = 0; light < scene.Lights.size(); ++light)
+        {
+          Vec3 towards;
+          Vec3 events;
+          const Vec3 arriving =
+            this->GetArriving(light, seen, Nearest * this->Unit, towards, events);
+          sum += arriving[color] * std::max(step * towards[axis], 0.0);
+        }
+      }
+      wall.Direct[face] = static_cast<float>(sum / std::max(count, 1));
+    }
+    if (cover > 0.0f || wall.IsFace)
+    {
+      walls.push_back(wall);
+    }
+  }
+  return walls;
+}
+
+// Finds the diffuse radiance that sends itself: moments, and the irradiance of walls, are one vector.
+void vtkGodRaysMultipleScattering::vtkInternals::Solve(int color)
+{
+  Channel& channel = this->Channels[color];
+  this->Ordinates.SetWalls(this->MakeWalls(color));
+  const std::size_t count = this->CountMoments() * this->Size;
+  std::vector<float>& irradiance = this->Ordinates.GetIrradiance();
+  std::vector<float> x(count + irradiance.size(), 0.0f);
+  std::vector<float> next(x.size());
+  std::vector<float> emission(count);
+  FixedPoint iteration;
+  for (this->Sweeps = 1;; ++this->Sweeps)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const std::size_t degree = GetDegree(static_cast<int>(i / this->Size));
+      emission[i] =
+        channel.Emission[i] + channel.Scattering[degree * this->Size + i % this->Size] * x[i];
+    }
+    std::copy(x.begin() + count, x.end(), irradiance.begin());
+    this->Ordinates.Sweep(
+      channel.Extinction.data(), emission.data(), this->Settings.Degree, next.data());
+    std::copy(irradiance.begin(), irradiance.end(), next.begin() + count);
+    const auto compare = [&](std::size_t begin, std::size_t end)
+    {
+      float change = 0.0f;
+      float largest = 1e-30f;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        change = std::max(change, std::abs(next[i] - x[i]));
+        largest = std::max(largest, std::abs(next[i]));
+      }
+      return static_cast<double>(change / largest);
+    };
+    this->Residual = std::max(compare(0, this->Size), compare(count, x.size()));
+    if (this->Residual < this->Settings.Residual || this->Sweeps >= this->Settings.MaximumSweeps)
+    {
+      break;
+    }
+    iteration.Advance(x, next);
+  }
+  next.resize(count);
+  channel.Moments = std::move(next);
+  this->FillOpaque(channel);
+}
+
+// Gives nodes inside occluders the mean of their neighbours, so that rays along walls find no darkness there.
+void vtkGodRaysMultipleScattering::vtkInternals::FillOpaque(Channel& channel) const
+{
+  std::vector<float> cover = this->Cover;
+  for (int pass = 0; pass < 2; ++pass)
+  {
+    std::vector<float> left = cover;
+    for (std::size_t node = 0; node < this->Size; ++node)
+    {
+      std::array<float, MaximumMoments + 1> sums = { 0.0f }; // of moments, and of weights
+      int at[3];
+      this->GetIndices(node, at);
+      for (int code = 0; code < 27 && cover[node] > MostOpen; ++code)
+      {
+        const int step[3] = { code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1 };
+        std::ptrdiff_t other = 0;
+        bool inside = true;
+        for (int i = 2; i >= 0; --i)
+        {
+          inside = inside && at[i] + step[i] >= 0 && at[i] + step[i] < this->Nodes[i];
+          other = other * this->Nodes[i] + at[i] + step[i];
+        }
+        if (inside && cover[other] <= MostOpen)
+        {
+          const float weight =
+            1.0f / static_cast<float>(step[0] * step[0] + step[1] * step[1] + step[2] * step[2]);
+          sums[MaximumMoments] += weight;
+          for (int m = 0; m < this->CountMoments(); ++m)
+          {
+            sums[m] += weight * channel.Moments[m * this->Size + other];
+          }
+        }
+      }
+      for (int m = 0; m < this->CountMoments() && sums[MaximumMoments] > 0.0f; ++m)
+      {
+        channel.Moments[m * this->Size + node] = sums[m] / sums[MaximumMoments];
+        left[node] = 0.0f;
+      }
+    }
+    cover = left;
+  }
+}
+
+vtkGodRaysMultipleScattering::vtkGodRaysMultipleScattering()
+  : Internals(std::make_unique<vtkInternals>())
+{
+}
+vtkGodRaysMultipleScattering::~vtkGodRaysMultipleScattering() = default;
+
+vtkGodRaysMultipleScattering::Parameters vtkGodRaysMultipleScattering::Choose(
+  double tolerance, double depth, double asymmetry, bool hasOccluders)
+{
+  Parameters result;
+  if (tolerance >= 0.02 && std::abs(asymmetry) <= 0.5)
+  {
+    result.Cells = depth > 10.0 ? 32 : 16;
+    result.Directions = depth > 3.0 && hasOccluders ? 98 : 26;
+  }
+  else if (std::abs(asymmetry) > 0.5 || depth > 0.3)
+  {
+    result.Cells = 32;
+    result.Directions = tolerance >= 0.01 && !hasOccluders ? 26 : 98;
+    result.Degree = 3;
+  }
+  return result;
+}
+
+bool vtkGodRaysMultipleScattering::Update(const Scene& scene, const Parameters& parameters)
+{
+  vtkInternals& in = *this->Internals;
+  const Parameters& last = in.Settings;
+  if (in.IsSolved && in.Input.Version == scene.Version && last.Cells == parameters.Cells &&
+    last.Directions == parameters.Directions && last.Degree == parameters.Degree &&
+    last.Residual == parameters.Residual && last.MaximumSweeps == parameters.MaximumSweeps)
+  {
+    return false;
+  }
+  in.Input = scene;
+  in.Settings = parameters;
+  in.IsSolved = true;
+  in.Prepare();
+  in.SetGrid();
+  for (vtkInternals::Channel& channel : in.Channels)
+  {
+    channel.Extinction.assign(in.Size, 0.0f);
+    channel.Scattering.assign((parameters.Degree + 1) * in.Size, 0.0f);
+    channel.Emission.assign(in.CountMoments() * in.Size, 0.0f);
+  }
+  in.Cover.assign(in.Size, 0.0f);
+  in.Albedo.assign(in.Size, 0.0f);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(in.Size), 64,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType node = begin; node < end; ++node)
+      {
+        in.SampleNode(node);
+      }
+    });
+  for (int c = 0; c < 3; ++c)
+  {
+    // Colours that are alike, but for a factor of the light, are solved once.
+    vtkInternals::Channel& channel = in.Channels[c];
+    const vtkInternals::Channel& first = in.Channels[0];
+    const double all =
+      std::accumulate(first.Emission.begin(), first.Emission.begin() + in.Size, 0.0);
+    const float factor = static_cast<float>(
+      std::accumulate(channel.Emission.begin(), channel.Emission.begin() + in.Size, 0.0) /
+      std::max(all, 1e-300));
+    const bool isAlike = c > 0 && all > 0.0 && channel.Extinction == first.Extinction &&
+      channel.Scattering == first.Scattering &&
+      std::equal(channel.Emission.begin(), channel.Emission.end(), first.Emission.begin(),
+        [&](float a, float b) { return std::abs(a - factor * b) <= 1e-5f * std::abs(a); });
+    if (!isAlike)
+    {
+      in.Solve(c);
+      continue;
+    }
+    channel.Moments = first.Moments;
+    for (float& moment : channel.Moments)
+    {
+      moment *= factor;
+    }
+  }
+  return true;
+}
+
+void vtkGodRaysMultipleScattering::Contract(
+  const Vec3& eye, const Vec3& forward, bool parallel, Texture& texture) const
+{
+  const vtkInternals& in = *this->Internals;
+  std::copy_n(in.Nodes, 3, texture.Nodes);
+  texture.Low = in.Input.Low;
+  texture.Cell = in.Cell;
+  texture.Values.assign(3 * in.Size, 0.0f);
+  // Where there is no medium, S is that of the mean medium: rays at its edge are between such nodes.
+  std::array<double, 12> means = { 0.0 };
+  for (int i = 0; i < 3 * (in.Settings.Degree + 1); ++i)
+  {
+    const auto values = in.Channels[i % 3].Scattering.begin() + (i / 3) * in.Size;
+    means[i] = std::accumulate(values, values + in.Size, 0.0);
+  }
+  vtkSMPTools::For(0, static_cast<vtkIdType>(in.Size), 256,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (std::size_t node = begin; node < static_cast<std::size_t>(end); ++node)
+      {
+        // Nodes near the eye are for rays that begin between them, all of which go forward: they see an eye
+        // a cell behind.
+        Vec3 towards = eye - in.GetPlace(node);
+        const double near = 2.0 - vtkGodRays::length(towards) / in.Unit;
+        towards -= in.Unit * glm::clamp(near, 0.0, 1.0) * forward;
+        towards = parallel ? -forward : towards / std::max(vtkGodRays::length(towards), 1e-300);
+        float harmonics[MaximumMoments];
+        vtkGodRaysOrdinates::GetHarmonics(towards, in.Settings.Degree, harmonics);
+        for (int c = 0; c < 3; ++c)
+        {
+          const vtkInternals::Channel& channel = in.Channels[c];
+          const bool isVoid = channel.Scattering[node] <= 0.0f;
+          const double whole = isVoid ? means[c] : channel.Scattering[node];
+          double sum = 0.0;
+          for (int m = 0; m < in.CountMoments() && whole > 0.0; ++m)
+          {
+            const int l = vtkInternals::GetDegree(m);
+            const double part = isVoid ? means[3 * l + c] : channel.Scattering[l * in.Size + node];
+            sum += part / whole * harmonics[m] * channel.Moments[m * in.Size + node];
+          }
+          texture.Values[3 * node + c] = static_cast<float>(sum);
+        }
+      }
+    });
+}
+
+const Peak& vtkGodRaysMultipleScattering::GetPeak() const
+{
+  return this->Internals->ForwardPeak;
+}
+
+Vec3 vtkGodRaysMultipleScattering::GetEvents(int component) const
+{
+  return this->Internals->Events[component];
+}
+
+vtkGodRaysMultipleScattering::Result vtkGodRaysMultipleScattering::Evaluate(
+  const Texture& texture, const Ray& ray, int steps) const
+{
+  const vtkInternals& in = *this->Internals;
+  Result result;
+  double begin = 0.0;
+  double end = ray.End;
+  in.Input.Clip(ray.Origin, ray.Direction, begin, end);
+  const double step = std::max(end - begin, 0.0) / steps;
+  const Peak& peak = in.ForwardPeak;
+  Vec3 depth(0.0);  // scaled, to the eye
+  Vec3 passed(0.0); // events of the peak on this way
+  for (int i = 0; i < steps && step > 0.0; ++i)
+  {
+    const Vec3 place = ray.Origin + (begin + (i + 0.5) * step) * ray.Direction;
+    Vec3 scatters(0.0);
+    Vec3 dims(0.0);
+    for (int k = 0; k < in.Input.GetNumberOfComponents(); ++k)
+    {
+      Vec3 scattering;
+      Vec3 extinction;
+      in.Input.Sample(k, place, scattering, extinction);
+      scatters += scattering;
+      dims += extinction - peak.ForwardPart * scattering;
+    }
+    const Vec3 events = step * peak.ForwardPart * scatters;
+    Vec3 lit(0.0);
+    Vec3 broad(0.0);
+    for (std::size_t light = 0; light < in.Input.Lights.size() && scatters != Vec3(0.0); ++light)
+    {
+      Vec3 towards;
+      Vec3 before(0.0);
+      const Vec3 arriving = in.GetArriving(light, place, 1e-9 * in.Unit, towards, before);
+      for (int c = 0; c < 3; ++c)
+      {
+        const double part = arriving[c] *
+          peak.Get(
+            vtkGodRays::dot(towards, ray.Direction), before[c] + passed[c] + 0.5 * events[c]);
+        lit[c] += part;
+        broad[c] += std::max(part, 0.0);
+      }
+    }
+    const Vec3 source = texture.Sample(place);
+    for (int c = 0; c < 3; ++c)
+    {
+      const double weight =
+        step * std::exp(-depth[c]) * vtkGodRays::MeanExponential(dims[c] * step);
+      result.Orders[c] +=
+        weight * vtkGodRays::OrdersPart(scatters[c], peak.ForwardPart, lit[c], source[c]);
+      result.Broad[c] += weight * scatters[c] * broad[c];
+    }
+    depth += step * dims;
+    passed += events;
+  }
+  return result;
+}
+
+vtkGodRaysMultipleScattering::Error vtkGodRaysMultipleScattering::Estimate(
+  const std::vector<Ray>& rays, const Vec3& forward, bool parallel, int steps)
+{
+  vtkInternals& in = *this->Internals;
+  Parameters variants[3] = { in.Settings, in.Settings, in.Settings };
+  variants[0].Cells = std::max(in.Settings.Cells / 2, 2);
+  variants[1].Directions = in.Settings.Directions > 50 ? 26 : 14;
+  variants[2].Degree = std::max(in.Settings.Degree - 1, 1);
+  const vtkGodRaysMultipleScattering* solutions[4] = { this };
+  Texture textures[4];
+  for (int i = 0; i < 4 && !rays.empty(); ++i)
+  {
+    if (i > 0)
+    {
+      in.Cheaper[i - 1] = in.Cheaper[i - 1] ? std::move(in.Cheaper[i - 1])
+                                            : std::make_unique<vtkGodRaysMultipleScattering>();
+      in.Cheaper[i - 1]->Update(in.Input, variants[i - 1]);
+      solutions[i] = in.Cheaper[i - 1].get();
+    }
+    solutions[i]->Contract(rays.front().Origin, forward, parallel, textures[i]);
+  }
+  Error error;
+  for (const Ray& ray : rays)
+  {
+    const Result result = this->Evaluate(textures[0], ray, steps);
+    Vec3 sum = 0.1 * result.Broad + in.Residual * vtkGodRays::abs(result.Orders);
+    for (int i = 1; i < 4; ++i)
+    {
+      sum += 2.0 *
+        vtkGodRays::abs(solutions[i]->Evaluate(textures[i], ray, steps).Orders - result.Orders);
+    }
+    const double own = std::max({ sum.x, sum.y, sum.z });
+    error.Rms += own * own / static_cast<double>(rays.size());
+    error.Largest = std::max(error.Largest, own);
+  }
+  error.Rms = std::sqrt(error.Rms);
+  return error;
+}
+
+int vtkGodRaysMultipleScattering::GetNumberOfSweeps() const
+{
+  return this->Internals->Sweeps;
+}
+
+double vtkGodRaysMultipleScattering::GetResidual() const
+{
+  return this->Internals->Residual;
+}
+
+const vtkGodRaysMultipleScattering::Parameters& vtkGodRaysMultipleScattering::GetParameters() const
+{
+  return this->Internals->Settings;
+}
+
+const std::vector<float>& vtkGodRaysMultipleScattering::GetMoments(int color) const
+{
+  return this->Internals->Channels[color].Moments;
+}

@@ -1,0 +1,342 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Light of all orders of scattering: the Monte Carlo reference against published numbers, the solver against
+// the reference.
+
+#include "GodRaysFiltersTesting.h"
+#include "GodRaysTransportScenes.h"
+#include "vtkGodRaysMultipleScatteringReference.h"
+
+#include "vtkSMPTools.h"
+
+#include <chrono>
+#include <fstream>
+#include <sstream>
+
+using namespace GodRaysTransportScenes;
+
+namespace
+{
+using Solver = vtkGodRaysMultipleScattering;
+using Reference = vtkGodRaysMultipleScatteringReference;
+constexpr double Pi = 3.14159265358979323846;
+
+// What the reference made of a case, in some 20 s: see MultipleScattering.WriteTruths.
+struct Truth
+{
+  const char* Name;
+  double Peak;                // of all light [radiance]
+  double Mean;                // of all light [Peak]
+  double Noise;               // of a ray's light of two and more scatterings, RMS [Peak]
+  int Orders[Width * Height]; // that light [1e-5 Peak]
+};
+const Truth Truths[] = {
+#include "GodRaysTransportTruths.inc"
+};
+
+struct Traced // rays of a case
+{
+  std::vector<double> Single;
+  std::vector<double> Orders;
+  std::vector<double> Variance;
+};
+
+Traced Trace(const Case& each, int paths, int color = 0)
+{
+  Reference reference;
+  reference.SetScene(
+    each.Media, MakeMesh(each), each.Boxes.empty() ? 0.0 : each.Boxes.front().Albedo);
+  const std::vector<Ray> rays = MakeRays(each);
+  Traced traced;
+  traced.Single.resize(rays.size());
+  traced.Orders.resize(rays.size());
+  traced.Variance.resize(rays.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(rays.size()), 4,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const Reference::Result result = reference.Evaluate(
+          rays[i].Origin, rays[i].Direction, color, paths, static_cast<unsigned int>(i + 1));
+        traced.Single[i] = result.Single;
+        traced.Orders[i] = result.Orders;
+        traced.Variance[i] = result.Variance;
+      }
+    });
+  return traced;
+}
+
+Solver::Parameters MakeParameters(int cells, int directions, int degree)
+{
+  Solver::Parameters parameters;
+  parameters.Cells = cells;
+  parameters.Directions = directions;
+  parameters.Degree = degree;
+  return parameters;
+}
+
+Vec3 GetForward(const Case& each)
+{
+  return (each.Focus - each.Eye) / vtkGodRays::length(each.Focus - each.Eye);
+}
+
+// The solver's light of two and more scatterings, of a case's rays.
+std::vector<double> Evaluate(Solver& solver, const Case& each, const Solver::Parameters& parameters,
+  int steps = 128, int color = 0)
+{
+  solver.Update(each.Media, parameters);
+  Solver::Texture texture;
+  solver.Contract(each.Eye, GetForward(each), each.Angle <= 0.0, texture);
+  std::vector<double> values;
+  for (const Ray& ray : MakeRays(each))
+  {
+    values.push_back(solver.Evaluate(texture, ray, steps).Orders[color]);
+  }
+  return values;
+}
+
+struct Comparison
+{
+  double Mean; // the error of the mean of all light [of that]
+  double Rms;  // of the error, without the truth's noise [peak]
+};
+
+Comparison Compare(const std::vector<double>& values, const Truth& truth)
+{
+  double sum = 0.0;
+  double squares = 0.0;
+  int count = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const double error = values[i] / truth.Peak - 1e-5 * truth.Orders[i];
+    count += truth.Orders[i] > 0 ? 1 : 0;
+    sum += error;
+    squares += error * error - truth.Noise * truth.Noise;
+  }
+  return { sum / (truth.Mean * static_cast<double>(values.size())),
+    std::sqrt(std::max(squares, 0.0) / std::max(count, 1)) };
+}
+}
+
+//------------------------------------------------------------------------------
+// A half space that scatters evenly: Chandrasekhar's H functions, radiance = w/(4 pi) mu0/(mu + mu0) H H0.
+TEST(MultipleScatteringReference, HalfSpace_Isotropic_MatchesHFunctions)
+{
+  constexpr int count = 64; // midpoints
+  for (const double albedo : { 0.9, 0.99 })
+  {
+    std::vector<double> h(count, 1.0);
+    const auto getH = [&](double mu)
+    {
+      double sum = 0.0;
+      for (int i = 0; i < count; ++i)
+      {
+        const double other = (i + 0.5) / count;
+        sum += other * h[i] / (mu + other) / count;
+      }
+      return 1.0 / (std::sqrt(1.0 - albedo) + 0.5 * albedo * sum);
+    };
+    for (int pass = 0; pass < 200; ++pass)
+    {
+      std::vector<double> next(count);
+      for (int i = 0; i < count; ++i)
+      {
+        next[i] = getH((i + 0.5) / count);
+      }
+      h = next;
+    }
+    Case each = MakeCase("half space", Kind::OPEN, 1.0, 0.0, albedo);
+    each.Media.Low = Vec3(-2e4, -2e4, -40.0);
+    each.Media.High = Vec3(2e4, 2e4, 0.0);
+    each.Media.Lights[0].Position = Vec3(-0.6, 0.0, 0.8);
+    Reference reference;
+    reference.SetScene(each.Media, nullptr, 0.0);
+    for (const double mu : { 0.2, 0.6, 1.0 })
+    {
+      const Reference::Result result =
+        reference.Evaluate(Vec3(0.0), Vec3(0.0, -std::sqrt(1.0 - mu * mu), -mu), 0, 20000, 7);
+      const double expected =
+        albedo / (4.0 * 3.14159265358979) * 0.8 / (mu + 0.8) * getH(mu) * getH(0.8);
+      const double sigma = std::sqrt(result.Variance);
+      std::cout << "albedo " << albedo << ", mu " << mu << ": "
+                << (result.Single + result.Orders) / expected - 1.0 << ", sigma "
+                << sigma / expected << "\n";
+      EXPECT_NEAR(result.Single + result.Orders, expected, 4.0 * sigma);
+      EXPECT_LT(sigma, 0.01 * expected);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// A slab of albedo 0.9, asymmetry 0.75 and depth 2, lit across: van de Hulst's reflection and transmission.
+TEST(MultipleScatteringReference, Slab_HenyeyGreenstein_MatchesVanDeHulst)
+{
+  Case each = MakeCase("slab", Kind::OPEN, 1.0, 0.75, 0.9);
+  each.Media.Low = Vec3(-2e4, -2e4, -2.0);
+  each.Media.High = Vec3(2e4, 2e4, 0.0);
+  each.Media.Lights[0].Position = Vec3(0.0, 0.0, 1.0);
+  Reference reference;
+  reference.SetScene(each.Media, nullptr, 0.0);
+  double flux[2] = { 0.0, std::exp(-2.0) };
+  double variance[2] = { 0.0, 0.0 };
+  constexpr int count = 200;
+  for (int i = 0; i < 2 * count; ++i)
+  {
+    const double mu = (i / 2 + 0.5) / count;
+    const double side = i % 2 ? -1.0 : 1.0; // of the slab, from which it is seen
+    const Reference::Result result = reference.Evaluate(Vec3(0.0, 0.0, side < 0.0 ? -2.0 : 0.0),
+      Vec3(std::sqrt(1.0 - mu * mu), 0.0, -side * mu), 0, 1000, i);
+    const double weight = 2.0 * 3.14159265358979 * mu / count;
+    flux[i % 2] += weight * (result.Single + result.Orders);
+    variance[i % 2] += weight * weight * result.Variance;
+  }
+  std::cout << "reflected " << flux[0] << ", passed " << flux[1] << ", sigma "
+            << std::sqrt(variance[0]) << " and " << std::sqrt(variance[1]) << "\n";
+  EXPECT_NEAR(flux[0], 0.09739, 0.0015);
+  EXPECT_NEAR(flux[1], 0.66096, 0.003);
+}
+
+//------------------------------------------------------------------------------
+// In light that comes evenly from everywhere, what absorbs nothing looks as bright as that everywhere.
+TEST(MultipleScatteringReference, Furnace_AlbedoOne_IsEven)
+{
+  for (const bool smoke : { true, false })
+  {
+    Case each = smoke ? MakeCase("smoke", Kind::SMOKE, 5.0, 0.5)
+                      : MakeCase("columns", Kind::COLUMNS, 2.0, 0.5, 1.0, View::SIDE, 1.0);
+    each.Media.Lights.clear();
+    constexpr int suns = 400;
+    for (int i = 0; i < suns; ++i)
+    {
+      const double z = (2.0 * i + 1.0) / suns - 1.0;
+      const double aside = std::sqrt(1.0 - z * z);
+      AddSun(each, Vec3(aside * std::cos(2.39996 * i), aside * std::sin(2.39996 * i), z),
+        4.0 * 3.14159265358979 / suns);
+    }
+    Reference reference;
+    reference.SetScene(each.Media, MakeMesh(each), 1.0);
+    double sum = 0.0;
+    double variance = 0.0;
+    double directly = 0.0; // seen through the medium
+    constexpr int rays = 200;
+    for (int i = 0; i < rays; ++i)
+    {
+      const double z = (2.0 * i + 1.0) / rays - 1.0;
+      const double aside = std::sqrt(1.0 - z * z);
+      const Vec3 along(aside * std::cos(2.39996 * i), aside * std::sin(2.39996 * i), z);
+      const Vec3 eye = smoke ? Vec3(0.5) : Vec3(0.5, 0.15, 0.3);
+      const Reference::Result result = reference.Evaluate(eye, along, 0, 1000, i);
+      sum += result.Single + result.Orders;
+      variance += result.Variance;
+      double begin = 0.0;
+      double end = 1e9;
+      each.Media.Clip(eye, along, begin, end);
+      for (const Box& box : each.Boxes)
+      {
+        end = std::min(end, box.Meet(eye, along)); // surfaces count as bright
+      }
+      double depth = 0.0;
+      for (int k = 0; k < 256; ++k)
+      {
+        Vec3 scattering;
+        Vec3 extinction;
+        each.Media.Sample(0, eye + (k + 0.5) / 256 * end * along, scattering, extinction);
+        depth += extinction.x * end / 256;
+      }
+      directly += std::exp(-depth);
+    }
+    std::cout << (sum + directly) / rays << ", sigma " << std::sqrt(variance) / rays << "\n";
+    EXPECT_NEAR((sum + directly) / rays, 1.0, 0.01);
+    EXPECT_LT(directly, 0.7 * rays);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Writes GodRaysTransportTruths.inc anew, to the file and in the seconds for each case that the environment
+// tells. Numbers differ from run to run by their noise.
+TEST(MultipleScattering, DISABLED_WriteTruths)
+{
+  const char* const file = std::getenv("GODRAYS_TRUTHS");
+  const char* const seconds = std::getenv("GODRAYS_SECONDS");
+  ASSERT_TRUE(file && seconds);
+  std::ofstream out(file);
+  out << "// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors\n"
+         "// SPDX-License-Identifier: BSD-3-Clause\n";
+  for (const Case& each : MakeCases())
+  {
+    const auto getSeconds = []
+    {
+      const auto now = std::chrono::steady_clock::now().time_since_epoch();
+      return std::chrono::duration<double>(now).count();
+    };
+    const double start = getSeconds();
+    Trace(each, 16);
+    const double taken = std::max(getSeconds() - start, 1e-3);
+    const Traced traced =
+      Trace(each, static_cast<int>(glm::clamp(16.0 * std::atof(seconds) / taken, 16.0, 1e6)));
+    double peak = 0.0;
+    double mean = 0.0;
+    double variance = 0.0;
+    for (std::size_t i = 0; i < traced.Orders.size(); ++i)
+    {
+      peak = std::max(peak, traced.Single[i] + traced.Orders[i]);
+      mean += (traced.Single[i] + traced.Orders[i]) / static_cast<double>(traced.Orders.size());
+      variance += traced.Variance[i] / static_cast<double>(traced.Orders.size());
+    }
+    out << "{ \"" << each.Name << "\", " << peak << ", " << mean / peak << ", "
+        << std::sqrt(variance) / peak << ",\n  {";
+    for (std::size_t i = 0; i < traced.Orders.size(); ++i)
+    {
+      out << (i % Width == 0 && i > 0 ? "\n   " : "") << " "
+          << std::lround(1e5 * traced.Orders[i] / peak) << ",";
+    }
+    out << " } }," << std::endl;
+  }
+}
+
+//------------------------------------------------------------------------------
+// What is kept is what the reference says today.
+TEST(MultipleScatteringReference, Truths_AreReproduced)
+{
+  const std::vector<Case> cases = MakeCases();
+  ASSERT_EQ(cases.size(), std::size(Truths));
+  for (const std::size_t i : { 1u, 8u, 12u, 17u, 25u, 28u, 33u })
+  {
+    const Traced traced = Trace(cases[i], 100);
+    double sum = 0.0;
+    double variance = 0.0;
+    double expected = 0.0;
+    for (std::size_t k = 0; k < traced.Orders.size(); ++k)
+    {
+      sum += traced.Orders[k];
+      variance += traced.Variance[k];
+      expected += 1e-5 * Truths[i].Orders[k] * Truths[i].Peak;
+    }
+    EXPECT_EQ(cases[i].Name, Truths[i].Name);
+    EXPECT_NEAR(sum, expected, 4.0 * std::sqrt(variance)) << cases[i].Name;
+  }
+}
+
+//------------------------------------------------------------------------------
+// The accuracy that is promised for the default tolerance: against Monte Carlo, each case; a table is
+// printed.
+TEST(MultipleScattering, Cases_DefaultTolerance_MatchReference)
+{
+  const std::vector<Case> cases = MakeCases();
+  ASSERT_EQ(cases.size(), std::size(Truths));
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < cases.size(); ++i)
+  {
+    Solver solver;
+    const Comparison c = Compare(Evaluate(solver, cases[i], MakeParameters(32, 98, 3)), Truths[i]);
+    std::printf("%-30s mean %+.3f rms %.4f (truth's noise %.4f), %d sweeps\n",
+      cases[i].Name.c_str(), c.Mean, c.Rms, Truths[i].Noise, solver.GetNumberOfSweeps());
+    EXPECT_LE(c.Rms, 0.05) << cases[i].Name;
+    EXPECT_LE(std::abs(c.Mean), 0.05) << cases[i].Name;
+    errors.push_back(c.Rms);
+  }
+  std::nth_element(errors.begin(), errors.begin() + errors.size() / 2, errors.end());
+  std::printf("median rms %.4f\n", errors[errors.size() / 2]);
+  EXPECT_LE(errors[errors.size() / 2], 0.012);
+}
