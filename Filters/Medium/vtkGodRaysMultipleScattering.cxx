@@ -18,17 +18,13 @@
 
 namespace
 {
-using vtkGodRays::Vec2;
 using vtkGodRays::Vec3;
 using Scene = vtkGodRaysTransportScene;
-using Peak = vtkGodRaysMultipleScattering::Peak;
 using Wall = vtkGodRaysOrdinates::Wall;
 
 constexpr int MaximumMoments = vtkGodRaysOrdinates::MaximumMoments;
 constexpr int Samples = 4;            // of a node's volume, along each axis
 constexpr double Nearest = 0.14;      // distance of a lamp from nodes, at least [cells]
-constexpr double LeastForward = 1e-3; // part below which there is no forward peak
-constexpr double DarkestDepth = 12.0; // scaled depth at which a peak's table ends
 constexpr float MostOpen = 0.5f;      // cover above which a node is opaque
 constexpr double MostStretched = 1.2; // ratio of a cell's edges, or so
 
@@ -96,112 +92,10 @@ private:
   std::vector<float> Step;
 };
 
-// Finds the Legendre moments of a phase function, of which the first is 1: by midpoints in the third root of
-// 1 - cosine, which are dense in a peak, until they are small.
-std::vector<double> FindMoments(const Scene::PhaseMix& phase)
-{
-  constexpr int count = 4096;
-  constexpr std::size_t most = 2000;
-  std::vector<double> cosines(count);
-  std::vector<double> last(count);
-  std::vector<double> legendre(count, 1.0); // times the part of light
-  for (int i = 0; i < count; ++i)
-  {
-    const double x = (i + 0.5) / count;
-    cosines[i] = 1.0 - 2.0 * x * x * x;
-    last[i] = 0.0;
-    legendre[i] = 12.0 * vtkMath::Pi() * x * x * phase.Get(cosines[i]) / count;
-  }
-  std::vector<double> moments;
-  int small = 0;
-  while (moments.size() < most && small < 8)
-  {
-    const double l = static_cast<double>(moments.size());
-    moments.push_back(std::accumulate(legendre.begin(), legendre.end(), 0.0));
-    small = std::abs(moments.back()) < 1e-6 ? small + 1 : 0;
-    for (int i = 0; i < count; ++i)
-    {
-      const double next = ((2.0 * l + 1.0) * cosines[i] * legendre[i] - l * last[i]) / (l + 1.0);
-      last[i] = legendre[i];
-      legendre[i] = next;
-    }
-  }
-  return moments;
-}
-
-// Finds moment l of the peak function, of a phase function whose moment is m and whose forward part is f. Of
-// n events on a way, on the average, Poisson's law has none in e^-n of the cases: that is single scattering,
-// which is known exactly and taken away. Either one event of a path is not of the peak, or all are: such a
-// path counts once, not once for each event.
-// m - f + f (1 - e^-n)/n - e^-n m to the degree that is kept, above f (e^(-n (1 - m/f)) - e^-n)/n - e^-n m.
-double GetPeakMoment(double m, double f, double n, bool isKept)
-{
-  const double part = std::min(m / f, 1.0);
-  return isKept ? m - f + f * vtkGodRays::MeanExponential(n) - std::exp(-n) * m
-                : std::exp(-n) * (f * part * vtkGodRays::MeanExponential(-n * part) - m);
-}
-
-Peak MakePeak(const std::vector<double>& moments, int degree)
-{
-  Peak peak;
-  peak.ForwardPart = moments[degree + 1] >= LeastForward ? moments[degree + 1] : 0.0;
-  if (peak.ForwardPart == 0.0)
-  {
-    return peak;
-  }
-  // Without absorption, f/(1 - f) events come with each unit of scaled depth; else fewer.
-  peak.Most = DarkestDepth * peak.ForwardPart / (1.0 - peak.ForwardPart);
-  peak.Table.resize(Peak::Rows * Peak::Angles);
-  vtkSMPTools::For(0, Peak::Rows, 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType row = begin; row < end; ++row)
-      {
-        const double place = row / (Peak::Rows - 1.0);
-        double last[Peak::Angles] = { 0.0 };
-        double legendre[Peak::Angles];
-        std::fill_n(legendre, Peak::Angles, 1.0);
-        for (std::size_t l = 0; l < moments.size(); ++l)
-        {
-          const double degrees = 2.0 * l + 1.0;
-          const double moment = degrees / (4.0 * vtkMath::Pi()) *
-            GetPeakMoment(moments[l], peak.ForwardPart, peak.Most * place * place,
-              static_cast<int>(l) <= degree);
-          for (int i = 0; i < Peak::Angles; ++i)
-          {
-            const double x = i / (Peak::Angles - 1.0);
-            peak.Table[row * Peak::Angles + i] += static_cast<float>(moment * legendre[i]);
-            const double next =
-              (degrees * (1.0 - 2.0 * x * x * x) * legendre[i] - l * last[i]) / (l + 1.0);
-            last[i] = legendre[i];
-            legendre[i] = next;
-          }
-        }
-      }
-    });
-  return peak;
-}
-
 Vec3 GetOffset(int code, int count)
 {
   return (Vec3(code % count, code / count % count, code / (count * count)) + 0.5) / Vec3(count);
 }
-}
-
-double Peak::Get(double cosAngle, double events) const
-{
-  if (this->Table.empty())
-  {
-    return 0.0;
-  }
-  const Vec2 place =
-    vtkGodRays::PeakPlace(cosAngle, events, this->Most) * Vec2(Angles - 1.0, Rows - 1.0);
-  const int i = std::min(static_cast<int>(place.x), Angles - 2);
-  const int j = std::min(static_cast<int>(place.y), Rows - 2);
-  const float* const entry = this->Table.data() + static_cast<std::ptrdiff_t>(j) * Angles + i;
-  const Vec2 t = place - Vec2(i, j);
-  return (entry[0] + t.x * (entry[1] - entry[0])) * (1.0 - t.y) +
-    (entry[Angles] + t.x * (entry[Angles + 1] - entry[Angles])) * t.y;
 }
 
 Vec3 vtkGodRaysMultipleScattering::Texture::Sample(const Vec3& place) const
@@ -241,7 +135,7 @@ public:
   std::vector<double> Mixture;              // what the peak was made of
   std::vector<std::vector<double>> Moments; // of each component's phase function
   std::vector<Vec3> Events;                 // of the peak, for each unit of a component's depth
-  Peak ForwardPeak;
+  vtkGodRaysForwardPeak ForwardPeak;
   std::vector<std::vector<vtkGodRaysGridLight>> OwnDepths; // [light][grid]
   int Nodes[3] = { 2, 2, 2 };
   std::size_t Size = 8; // nodes
@@ -251,8 +145,7 @@ public:
   std::vector<float> Cover;  // [node]
   std::vector<float> Albedo; // of what covers
   vtkGodRaysOrdinates Ordinates;
-  int Sweeps = 0;
-  double Residual = 0.0;
+  Report Last;
   std::unique_ptr<vtkGodRaysMultipleScattering> Cheaper[3];
 
   void Prepare();
@@ -275,6 +168,12 @@ public:
     at[1] = static_cast<int>(node / this->Nodes[0] % this->Nodes[1]);
     at[2] = static_cast<int>(node / this->Nodes[0] / this->Nodes[1]);
   }
+  std::size_t GetBeside(std::size_t node, int face) const // for faces with a node beyond them
+  {
+    const std::size_t row = this->Nodes[0];
+    const std::size_t stride = face < 2 ? 1 : face < 4 ? row : row * this->Nodes[1];
+    return face % 2 ? node + stride : node - stride;
+  }
   Vec3 GetPlace(std::size_t node) const
   {
     int at[3];
@@ -295,12 +194,11 @@ void vtkGodRaysMultipleScattering::vtkInternals::Prepare()
   for (int i = 0; i < components * count * count * count; ++i)
   {
     const Vec3 offset = GetOffset(i / components, count);
-    Vec3 scattering;
-    Vec3 extinction;
-    scene.Sample(i % components, glm::mix(scene.Low, scene.High, offset), scattering, extinction);
-    scattered[i % components] += scattering;
-    dimmed[i % components] += extinction;
-    all += scattering;
+    const Scene::Point point =
+      scene.Sample(i % components, glm::mix(scene.Low, scene.High, offset));
+    scattered[i % components] += point.Scattering;
+    dimmed[i % components] += point.Extinction;
+    all += point.Scattering;
   }
   std::vector<double> mixture = { static_cast<double>(this->Settings.Degree) };
   for (int k = 0; k < components; ++k)
@@ -317,14 +215,14 @@ void vtkGodRaysMultipleScattering::vtkInternals::Prepare()
     std::vector<double> means(16, 0.0);
     for (int k = 0; k < components; ++k)
     {
-      this->Moments.push_back(FindMoments(scene.GetPhase(k)));
+      this->Moments.push_back(vtkGodRaysForwardPeak::FindMoments(scene.GetPhase(k)));
       means.resize(std::max(means.size(), this->Moments[k].size()));
       for (std::size_t l = 0; l < this->Moments[k].size(); ++l)
       {
         means[l] += mixture[4 * k + 4] * this->Moments[k][l];
       }
     }
-    this->ForwardPeak = MakePeak(means, this->Settings.Degree);
+    this->ForwardPeak.Build(means, this->Settings.Degree);
   }
   this->Events.clear();
   for (int k = 0; k < components; ++k)
@@ -459,13 +357,11 @@ void vtkGodRaysMultipleScattering::vtkInternals::SampleNode(std::size_t node)
     const double forward = this->ForwardPeak.ForwardPart;
     for (int k = 0; k < scene.GetNumberOfComponents(); ++k)
     {
-      Vec3 scattering;
-      Vec3 extinction;
-      scene.Sample(k, place, scattering, extinction);
-      dims += extinction - forward * scattering;
+      const Scene::Point point = scene.Sample(k, place);
+      dims += point.Extinction - forward * point.Scattering;
       for (int l = 0; l < degrees; ++l)
       {
-        own[l] += scattering * (this->Moments[k][l] - forward);
+        own[l] += point.Scattering * (this->Moments[k][l] - forward);
       }
     }
     for (int l = 0; l < degrees; ++l)
@@ -540,10 +436,15 @@ std::vector<Wall> vtkGodRaysMultipleScattering::vtkInternals::MakeWalls(int colo
       double sum = 0.0;
       for (int sample = 0; sample < 4 && wall.IsFree[face] && wall.Albedo > 0.0f; ++sample)
       {
-        Vec3 aside(0.0);
-        aside[(axis + 1) % 3] = sample % 2 ? 0.25 : -0.25;
-        aside[(axis + 2) % 3] = sample / 2 ? 0.25 : -0.25;
-        const Vec3 seen = place + aside * this->Cell;
+        Vec3 seen = place;
+        for (int i = 1; i < 3; ++i) // on the face, of which a part may be beyond the box
+        {
+          const int side = (axis + i) % 3;
+          const double quarter = 0.25 * this->Cell[side];
+          seen[side] += sample >> (i - 1) & 1 ? quarter : -quarter;
+          seen[side] =
+            glm::clamp(seen[side], scene.Low[side] + quarter, scene.High[side] - quarter);
+        }
         count += scene.Solid && scene.Solid(seen) >= 0.0 ? 0 : 1;
         for (std::size_t light = 0; light < scene.Lights.size(); ++light)
         {
@@ -575,7 +476,7 @@ void vtkGodRaysMultipleScattering::vtkInternals::Solve(int color)
   std::vector<float> next(x.size());
   std::vector<float> emission(count);
   FixedPoint iteration;
-  for (this->Sweeps = 1;; ++this->Sweeps)
+  for (this->Last.Sweeps = 1;; ++this->Last.Sweeps)
   {
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -598,8 +499,9 @@ void vtkGodRaysMultipleScattering::vtkInternals::Solve(int color)
       }
       return static_cast<double>(change / largest);
     };
-    this->Residual = std::max(compare(0, this->Size), compare(count, x.size()));
-    if (this->Residual < this->Settings.Residual || this->Sweeps >= this->Settings.MaximumSweeps)
+    this->Last.Residual = std::max(compare(0, this->Size), compare(count, x.size()));
+    if (this->Last.Residual < this->Settings.Residual ||
+      this->Last.Sweeps >= this->Settings.MaximumSweeps)
     {
       break;
     }
@@ -614,42 +516,34 @@ void vtkGodRaysMultipleScattering::vtkInternals::Solve(int color)
 void vtkGodRaysMultipleScattering::vtkInternals::FillOpaque(Channel& channel) const
 {
   std::vector<float> cover = this->Cover;
-  for (int pass = 0; pass < 2; ++pass)
+  std::vector<float> left = cover;
+  for (std::size_t i = 0; i < 2 * this->Size; ++i)
   {
-    std::vector<float> left = cover;
-    for (std::size_t node = 0; node < this->Size; ++node)
+    const std::size_t node = i % this->Size;
+    if (i == this->Size)
     {
-      std::array<float, MaximumMoments + 1> sums = { 0.0f }; // of moments, and of weights
-      int at[3];
-      this->GetIndices(node, at);
-      for (int code = 0; code < 27 && cover[node] > MostOpen; ++code)
+      cover = left; // a second pass, from what the first has filled
+    }
+    int at[3];
+    this->GetIndices(node, at);
+    std::array<float, MaximumMoments> sums = { 0.0f };
+    float count = 0.0f;
+    for (int face = 0; face < 6 && cover[node] > MostOpen; ++face)
+    {
+      const int next = at[face / 2] + (face % 2 ? 1 : -1);
+      const std::size_t other = this->GetBeside(node, face);
+      const bool isOpen = next >= 0 && next < this->Nodes[face / 2] && cover[other] <= MostOpen;
+      count += isOpen ? 1.0f : 0.0f;
+      for (int m = 0; m < this->CountMoments() && isOpen; ++m)
       {
-        const int step[3] = { code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1 };
-        std::ptrdiff_t other = 0;
-        bool inside = true;
-        for (int i = 2; i >= 0; --i)
-        {
-          inside = inside && at[i] + step[i] >= 0 && at[i] + step[i] < this->Nodes[i];
-          other = other * this->Nodes[i] + at[i] + step[i];
-        }
-        if (inside && cover[other] <= MostOpen)
-        {
-          const float weight =
-            1.0f / static_cast<float>(step[0] * step[0] + step[1] * step[1] + step[2] * step[2]);
-          sums[MaximumMoments] += weight;
-          for (int m = 0; m < this->CountMoments(); ++m)
-          {
-            sums[m] += weight * channel.Moments[m * this->Size + other];
-          }
-        }
-      }
-      for (int m = 0; m < this->CountMoments() && sums[MaximumMoments] > 0.0f; ++m)
-      {
-        channel.Moments[m * this->Size + node] = sums[m] / sums[MaximumMoments];
-        left[node] = 0.0f;
+        sums[m] += channel.Moments[m * this->Size + other];
       }
     }
-    cover = left;
+    for (int m = 0; m < this->CountMoments() && count > 0.0f; ++m)
+    {
+      channel.Moments[m * this->Size + node] = sums[m] / count;
+      left[node] = 0.0f;
+    }
   }
 }
 
@@ -782,7 +676,7 @@ void vtkGodRaysMultipleScattering::Contract(
     });
 }
 
-const Peak& vtkGodRaysMultipleScattering::GetPeak() const
+const vtkGodRaysForwardPeak& vtkGodRaysMultipleScattering::GetPeak() const
 {
   return this->Internals->ForwardPeak;
 }
@@ -801,7 +695,7 @@ vtkGodRaysMultipleScattering::Result vtkGodRaysMultipleScattering::Evaluate(
   double end = ray.End;
   in.Input.Clip(ray.Origin, ray.Direction, begin, end);
   const double step = std::max(end - begin, 0.0) / steps;
-  const Peak& peak = in.ForwardPeak;
+  const vtkGodRaysForwardPeak& peak = in.ForwardPeak;
   Vec3 depth(0.0);  // scaled, to the eye
   Vec3 passed(0.0); // events of the peak on this way
   for (int i = 0; i < steps && step > 0.0; ++i)
@@ -811,11 +705,9 @@ vtkGodRaysMultipleScattering::Result vtkGodRaysMultipleScattering::Evaluate(
     Vec3 dims(0.0);
     for (int k = 0; k < in.Input.GetNumberOfComponents(); ++k)
     {
-      Vec3 scattering;
-      Vec3 extinction;
-      in.Input.Sample(k, place, scattering, extinction);
-      scatters += scattering;
-      dims += extinction - peak.ForwardPart * scattering;
+      const Scene::Point point = in.Input.Sample(k, place);
+      scatters += point.Scattering;
+      dims += point.Extinction - peak.ForwardPart * point.Scattering;
     }
     const Vec3 events = step * peak.ForwardPart * scatters;
     Vec3 lit(0.0);
@@ -874,7 +766,7 @@ vtkGodRaysMultipleScattering::Error vtkGodRaysMultipleScattering::Estimate(
   for (const Ray& ray : rays)
   {
     const Result result = this->Evaluate(textures[0], ray, steps);
-    Vec3 sum = 0.1 * result.Broad + in.Residual * vtkGodRays::abs(result.Orders);
+    Vec3 sum = 0.1 * result.Broad + in.Last.Residual * vtkGodRays::abs(result.Orders);
     for (int i = 1; i < 4; ++i)
     {
       sum += 2.0 *
@@ -888,19 +780,9 @@ vtkGodRaysMultipleScattering::Error vtkGodRaysMultipleScattering::Estimate(
   return error;
 }
 
-int vtkGodRaysMultipleScattering::GetNumberOfSweeps() const
+const vtkGodRaysMultipleScattering::Report& vtkGodRaysMultipleScattering::GetReport() const
 {
-  return this->Internals->Sweeps;
-}
-
-double vtkGodRaysMultipleScattering::GetResidual() const
-{
-  return this->Internals->Residual;
-}
-
-const vtkGodRaysMultipleScattering::Parameters& vtkGodRaysMultipleScattering::GetParameters() const
-{
-  return this->Internals->Settings;
+  return this->Internals->Last;
 }
 
 const std::vector<float>& vtkGodRaysMultipleScattering::GetMoments(int color) const

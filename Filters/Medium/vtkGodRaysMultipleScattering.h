@@ -26,7 +26,7 @@
 #define vtkGodRaysMultipleScattering_h
 
 #include "vtkGodRaysFiltersModule.h" // For export macro
-#include "vtkGodRaysTransportScene.h"
+#include "vtkGodRaysForwardPeak.h"
 
 #include <memory> // For std::unique_ptr
 #include <vector> // For std::vector
@@ -55,18 +55,6 @@ public:
     std::vector<float> Values;
 
     Vec3 Sample(const Vec3& place) const;
-  };
-
-  /// The peak function, [events][angle]; see PeakPlace().
-  struct Peak
-  {
-    static constexpr int Angles = 128;
-    static constexpr int Rows = 48;
-    double ForwardPart = 0.0; // f; 0: there is no peak, and no table
-    double Most = 0.0;        // events of the last row
-    std::vector<float> Table;
-
-    double Get(double cosAngle, double events) const;
   };
 
   struct Result
@@ -105,7 +93,7 @@ public:
   /// direction.
   void Contract(const Vec3& eye, const Vec3& forward, bool parallel, Texture& texture) const;
 
-  const Peak& GetPeak() const;
+  const vtkGodRaysForwardPeak& GetPeak() const;
 
   /// Returns the mean number of the peak's events for each unit of a component's optical depth, by colour:
   /// for n, and for depths of the scaled medium, which are less by as much.
@@ -118,12 +106,13 @@ public:
   /// kept, too: with half the cells, fewer directions, and a lower degree.
   Error Estimate(const std::vector<Ray>& rays, const Vec3& forward, bool parallel, int steps);
 
-  ///@{
   /// How the last solution came about.
-  int GetNumberOfSweeps() const;
-  double GetResidual() const;
-  const Parameters& GetParameters() const;
-  ///@}
+  struct Report
+  {
+    int Sweeps = 0;
+    double Residual = 0.0; // see Parameters
+  };
+  const Report& GetReport() const;
 
   /// Returns the moments of the diffuse radiance of a colour, [moment][node].
   const std::vector<float>& GetMoments(int color) const;

@@ -107,12 +107,10 @@ vtkGodRaysMultipleScatteringReference::vtkInternals::GetPoint(const Vec3& place,
   Point point;
   for (int k = 0; k < this->Input.GetNumberOfComponents(); ++k)
   {
-    Vec3 scattering;
-    Vec3 extinction;
-    this->Input.Sample(k, place, scattering, extinction);
-    point.Extinction += extinction[color];
-    point.Scattering[k] = scattering[color];
-    point.All += scattering[color];
+    const Scene::Point own = this->Input.Sample(k, place);
+    point.Extinction += own.Extinction[color];
+    point.Scattering[k] = own.Scattering[color];
+    point.All += own.Scattering[color];
   }
   return point;
 }
@@ -270,12 +268,9 @@ void vtkGodRaysMultipleScatteringReference::SetScene(
     Vec3 largest(0.0);
     for (int corner = 0; corner < 8; ++corner) // in one of which an exponential is densest
     {
-      Vec3 scattering;
-      Vec3 extinction;
-      scene.Sample(k,
-        glm::mix(scene.Low, scene.High, Vec3(corner & 1, corner >> 1 & 1, corner >> 2)), scattering,
-        extinction);
-      largest = vtkGodRays::max(largest, extinction);
+      const Vec3 place =
+        glm::mix(scene.Low, scene.High, Vec3(corner & 1, corner >> 1 & 1, corner >> 2));
+      largest = vtkGodRays::max(largest, scene.Sample(k, place).Extinction);
     }
     in.Majorant += largest;
   }

@@ -24,13 +24,13 @@ vtkGodRaysTransportScene::PhaseMix vtkGodRaysTransportScene::GetPhase(int compon
   return { { grid.PhaseFunction, grid.Asymmetry }, { 0, 0.0 }, 0.0 };
 }
 
-void vtkGodRaysTransportScene::Sample(
-  int component, const Vec3& place, Vec3& scattering, Vec3& extinction) const
+vtkGodRaysTransportScene::Point vtkGodRaysTransportScene::Sample(
+  int component, const Vec3& place) const
 {
-  scattering = extinction = Vec3(0.0);
+  Point point;
   if (vtkGodRays::clamp(place, this->Low, this->High) != place)
   {
-    return;
+    return point;
   }
   if (component < this->Medium.NumberOfComponents)
   {
@@ -39,30 +39,31 @@ void vtkGodRaysTransportScene::Sample(
       this->Medium.EyeHeight + vtkGodRays::dot(place, GetVector(this->Medium.Up));
     const double density =
       part.ScaleHeight > 0.0 ? vtkGodRays::ExponentialDensity(height, part.ScaleHeight) : 1.0;
-    scattering = density * GetVector(part.Scattering);
-    extinction = scattering + density * GetVector(part.Absorption);
-    return;
+    point.Scattering = density * GetVector(part.Scattering);
+    point.Extinction = point.Scattering + density * GetVector(part.Absorption);
+    return point;
   }
   const vtkGodRaysGrid& grid = this->Grids[component - this->Medium.NumberOfComponents];
   const Vec3 at = grid.GetPlace(place);
   const Vec3 last(grid.Points[0] - 1, grid.Points[1] - 1, grid.Points[2] - 1);
   if (vtkGodRays::clamp(at, Vec3(0.0), last) != at)
   {
-    return;
+    return point;
   }
   const Vec3 cell = vtkGodRays::min(vtkGodRays::floor(at), last - 1.0);
-  const std::size_t point =
+  const std::size_t corner =
     grid.GetPoint(static_cast<int>(cell.x), static_cast<int>(cell.y), static_cast<int>(cell.z));
   for (int band = 0; band < grid.Bands; ++band)
   {
     vtkGodRays::Vec4 low;
     vtkGodRays::Vec4 high;
-    grid.GetCorners(false, point, band, low, high);
-    extinction[band] = grid.Scale * vtkGodRays::CellValue(low, high, at - cell);
+    grid.GetCorners(false, corner, band, low, high);
+    point.Extinction[band] = grid.Scale * vtkGodRays::CellValue(low, high, at - cell);
   }
-  extinction = grid.Bands == 1 ? Vec3(extinction.x) : extinction;
-  scattering = grid.ScatteringBands > 0 ? grid.GetScattering(point, at - cell)
-                                        : extinction * GetVector(grid.Albedo);
+  point.Extinction = grid.Bands == 1 ? Vec3(point.Extinction.x) : point.Extinction;
+  point.Scattering = grid.ScatteringBands > 0 ? grid.GetScattering(corner, at - cell)
+                                              : point.Extinction * GetVector(grid.Albedo);
+  return point;
 }
 
 Vec3 vtkGodRaysTransportScene::GetIrradiance(

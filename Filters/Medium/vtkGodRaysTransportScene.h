@@ -74,8 +74,14 @@ struct VTKGODRAYSFILTERS_EXPORT vtkGodRaysTransportScene
   PhaseMix GetPhase(int component) const;
   ///@}
 
-  /// Finds what a component scatters, and by how much it dims light, at a place [1/scene unit].
-  void Sample(int component, const Vec3& place, Vec3& scattering, Vec3& extinction) const;
+  /// Coefficients [1/scene unit].
+  struct Point
+  {
+    Vec3 Scattering = Vec3(0.0);
+    Vec3 Extinction = Vec3(0.0);
+  };
+  /// Returns those of a component at a place.
+  Point Sample(int component, const Vec3& place) const;
 
   /// Returns the irradiance of a light without media and occluders, across the direction towards it, of
   /// length 1. The distance is infinite for a directional light.

@@ -239,10 +239,8 @@ TEST(MultipleScatteringReference, Furnace_AlbedoOne_IsEven)
       double depth = 0.0;
       for (int k = 0; k < 256; ++k)
       {
-        Vec3 scattering;
-        Vec3 extinction;
-        each.Media.Sample(0, eye + (k + 0.5) / 256 * end * along, scattering, extinction);
-        depth += extinction.x * end / 256;
+        const Vec3 place = eye + (k + 0.5) / 256 * end * along;
+        depth += each.Media.Sample(0, place).Extinction.x * end / 256;
       }
       directly += std::exp(-depth);
     }
@@ -331,7 +329,7 @@ TEST(MultipleScattering, Cases_DefaultTolerance_MatchReference)
     Solver solver;
     const Comparison c = Compare(Evaluate(solver, cases[i], MakeParameters(32, 98, 3)), Truths[i]);
     std::printf("%-30s mean %+.3f rms %.4f (truth's noise %.4f), %d sweeps\n",
-      cases[i].Name.c_str(), c.Mean, c.Rms, Truths[i].Noise, solver.GetNumberOfSweeps());
+      cases[i].Name.c_str(), c.Mean, c.Rms, Truths[i].Noise, solver.GetReport().Sweeps);
     EXPECT_LE(c.Rms, 0.05) << cases[i].Name;
     EXPECT_LE(std::abs(c.Mean), 0.05) << cases[i].Name;
     errors.push_back(c.Rms);
@@ -339,4 +337,263 @@ TEST(MultipleScattering, Cases_DefaultTolerance_MatchReference)
   std::nth_element(errors.begin(), errors.begin() + errors.size() / 2, errors.end());
   std::printf("median rms %.4f\n", errors[errors.size() / 2]);
   EXPECT_LE(errors[errors.size() / 2], 0.012);
+}
+
+//------------------------------------------------------------------------------
+// Finer grids and more directions err less; and without the peak function, errors are large.
+TEST(MultipleScattering, Cases_FinerParameters_Converge)
+{
+  const std::vector<Case> cases = MakeCases();
+  for (const std::size_t i : { 2u, 6u, 17u, 25u, 28u })
+  {
+    const auto getRms = [&](const Solver::Parameters& parameters)
+    {
+      Solver solver;
+      return Compare(Evaluate(solver, cases[i], parameters), Truths[i]).Rms;
+    };
+    const double coarse = getRms(MakeParameters(6, 14, 1));
+    const double middle = getRms(MakeParameters(12, 26, 2));
+    const double fine = getRms(MakeParameters(32, 98, 3));
+    std::printf("%-30s %.4f, %.4f, %.4f\n", cases[i].Name.c_str(), coarse, middle, fine);
+    EXPECT_LT(fine, 0.6 * coarse) << cases[i].Name;
+    EXPECT_LT(fine, 0.6 * middle) << cases[i].Name;
+  }
+  // The control: light of the peak left out.
+  const std::size_t against = 23;
+  Solver solver;
+  solver.Update(cases[against].Media, MakeParameters(16, 26, 2));
+  Solver::Texture texture;
+  solver.Contract(cases[against].Eye, GetForward(cases[against]), false, texture);
+  std::vector<double> values;
+  for (const Ray& ray : MakeRays(cases[against]))
+  {
+    const Solver::Result result = solver.Evaluate(texture, ray, 128);
+    values.push_back(result.Orders.x - result.Broad.x);
+  }
+  EXPECT_GT(Compare(values, Truths[against]).Rms, 0.1);
+}
+
+//------------------------------------------------------------------------------
+// The estimate is above the error in 90 of 100 cases, and not by far.
+TEST(MultipleScattering, Estimate_Cases_IsAboveError)
+{
+  const std::vector<Case> cases = MakeCases();
+  int above = 0;
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < cases.size(); ++i)
+  {
+    Solver solver;
+    const double rms =
+      Compare(Evaluate(solver, cases[i], MakeParameters(16, 26, 2), 64), Truths[i]).Rms;
+    const double estimate =
+      solver.Estimate(MakeRays(cases[i]), GetForward(cases[i]), cases[i].Angle <= 0.0, 64).Rms /
+      Truths[i].Peak;
+    std::printf("%-30s rms %.4f estimate %.4f%s\n", cases[i].Name.c_str(), rms, estimate,
+      estimate < rms ? " below" : "");
+    above += estimate >= rms ? 1 : 0;
+    ratios.push_back(estimate / std::max(rms, 1e-4));
+  }
+  std::nth_element(ratios.begin(), ratios.begin() + ratios.size() / 2, ratios.end());
+  std::printf(
+    "above in %d of %zu, median ratio %.2f\n", above, cases.size(), ratios[ratios.size() / 2]);
+  EXPECT_GE(10 * above, 9 * static_cast<int>(cases.size()));
+  EXPECT_LT(ratios[ratios.size() / 2], 8.0);
+}
+
+//------------------------------------------------------------------------------
+// A box with white walls and floor, whose medium absorbs nothing: what enters by the open top leaves by it.
+// What is left is light that walls reflect at once: half of all directions have 3 % too little of a flux.
+TEST(MultipleScattering, WhiteBox_AlbedoOne_KeepsEnergy)
+{
+  for (const double g : { 0.0, 0.7 })
+  {
+    Case each = MakeCase("white box", Kind::OPEN, 2.0, g);
+    each.Media.High = Vec3(1.0);
+    each.Media.Lights[0].Position = Vec3(0.3, 0.2, 0.9);
+    std::fill_n(each.Media.FaceAlbedo, 5, 1.0);
+    Solver::Parameters parameters = MakeParameters(32, 98, 3);
+    parameters.Residual = 1e-4;
+    Solver solver;
+    solver.Update(each.Media, parameters);
+    const std::vector<float>& moments = solver.GetMoments(0); // that of Y_10 is the flux
+    constexpr std::size_t nodes = 33;
+    double flux = 0.0;
+    for (std::size_t i = 0; i < nodes * nodes; ++i)
+    {
+      const double area = (i % nodes % (nodes - 1) ? 1.0 : 0.5) *
+        (i / nodes % (nodes - 1) ? 1.0 : 0.5) / ((nodes - 1.0) * (nodes - 1.0));
+      flux += area * std::sqrt(4.0 * Pi / 3.0) * moments[(3 * nodes - 1) * nodes * nodes + i];
+    }
+    const double enters = 0.9 / vtkGodRays::length(each.Media.Lights[0].Position);
+    std::cout << "g " << g << ": leaves " << flux / enters << " of what enters, "
+              << solver.GetReport().Sweeps << " sweeps\n";
+    EXPECT_NEAR(flux / enters, 1.0, 0.01);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(MultipleScattering, Update_NothingChanged_DoesNotSolve)
+{
+  Case each = MakeCases()[1];
+  Solver solver;
+  EXPECT_TRUE(solver.Update(each.Media, MakeParameters(8, 14, 1)));
+  EXPECT_FALSE(solver.Update(each.Media, MakeParameters(8, 14, 1)));
+  EXPECT_TRUE(solver.Update(each.Media, MakeParameters(9, 14, 1)));
+  each.Media.Lights[0].Color = Vec3(2.0);
+  ++each.Media.Version;
+  const std::vector<float> before = solver.GetMoments(0);
+  EXPECT_TRUE(solver.Update(each.Media, MakeParameters(9, 14, 1)));
+  for (std::size_t i = 0; i < before.size(); ++i)
+  {
+    EXPECT_NEAR(solver.GetMoments(0)[i], 2.0f * before[i], 1e-5f);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Random scenes, turned by 90 degrees or in other units, look the same; the control is a sun that stays.
+TEST(MultipleScattering, RandomScenes_TurnedOrScaled_LookTheSame)
+{
+  GodRaysMediumScenes::Random random = { GodRaysFiltersTesting::MakeGenerator(5) };
+  for (int number = 0; number < 10; ++number)
+  {
+    Case each = MakeCase("random", Kind::OPEN, random.Log(0.1, 5.0), random.Uniform(-0.2, 0.9),
+      random.Uniform(0.8, 1.0));
+    each.Media.High =
+      Vec3(random.Uniform(0.6, 1.0), random.Uniform(0.6, 1.0), random.Uniform(0.6, 1.0));
+    const Vec3 corner(random.Uniform(0.2, 0.4), random.Uniform(0.2, 0.4), random.Uniform(0.1, 0.3));
+    each.Boxes.push_back({ corner, corner + 0.25, random.Uniform(0.0, 0.6) });
+    each.Media.FaceAlbedo[number % 6] = random.Uniform(0.0, 0.5);
+    each.Media.Lights[0].Position = random.Direction();
+    if (number % 3 == 0)
+    {
+      SetLamp(each, each.Media.High * 0.9);
+    }
+    each.Focus = 0.5 * each.Media.High;
+    each.Eye = each.Focus + 1.7 * random.Direction();
+    Case turned = each;
+    const auto turn = [](const Vec3& v) { return Vec3(-v.y, v.x, v.z); };
+    const auto turnBox = [&](Vec3& low, Vec3& high)
+    {
+      const Vec3 a = turn(low);
+      const Vec3 b = turn(high);
+      low = vtkGodRays::min(a, b);
+      high = vtkGodRays::max(a, b);
+    };
+    turnBox(turned.Media.Low, turned.Media.High);
+    turnBox(turned.Boxes[0].Low, turned.Boxes[0].High);
+    turned.Media.Lights[0].Position = turn(each.Media.Lights[0].Position);
+    turned.Eye = turn(each.Eye);
+    turned.Focus = turn(each.Focus);
+    const double* const faces = each.Media.FaceAlbedo; // +x becomes +y, +y becomes -x
+    const double turnedFaces[6] = { faces[3], faces[2], faces[0], faces[1], faces[4], faces[5] };
+    std::copy_n(turnedFaces, 6, turned.Media.FaceAlbedo);
+    Case wrong = turned;
+    wrong.Media.Lights[0].Position = each.Media.Lights[0].Position;
+    Case scaled = each;
+    constexpr double unit = 1000.0;
+    scaled.Media.High *= unit;
+    scaled.Boxes[0].Low *= unit;
+    scaled.Boxes[0].High *= unit;
+    scaled.Eye *= unit;
+    scaled.Focus *= unit;
+    scaled.Media.Medium.Scale(1.0 / unit);
+    if (!each.Media.Lights[0].Directional)
+    {
+      scaled.Media.Lights[0].Position *= unit;
+      scaled.Media.Lights[0].Color *= unit * unit;
+    }
+    std::vector<double> values[4];
+    double largest[4] = { 0.0 }; // differences from the first, and its largest value
+    Case* const all[4] = { &each, &turned, &scaled, &wrong };
+    for (int i = 0; i < 4; ++i)
+    {
+      SetOccluders(*all[i]);
+      Solver solver;
+      Solver::Parameters parameters = MakeParameters(10, 26, 2);
+      parameters.Residual = 1e-5;
+      values[i] = Evaluate(solver, *all[i], parameters, 32);
+      for (std::size_t k = 0; k < values[i].size(); ++k)
+      {
+        largest[i] = std::max(largest[i], std::abs(values[i][k] - (i > 0 ? values[0][k] : 0.0)));
+      }
+    }
+    EXPECT_LT(largest[1], 1e-3 * largest[0]) << number;
+    EXPECT_LT(largest[2], 1e-3 * largest[0]) << number;
+    EXPECT_GT(largest[3], 1e-2 * largest[0]) << number;
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(MultipleScattering, Threads_Several_GiveTheSameBytes)
+{
+  const Case each = MakeCases()[12];
+  std::vector<float> moments[2];
+  for (const bool several : { false, true })
+  {
+    const std::string before = vtkSMPTools::GetBackend();
+    vtkSMPTools::SetBackend(several ? before.c_str() : "Sequential");
+    Solver solver;
+    solver.Update(each.Media, MakeParameters(12, 26, 2));
+    moments[several] = solver.GetMoments(0);
+    vtkSMPTools::SetBackend(before.c_str());
+  }
+  EXPECT_EQ(moments[0], moments[1]);
+}
+
+//------------------------------------------------------------------------------
+// Light of one colour is solved once, that of several for each: the same numbers.
+TEST(MultipleScattering, Colors_SolvedTogetherOrNot_AreTheSame)
+{
+  Case each = MakeCases()[6];
+  each.Media.Lights[0].Color = Vec3(1.0, 0.5, 0.25);
+  Solver together;
+  together.Update(each.Media, MakeParameters(12, 26, 2));
+  vtkGodRaysMedium::Component& part = each.Media.Medium.Components[0];
+  part.Scattering[1] *= 0.5; // other colours, the same red
+  part.Scattering[2] *= 0.2;
+  Solver apart;
+  apart.Update(each.Media, MakeParameters(12, 26, 2));
+  EXPECT_EQ(together.GetMoments(0), apart.GetMoments(0));
+  EXPECT_NE(together.GetMoments(1), apart.GetMoments(1));
+  for (std::size_t i = 0; i < together.GetMoments(0).size(); ++i)
+  {
+    EXPECT_NEAR(together.GetMoments(2)[i], 0.25f * together.GetMoments(0)[i], 1e-7f);
+  }
+}
+
+//------------------------------------------------------------------------------
+// The peak function against its integrals: all of it, and the whole of one event. Its forward part is a
+// moment.
+TEST(MultipleScattering, Peak_PhaseFunctions_HaveTheirIntegrals)
+{
+  for (int kind = 0; kind <= vtkGodRaysLastPhaseFunction; ++kind)
+  {
+    const double g = 0.8;
+    const Case each = MakeCase("phase", Kind::OPEN, 1.0, g, 1.0, View::SIDE, 0.0, kind);
+    Solver solver;
+    solver.Update(each.Media, MakeParameters(4, 14, 2));
+    const vtkGodRaysForwardPeak& peak = solver.GetPeak();
+    const double f = peak.ForwardPart;
+    if (kind == vtkGodRays::PHASE_HENYEY_GREENSTEIN)
+    {
+      EXPECT_NEAR(f, g * g * g, 1e-5);
+    }
+    if (f == 0.0)
+    {
+      EXPECT_FALSE(kind > vtkGodRays::PHASE_RAYLEIGH);
+      continue;
+    }
+    for (const double n : { 0.1, 1.0, 5.0 })
+    {
+      double sum = 0.0;
+      constexpr int count = 4000;
+      for (int i = 0; i < count; ++i)
+      {
+        const double x = (i + 0.5) / count;
+        sum += 12.0 * Pi * x * x / count * peak.Get(1.0 - 2.0 * x * x * x, n);
+      }
+      const double expected = 1.0 - f + f * (1.0 - std::exp(-n)) / n - std::exp(-n);
+      EXPECT_NEAR(sum, expected, 0.01) << kind << " " << n;
+    }
+  }
 }
