@@ -60,6 +60,8 @@ struct Case
   Vec3 Focus = Vec3(0.0);
   double Angle = 40.0; // horizontal [degrees]; 0: parallel
   double Wide = 1.0;   // parallel [scene units]
+  double Depth = 1.0;
+  double Asymmetry = 0.0;
 };
 constexpr int Width = 12;
 constexpr int Height = 8;
@@ -281,6 +283,8 @@ inline Case MakeCase(const std::string& name, Kind kind, double depth, double g,
 {
   Case each;
   each.Name = name;
+  each.Depth = depth;
+  each.Asymmetry = g;
   Scene& media = each.Media;
   media.SunIsDimmed = true;
   media.Medium.NumberOfComponents = 0;
@@ -371,6 +375,7 @@ inline std::vector<Case> MakeCases()
   // Held out.
   Case& atmosphere = add("exponential 1 g 0.5", Kind::OPEN, 8.3, 0.5);
   atmosphere.Media.Medium.Components[0].ScaleHeight = 0.12;
+  atmosphere.Depth = 1.0;
   Case& two = add("droplets and molecules", Kind::OPEN, 1.0, 0.7);
   two.Media.Medium.NumberOfComponents = 2;
   std::fill_n(two.Media.Medium.Components[1].Scattering, 3, 1.5);
