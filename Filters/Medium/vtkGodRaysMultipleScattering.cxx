@@ -13,7 +13,6 @@
 #include <cmath>
 #include <deque>
 #include <functional>
-#include <limits>
 #include <numeric>
 
 namespace
@@ -246,35 +245,19 @@ void vtkGodRaysMultipleScattering::vtkInternals::Prepare()
   }
 }
 
-// Divides the box into cells that are as nearly cubes as whole numbers of them allow. Where a box is too thin
-// for that, the grid goes beyond it.
+// Divides the box into whole numbers of cells that are nearly cubes. Where it is too thin for that, the grid
+// goes beyond it.
 void vtkGodRaysMultipleScattering::vtkInternals::SetGrid()
 {
   const Vec3 size = this->Input.High - this->Input.Low;
-  double best = std::numeric_limits<double>::max();
-  for (int step = 0; step < 16; ++step)
+  const double edge = std::max({ size.x, size.y, size.z }) / this->Settings.Cells;
+  for (int i = 0; i < 3; ++i)
   {
-    const double edge =
-      std::max({ size.x, size.y, size.z }) / this->Settings.Cells * (1.0 - 0.015 * step);
-    double worst = 1.0;
-    int nodes[3];
-    Vec3 cell;
-    for (int i = 0; i < 3; ++i)
-    {
-      const int cells = std::max(static_cast<int>(std::lround(size[i] / edge)), 1);
-      const double ratio =
-        std::max(size[i] / (cells * edge), cells * edge / std::max(size[i], 1e-300));
-      const bool fits = ratio < MostStretched;
-      cell[i] = fits ? size[i] / cells : edge;
-      nodes[i] = 1 + (fits ? cells : static_cast<int>(std::ceil(size[i] / edge + 1e-9)));
-      worst = fits ? std::max(worst, ratio) : worst;
-    }
-    if (worst + 0.002 * step < best) // more cells are to be worth it
-    {
-      best = worst + 0.002 * step;
-      std::copy_n(nodes, 3, this->Nodes);
-      this->Cell = cell;
-    }
+    const int cells = std::max(static_cast<int>(std::lround(size[i] / edge)), 1);
+    const double stretch = size[i] / (cells * edge);
+    const bool fits = stretch < MostStretched && stretch > 1.0 / MostStretched;
+    this->Cell[i] = fits ? size[i] / cells : edge;
+    this->Nodes[i] = 1 + (fits ? cells : static_cast<int>(std::ceil(size[i] / edge + 1e-9)));
   }
   this->Size = static_cast<std::size_t>(this->Nodes[0]) * this->Nodes[1] * this->Nodes[2];
   this->Unit = std::cbrt(this->Cell.x * this->Cell.y * this->Cell.z);
@@ -741,7 +724,7 @@ vtkGodRaysMultipleScattering::Result vtkGodRaysMultipleScattering::Evaluate(
   return result;
 }
 
-vtkGodRaysMultipleScattering::Error vtkGodRaysMultipleScattering::Estimate(
+double vtkGodRaysMultipleScattering::Estimate(
   const std::vector<Ray>& rays, const Vec3& forward, bool parallel, int steps)
 {
   vtkInternals& in = *this->Internals;
@@ -762,7 +745,7 @@ vtkGodRaysMultipleScattering::Error vtkGodRaysMultipleScattering::Estimate(
     }
     solutions[i]->Contract(rays.front().Origin, forward, parallel, textures[i]);
   }
-  Error error;
+  double squares = 0.0;
   for (const Ray& ray : rays)
   {
     const Result result = this->Evaluate(textures[0], ray, steps);
@@ -773,11 +756,9 @@ vtkGodRaysMultipleScattering::Error vtkGodRaysMultipleScattering::Estimate(
         vtkGodRays::abs(solutions[i]->Evaluate(textures[i], ray, steps).Orders - result.Orders);
     }
     const double own = std::max({ sum.x, sum.y, sum.z });
-    error.Rms += own * own / static_cast<double>(rays.size());
-    error.Largest = std::max(error.Largest, own);
+    squares += own * own;
   }
-  error.Rms = std::sqrt(error.Rms);
-  return error;
+  return std::sqrt(squares / std::max<double>(static_cast<double>(rays.size()), 1.0));
 }
 
 const vtkGodRaysMultipleScattering::Report& vtkGodRaysMultipleScattering::GetReport() const

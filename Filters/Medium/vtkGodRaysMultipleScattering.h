@@ -63,13 +63,6 @@ public:
     Vec3 Broad = Vec3(0.0);  // the part of it that the peak adds
   };
 
-  /// An estimate, no bound.
-  struct Error
-  {
-    double Rms = 0.0; // of D [radiance]
-    double Largest = 0.0;
-  };
-
   struct Ray
   {
     Vec3 Origin;
@@ -102,9 +95,9 @@ public:
   /// Evaluates D of a view ray in so many steps.
   Result Evaluate(const Texture& texture, const Ray& ray, int steps) const;
 
-  /// Estimates the error of D for a sample of a picture's view rays, from three cheaper solutions, which are
-  /// kept, too: with half the cells, fewer directions, and a lower degree.
-  Error Estimate(const std::vector<Ray>& rays, const Vec3& forward, bool parallel, int steps);
+  /// Estimates the RMS error of D, which is no bound, for a sample of a picture's view rays [radiance], from
+  /// three cheaper solutions, which are kept, too: with half the cells, fewer directions, and a lower degree.
+  double Estimate(const std::vector<Ray>& rays, const Vec3& forward, bool parallel, int steps);
 
   /// How the last solution came about.
   struct Report

@@ -388,7 +388,7 @@ TEST(MultipleScattering, Estimate_Cases_IsAboveError)
     const double rms =
       Compare(Evaluate(solver, cases[i], MakeParameters(16, 26, 2), 64), Truths[i]).Rms;
     const double estimate =
-      solver.Estimate(MakeRays(cases[i]), GetForward(cases[i]), cases[i].Angle <= 0.0, 64).Rms /
+      solver.Estimate(MakeRays(cases[i]), GetForward(cases[i]), cases[i].Angle <= 0.0, 64) /
       Truths[i].Peak;
     std::printf("%-30s rms %.4f estimate %.4f%s\n", cases[i].Name.c_str(), rms, estimate,
       estimate < rms ? " below" : "");
