@@ -3,9 +3,7 @@
 """Clouds of a file before the sun, in haze, and their shadows on the ground; and numbers.
 
 cloud_field.py reads the file; without one, it makes clouds. Their water, as extinction, is the medium.
-Light is scattered once, and would hardly enter clouds whose droplets send most of it on as it came. So the
-picture has fewer droplets that scatter more evenly, by the relation (1 - g) beta of similar media
-[vandeHulst1980]. The numbers are those of the field.
+Light is scattered by all orders: once, it would hardly leave clouds whose droplets send most of it on.
 """
 
 import argparse
@@ -17,7 +15,6 @@ import stage
 import vtkmodules.all as vtk
 
 ASYMMETRY = 0.85  # of droplets [HansenTravis1974]
-SHOWN_ASYMMETRY = 0.3
 
 parser = argparse.ArgumentParser(description="Clouds of a file before the sun, in haze, and numbers.")
 parser.add_argument("picture", nargs="?", help="a PNG; without it a window opens")
@@ -71,7 +68,7 @@ renderer.AddLight(sun)
 renderer.AddLight(skylight)
 rays = godrays.enable(renderer, light=[sun, skylight], medium=clouds, model="atmosphere",
     mie_scattering=[0.35 / reach] * 3, mie_asymmetry=0.76, world_unit_in_meters=1, intensity=4,
-    data_asymmetry=SHOWN_ASYMMETRY, data_scale=(1 - ASYMMETRY) / (1 - SHOWN_ASYMMETRY),
+    data_asymmetry=ASYMMETRY, scattering_orders="all",
     automatic_exposure=False, shadows=True)  # of clouds on the ground
 eye = max(1.3 * wet[0], 50)
 stage.look(renderer, (middle, y[0] - 0.5 * reach, eye), (middle, y[0] + reach, 0.65 * wet[0]), 50)

@@ -152,6 +152,8 @@ void AddRayOptions(Parser& parser, Options& options)
   parser.Add("--optical-depth", options.OpticalDepth, 1e-6, 100.0,
     "How thick a medium is across the scene, in green: 1 lets a third of the light through (0.15 "
     "to 0.6)");
+  parser.AddFlag("--all-orders", options.AllOrders,
+    "A medium scatters light again and again, as clouds and fog do, instead of once");
   parser.Add("--world-unit", options.WorldUnit, 1e-12, 1e12,
     "How long the scene's unit is in metres; a medium is as dense as suits the scene without it");
   parser.Add("--tolerance", options.Tolerance, 1e-6, 0.1,

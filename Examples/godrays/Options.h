@@ -31,7 +31,8 @@ struct Options
   // Rays: what is not given stays as the preset has it.
   bool Rays = true;
   bool DataFirst = false;
-  bool Shadows = false; ///< on surfaces
+  bool AllOrders = false; ///< of scattering
+  bool Shadows = false;   ///< on surfaces
   std::string Preset;
   std::optional<double> Intensity, Density, Decay, Weight, Exposure, Glow, GlowAngle, Tolerance,
     OpticalDepth, WorldUnit;

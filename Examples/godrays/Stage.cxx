@@ -202,6 +202,11 @@ void SetPreset(vtkGodRaysPass* rays, const Preset& preset, const Options& option
 void SetRays(vtkGodRaysPass* rays, const Viewpoint& view, const Options& options)
 {
   SetPreset(rays, GetPreset(options), options);
+  if (auto* medium = vtkGodRaysMediumModel::SafeDownCast(rays->GetModel()))
+  {
+    medium->SetScatteringOrders(
+      options.AllOrders ? vtkGodRaysMediumModel::ALL : vtkGodRaysMediumModel::SINGLE);
+  }
   rays->SetIntensity(options.Intensity.value_or(1.0));
   rays->SetDataFirst(options.DataFirst);
   rays->SetSurfaceShadows(options.Shadows);

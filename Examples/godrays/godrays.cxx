@@ -74,7 +74,7 @@ void CheckPreset(const Options& options)
     { "--glow-angle", options.GlowAngle.has_value() } };
   const std::pair<const char*, bool> mediums[] = { { "--optical-depth",
                                                      options.OpticalDepth.has_value() },
-    { "--world-unit", options.WorldUnit.has_value() } };
+    { "--all-orders", options.AllOrders }, { "--world-unit", options.WorldUnit.has_value() } };
   for (const auto& [name, given] : others)
   {
     if (given && isMedium)

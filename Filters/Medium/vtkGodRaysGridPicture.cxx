@@ -59,6 +59,18 @@ void vtkGodRaysGridPicture::SetShadows(const vtkGodRaysShadowGrids* shadows)
   this->Internals->Shadows.Set(shadows);
 }
 
+void vtkGodRaysGridPicture::SetDiffuse(
+  const vtkGodRaysFroxels* air, const vtkGodRaysFroxels::Source* data)
+{
+  this->Internals->DiffuseAir = air;
+  this->Internals->Diffuse = data;
+}
+
+void vtkGodRaysGridPicture::Prepare(const vtkGodRaysSingleScattering::Parameters& parameters)
+{
+  this->Internals->SetUp(parameters);
+}
+
 void vtkGodRaysGridPicture::Draw(
   const vtkGodRaysSingleScattering::Parameters& parameters, const Picture& picture)
 {
@@ -276,6 +288,16 @@ void vtkGodRaysGridPicture::Draw(
           static_cast<int>(i % tiles[0]) * TileSize, static_cast<int>(i / tiles[0]) * TileSize);
       }
     });
+}
+
+std::vector<const vtkGodRaysGridLight*> vtkGodRaysGridPicture::GetLights() const
+{
+  std::vector<const vtkGodRaysGridLight*> lights;
+  for (const vtkGodRaysGridLight& light : this->Internals->Lights)
+  {
+    lights.push_back(&light);
+  }
+  return lights;
 }
 
 void vtkGodRaysGridPicture::GetLightDepth(const double position[3], double depth[3]) const

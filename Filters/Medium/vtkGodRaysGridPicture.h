@@ -19,12 +19,15 @@
 #define vtkGodRaysGridPicture_h
 
 #include "vtkGodRaysFiltersModule.h" // For export macro
+#include "vtkGodRaysFroxels.h"
 #include "vtkGodRaysGrid.h"
 #include "vtkGodRaysShadowGrids.h"
 #include "vtkGodRaysSingleScattering.h" // For Parameters
 
 #include <memory>
 #include <vector>
+
+class vtkGodRaysGridLight;
 
 class VTKGODRAYSFILTERS_EXPORT vtkGodRaysGridPicture
 {
@@ -59,9 +62,25 @@ public:
   void SetShadows(const vtkGodRaysShadowGrids* shadows);
 
   /**
+   * Add light of two and more scatterings, from these, which must stay while a picture is drawn: that of air
+   * along view rays without data, null without air; and what data scatter of it. Null: none is added.
+   */
+  void SetDiffuse(const vtkGodRaysFroxels* air, const vtkGodRaysFroxels::Source* data);
+
+  /**
+   * Find the light's depths through data, as Draw() does.
+   */
+  void Prepare(const vtkGodRaysSingleScattering::Parameters& parameters);
+
+  /**
    * Draw a picture. Tolerance of the parameters is the accepted error [fraction of the largest radiance].
    */
   void Draw(const vtkGodRaysSingleScattering::Parameters& parameters, const Picture& picture);
+
+  /**
+   * The light's depths in each grid, valid until the next Draw() or Prepare().
+   */
+  std::vector<const vtkGodRaysGridLight*> GetLights() const;
 
   /**
    * The optical depths, of each colour, of a light's way through data to a place of the world.

@@ -178,11 +178,14 @@ void vtkGodRaysGridSight::AddLightDepth(const Vec3& position, float* depth) cons
 vtkGodRaysGridSight::Result vtkGodRaysGridSight::Evaluate(double x, double y, double depth)
 {
   Ray ray;
+  ray.X = x;
+  ray.Y = y;
   const Vec3 offset = x * this->Axes[0] + y * this->Axes[1];
-  const Vec3 way = this->Parallel ? this->Axes[2] : this->Axes[2] + offset;
-  const double perDepth = vtkGodRays::length(way);
+  const Vec3 toward = this->Parallel ? this->Axes[2] : this->Axes[2] + offset;
+  const double perDepth = vtkGodRays::length(toward);
+  ray.PerDepth = perDepth;
   ray.Origin = this->Position + (this->Parallel ? offset : Vec3(0.0));
-  ray.Along = way / perDepth;
+  ray.Along = toward / perDepth;
   const Vec3 to = this->Directional ? this->Light : this->Light - ray.Origin;
   ray.Foot = vtkGodRays::dot(to, ray.Along);
   double end = perDepth * std::min(depth, this->Medium.FarLimit);
@@ -225,26 +228,26 @@ vtkGodRaysGridSight::Result vtkGodRaysGridSight::Evaluate(double x, double y, do
     first = std::min(first, passage.Begin);
     last = std::max(last, passage.End);
   }
-  std::size_t steps = 0;
-  Vec3 sum(0.0);
-  Vec3 thick(0.0);
+  Way way;
   if (this->Haze)
   {
-    this->Cross(ray, 0.0, first, thick, sum, steps);
+    this->Cross(ray, 0.0, first, way);
   }
+  this->AddDiffuseAir(ray, 0.0, first, way.Scaled, way);
   if (last > first)
   {
-    this->March(ray, first, last, thick, sum, steps);
+    this->March(ray, first, last, way);
   }
   if (this->Haze)
   {
-    this->Cross(ray, std::max(first, last), end, thick, sum, steps);
+    this->Cross(ray, std::max(first, last), end, way);
   }
+  this->AddDiffuseAir(ray, std::max(first, last), end, way.Scaled, way);
   this->Rays.fetch_add(1, std::memory_order_relaxed);
-  this->Steps.fetch_add(steps, std::memory_order_relaxed);
+  this->Steps.fetch_add(way.Steps, std::memory_order_relaxed);
   if (this->Grey)
   {
-    sum = Vec3(sum.x);
+    way.Light = Vec3(way.Light.x);
   }
-  return { sum * this->LightColor, vtkGodRays::exp(-thick) };
+  return { way.Light * this->LightColor + way.Diffuse, vtkGodRays::exp(-way.Depth) };
 }

@@ -10,6 +10,7 @@
 #ifndef vtkGodRaysGridSight_h
 #define vtkGodRaysGridSight_h
 
+#include "vtkGodRaysFroxels.h"
 #include "vtkGodRaysGrid.h"
 #include "vtkGodRaysGridBlocks.h"
 #include "vtkGodRaysGridLight.h"
@@ -37,7 +38,9 @@ public:
   std::vector<vtkGodRaysGridBlocks> AllBlocks;
   std::vector<vtkGodRaysGridLight> Lights;
   vtkGodRaysGridShadows Shadows;
-  double LastLight[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 }; // the last is 1 once there is one
+  const vtkGodRaysFroxels* DiffuseAir = nullptr; // light of two and more scatterings without data
+  const vtkGodRaysFroxels::Source* Diffuse = nullptr; // what of it data scatter towards the eye
+  double LastLight[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };  // the last is 1 once there is one
   bool Kept = false;
   std::atomic<std::size_t> Rays{ 0 };
   std::atomic<std::size_t> Steps{ 0 };
@@ -70,6 +73,9 @@ private:
   };
   struct Ray
   {
+    double X; // of the picture
+    double Y;
+    double PerDepth; // length for each unit of view depth
     Vec3 Origin;
     Vec3 Along;
     vtkGodRays::LitRay Lit;
@@ -97,19 +103,29 @@ private:
     Vec3 Arriving; // what data leave of it
   };
 
+  struct Way // what has been summed of a ray
+  {
+    Vec3 Depth = Vec3(0.0);  // optical, of data
+    Vec3 Scaled = Vec3(0.0); // alike, without the forward part of what is scattered
+    Vec3 Light = Vec3(0.0);
+    Vec3 Diffuse = Vec3(0.0); // light of two and more scatterings
+    std::size_t Steps = 0;
+  };
+
+  void AddDiffuseAir(const Ray& ray, double begin, double end, const Vec3& before, Way& way) const;
+  void AddDiffuse(const Ray& ray, double s, double length, const Vec3& extinction,
+    const Vec3& scattering, Way& way) const;
   Air GetAir(const Ray& ray, double s) const;
   void AddLightDepth(const Vec3& position, float* depth) const;
   int CountPieces(const vtkGodRays::LitRay& lit, double begin, double end) const;
   Vec3 GetArriving(const Vec3& position) const;
-  void March(
-    const Ray& ray, double begin, double end, Vec3& depth, Vec3& sum, std::size_t& steps) const;
+  void March(const Ray& ray, double begin, double end, Way& way) const;
   void MarchBlock(const Ray& ray, double begin, double end, double parts, double cells,
-    double thickest, Front& front, Vec3& depth, Vec3& sum, std::size_t& steps) const;
+    double thickest, Front& front, Way& way) const;
   Vec2 FindShadow(std::size_t i, const Passage& passage, double begin, double end) const;
-  void Cross(const Ray& ray, double begin, double end, const Vec3& depth, Vec3& sum,
-    std::size_t& steps) const;
-  void CrossPart(const Ray& ray, double begin, double end, int parts, double finest,
-    const Vec3& depth, Vec3& sum, std::size_t& steps) const;
+  void Cross(const Ray& ray, double begin, double end, Way& way) const;
+  void CrossPart(
+    const Ray& ray, double begin, double end, int parts, double finest, Way& way) const;
 };
 
 #endif

@@ -37,9 +37,46 @@ vtkGodRays::Vec3 vtkGodRaysGridSight::GetArriving(const Vec3& position) const
   return vtkGodRays::exp(-Vec3(way[0], way[1], way[2]));
 }
 
+// What air adds of light of two and more scatterings along a part of the ray, behind a scaled depth of data.
+void vtkGodRaysGridSight::AddDiffuseAir(
+  const Ray& ray, double begin, double end, const Vec3& before, Way& way) const
+{
+  if (this->DiffuseAir && end > begin)
+  {
+    const Vec3 left = 0.5 * (vtkGodRays::exp(-before) + vtkGodRays::exp(-way.Scaled));
+    way.Diffuse += left *
+      (this->DiffuseAir->Get(ray.X, ray.Y, end / ray.PerDepth) -
+        this->DiffuseAir->Get(ray.X, ray.Y, begin / ray.PerDepth));
+  }
+}
+
+// What data add of it in a step about a place of the ray.
+void vtkGodRaysGridSight::AddDiffuse(const Ray& ray, double s, double length,
+  const Vec3& extinction, const Vec3& scattering, Way& way) const
+{
+  const Vec3 source = this->Diffuse->Sample(ray.Origin + s * ray.Along);
+  const vtkGodRays::LitRay& lit = ray.Lit;
+  for (int c = 0; c < 3; ++c)
+  {
+    const int band = this->Grey ? 0 : c;
+    const double forward = this->Diffuse->ForwardPart;
+    double air = 0.0;
+    for (int k = 0; k < 2 && this->DiffuseAir; ++k)
+    {
+      const vtkGodRays::MediumComponent& part = this->Components[c][k];
+      air += vtkGodRays::ScaledExtinction(part.Extinction, part.Scattering, forward) *
+        vtkGodRays::MediumDepth(lit.PlanetRadius, lit.Height, lit.Slope, part.ScaleHeight, s);
+    }
+    const double thick =
+      length * vtkGodRays::ScaledExtinction(extinction[band], scattering[band], forward);
+    way.Diffuse[c] += source[c] * length * scattering[band] * std::exp(-way.Scaled[c] - air) *
+      vtkGodRays::MeanExponential(thick);
+    way.Scaled[c] += thick;
+  }
+}
+
 // A part of the ray that is in data, block by block.
-void vtkGodRaysGridSight::March(
-  const Ray& ray, double begin, double end, Vec3& depth, Vec3& sum, std::size_t& steps) const
+void vtkGodRaysGridSight::March(const Ray& ray, double begin, double end, Way& way) const
 {
   const int count = static_cast<int>(this->Grids.size());
   double cell = end; // the shortest one
@@ -59,7 +96,7 @@ void vtkGodRaysGridSight::March(
     double thickest = 0.0;
     bool outside = true;
     const double ahead = s + 1e-9 * (cell + s);
-    const double left = std::exp(-std::min({ depth.x, depth.y, depth.z }));
+    const double left = std::exp(-std::min({ way.Depth.x, way.Depth.y, way.Depth.z }));
     for (int i = 0; i < count; ++i)
     {
       const Passage& passage = ray.Passages[i];
@@ -95,9 +132,10 @@ void vtkGodRaysGridSight::March(
         isEdge = true;
       }
     }
+    const Vec3 before = way.Scaled;
     if (outside && this->Haze)
     {
-      this->Cross(ray, s, last, depth, sum, steps);
+      this->Cross(ray, s, last, way);
     }
     if (outside || (thickest == 0.0 && !this->Haze))
     {
@@ -107,8 +145,9 @@ void vtkGodRaysGridSight::March(
     {
       const double cells = (last - s) * fastest;
       this->MarchBlock(ray, s, last, thickest > 0.0 ? parts : std::max(1.0, cells / 4.0), cells,
-        thickest, front, depth, sum, steps);
+        thickest, front, way);
     }
+    this->AddDiffuseAir(ray, s, last, before, way);
     front.IsKnown = front.IsKnown && !isEdge;
     s = last;
     if (!this->Haze && left < 0.02 * this->Tolerance)
@@ -121,7 +160,7 @@ void vtkGodRaysGridSight::March(
 // A part of the ray in one block, in at least so many steps. There are more where light changes faster than
 // data do: in haze, in the shadow of other data, and near a lamp, from which the steps then look alike.
 void vtkGodRaysGridSight::MarchBlock(const Ray& ray, double begin, double end, double parts,
-  double cells, double thickest, Front& front, Vec3& depth, Vec3& sum, std::size_t& steps) const
+  double cells, double thickest, Front& front, Way& way) const
 {
   const int colours = this->Grey ? 1 : 3;
   const vtkGodRays::LitRay& lit = ray.Lit;
@@ -136,7 +175,7 @@ void vtkGodRaysGridSight::MarchBlock(const Ray& ray, double begin, double end, d
   const double most = 0.9 * std::sqrt(this->Tolerance); // in a step
   const double change = this->Haze ? front.Medium.GetChange(next.Medium) : 0.0;
   parts = std::max(parts, std::min(change / most, 8.0 * Blocks::BlockSize));
-  const double left = std::exp(-std::min({ depth.x, depth.y, depth.z }));
+  const double left = std::exp(-std::min({ way.Depth.x, way.Depth.y, way.Depth.z }));
   const Vec3& haze = front.Medium.Scattered;
   const double thickness =
     (end - begin) * left * (thickest + FourPi * std::max({ haze.x, haze.y, haze.z }));
@@ -159,7 +198,7 @@ void vtkGodRaysGridSight::MarchBlock(const Ray& ray, double begin, double end, d
   int part = 0;   // of the steps into which data divide the block
   int piece = 0;  // of it, as a lamp sees them
   int pieces = 0; // how many there are
-  for (; part < number; ++steps)
+  for (; part < number; ++way.Steps)
   {
     const double first = begin + part * (end - begin) / number;
     const double last = part + 1 < number ? begin + (part + 1) * (end - begin) / number : end;
@@ -183,6 +222,7 @@ void vtkGodRaysGridSight::MarchBlock(const Ray& ray, double begin, double end, d
       air = this->GetAir(ray, middle);
     }
     Vec3 extinction(0.0);
+    Vec3 scattering(0.0); // into all directions, and into the view ray's
     Vec3 scattered(0.0);
     for (std::size_t i = 0; i < this->Grids.size() && thickest > 0.0; ++i)
     {
@@ -203,18 +243,19 @@ void vtkGodRaysGridSight::MarchBlock(const Ray& ray, double begin, double end, d
       {
         const double value = coefficients[grid.Bands == 1 ? 0 : c];
         extinction[c] += grid.Scale * value;
-        scattered[c] += phase *
-          (grid.ScatteringBands == 0 ? grid.Albedo[c] * value
-                                     : own[grid.ScatteringBands == 1 ? 0 : c]);
+        const double part = grid.ScatteringBands == 0 ? grid.Albedo[c] * value
+                                                      : own[grid.ScatteringBands == 1 ? 0 : c];
+        scattering[c] += grid.Scale * part;
+        scattered[c] += phase * part;
       }
     }
-    float way[3] = { 0.0f, 0.0f, 0.0f };
+    float light[3] = { 0.0f, 0.0f, 0.0f };
     const Vec3 sunlit = this->Shadows.GetMean(
       ray.Origin, ray.Along, from, to, 2.0 * (end - begin) / cells, next.Edge);
     const bool isLit = air.Visible && sunlit != Vec3(0.0);
     if (isLit)
     {
-      this->AddLightDepth(position, way);
+      this->AddLightDepth(position, light);
     }
     const double comes = air.Strength *
       (this->Directional ? step : vtkGodRays::PointAirlight(lit.Foot, lit.Distance, from, to));
@@ -224,17 +265,22 @@ void vtkGodRaysGridSight::MarchBlock(const Ray& ray, double begin, double end, d
       if (isLit)
       {
         // Of the step: the mean of what is left on its way to the eye.
-        const double arrives = std::exp(-depth[c] - way[c]) * vtkGodRays::MeanExponential(thick);
-        sum[c] += comes * sunlit[c] * air.Left[c] *
+        const double arrives =
+          std::exp(-way.Depth[c] - light[c]) * vtkGodRays::MeanExponential(thick);
+        way.Light[c] += comes * sunlit[c] * air.Left[c] *
           (scattered[c] * arrives + air.Scattered[c] * (arrives - 1.0));
       }
-      depth[c] += thick;
+      way.Depth[c] += thick;
+    }
+    if (this->Diffuse)
+    {
+      this->AddDiffuse(ray, middle, step, extinction, scattering, way);
     }
     from = to;
   }
   if (this->Grey)
   {
-    depth.y = depth.z = depth.x;
+    way.Depth.y = way.Depth.z = way.Depth.x;
   }
   front = next;
 }

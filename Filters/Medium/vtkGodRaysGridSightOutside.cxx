@@ -93,8 +93,7 @@ vtkGodRays::Vec2 vtkGodRaysGridSight::FindShadow(
 }
 
 // What data change of the medium's light in a part of the ray that is outside of them.
-void vtkGodRaysGridSight::Cross(
-  const Ray& ray, double begin, double end, const Vec3& depth, Vec3& sum, std::size_t& steps) const
+void vtkGodRaysGridSight::Cross(const Ray& ray, double begin, double end, Way& way) const
 {
   // No light comes from outside of a spotlight's cone, whose edge is rounded.
   const Vec2 lit = vtkGodRays::SpotPart(ray.Lit, std::max(end, 0.0));
@@ -118,7 +117,7 @@ void vtkGodRaysGridSight::Cross(
   }
   const double finest =
     std::max(4.0 / speed, (end - begin) / static_cast<double>(8 * FarParts)); // part of a ray
-  const bool dims = depth != Vec3(0.0);
+  const bool dims = way.Depth != Vec3(0.0);
   // Two tell what is even, but not what a planet's shadow is in.
   const int fewest = ray.Lit.PlanetRadius > 0.0 ? FarParts / 2 : 2;
   if (!(dark.x < dark.y))
@@ -127,18 +126,18 @@ void vtkGodRaysGridSight::Cross(
   }
   if (dims)
   {
-    this->CrossPart(ray, begin, dark.x, fewest, finest, depth, sum, steps);
+    this->CrossPart(ray, begin, dark.x, fewest, finest, way);
   }
-  this->CrossPart(ray, dark.x, dark.y, FarParts / 2, finest, depth, sum, steps);
+  this->CrossPart(ray, dark.x, dark.y, FarParts / 2, finest, way);
   if (dims)
   {
-    this->CrossPart(ray, dark.y, end, fewest, finest, depth, sum, steps);
+    this->CrossPart(ray, dark.y, end, fewest, finest, way);
   }
 }
 
 // In so many parts at first, which are halved where what is changed is not linear.
-void vtkGodRaysGridSight::CrossPart(const Ray& ray, double begin, double end, int parts,
-  double finest, const Vec3& depth, Vec3& sum, std::size_t& steps) const
+void vtkGodRaysGridSight::CrossPart(
+  const Ray& ray, double begin, double end, int parts, double finest, Way& way) const
 {
   if (!(end > begin))
   {
@@ -153,18 +152,18 @@ void vtkGodRaysGridSight::CrossPart(const Ray& ray, double begin, double end, in
   const auto evaluate = [&](double t) -> Node
   {
     Node node = { t, vtkGodRays::MediumPlace(ray.Lit, begin, end, t), Vec3(0.0) };
-    ++steps;
-    float way[3] = { 0.0f, 0.0f, 0.0f };
-    this->AddLightDepth(ray.Origin + node.S * ray.Along, way);
-    if (depth + Vec3(way[0], way[1], way[2]) == Vec3(0.0))
+    ++way.Steps;
+    float light[3] = { 0.0f, 0.0f, 0.0f };
+    this->AddLightDepth(ray.Origin + node.S * ray.Along, light);
+    if (way.Depth + Vec3(light[0], light[1], light[2]) == Vec3(0.0))
     {
       return node; // nothing is changed
     }
     const Air air = this->GetAir(ray, node.S);
     for (int c = 0; c < 3 && air.Visible; ++c)
     {
-      node.Value[c] =
-        air.Strength / air.Square * air.Left[c] * air.Scattered[c] * std::expm1(-depth[c] - way[c]);
+      node.Value[c] = air.Strength / air.Square * air.Left[c] * air.Scattered[c] *
+        std::expm1(-way.Depth[c] - light[c]);
     }
     return node;
   };
@@ -218,7 +217,7 @@ void vtkGodRaysGridSight::CrossPart(const Ray& ray, double begin, double end, in
           continue;
         }
         edge = after;
-        sum += length * sunlit * value;
+        way.Light += length * sunlit * value;
       }
       else
       {

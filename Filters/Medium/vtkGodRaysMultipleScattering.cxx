@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysMultipleScattering.h"
 
+#include "vtkGodRaysFixedPoint.h"
 #include "vtkGodRaysGridBlocks.h"
 #include "vtkGodRaysGridLight.h"
 #include "vtkGodRaysOrdinates.h"
@@ -22,74 +23,25 @@ using Scene = vtkGodRaysTransportScene;
 using Wall = vtkGodRaysOrdinates::Wall;
 
 constexpr int MaximumMoments = vtkGodRaysOrdinates::MaximumMoments;
-constexpr int Samples = 4;            // of a node's volume, along each axis
-constexpr double Nearest = 0.14;      // distance of a lamp from nodes, at least [cells]
-constexpr float MostOpen = 0.5f;      // cover above which a node is opaque
+constexpr int Samples = 4;       // of a node's volume, along each axis
+constexpr double Nearest = 0.14; // distance of a lamp from nodes, at least [cells]
+constexpr float MostOpen = 0.5f; // cover above which a node is opaque
+constexpr float Wider = 1.5f;    // than their part of a volume are occluders, as light sees them
 constexpr double MostStretched = 1.2; // ratio of a cell's edges, or so
 
-// Extrapolates a fixed-point iteration x -> g(x) from its last steps g(x) - x [Anderson1965].
-class FixedPoint
+// Calls work for each of so many nodes, on several threads.
+template <typename Work>
+void ForNodes(std::size_t count, const Work& work)
 {
-public:
-  // Makes the next x of the last one and of g(x).
-  void Advance(std::vector<float>& x, const std::vector<float>& g)
-  {
-    std::vector<float> step(x.size());
-    std::transform(g.begin(), g.end(), x.begin(), step.begin(), std::minus<float>());
-    if (!this->Step.empty())
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count), 64,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      for (std::size_t i = 0; i < x.size(); ++i)
+      for (vtkIdType node = begin; node < end; ++node)
       {
-        this->Step[i] = step[i] - this->Step[i];
-        this->X[i] = x[i] - this->X[i] + this->Step[i];
+        work(static_cast<std::size_t>(node));
       }
-      this->Changes.push_back({ std::move(this->Step), std::move(this->X) });
-      if (this->Changes.size() > Depth)
-      {
-        this->Changes.pop_front();
-      }
-    }
-    this->X = x;
-    x = g;
-    const int count = static_cast<int>(this->Changes.size());
-    double matrix[Depth][Depth];
-    double* rows[Depth];
-    double weights[Depth];
-    const auto multiply = [](const std::vector<float>& a, const std::vector<float>& b)
-    { return std::inner_product(a.begin(), a.end(), b.begin(), 0.0); };
-    for (int i = 0; i < count; ++i)
-    {
-      rows[i] = matrix[i];
-      for (int j = 0; j <= i; ++j)
-      {
-        matrix[i][j] = matrix[j][i] = multiply(this->Changes[i].Step, this->Changes[j].Step);
-      }
-      matrix[i][i] *= 1.0 + 1e-6; // they may be parallel
-      weights[i] = multiply(this->Changes[i].Step, step);
-    }
-    const bool solved = count > 0 && vtkMath::SolveLinearSystem(rows, weights, count);
-    for (int i = 0; i < count && solved; ++i)
-    {
-      const float weight = static_cast<float>(weights[i]);
-      for (std::size_t k = 0; k < x.size(); ++k)
-      {
-        x[k] -= weight * this->Changes[i].Sum[k];
-      }
-    }
-    this->Step = std::move(step);
-  }
-
-private:
-  static constexpr int Depth = 5;
-  struct Change // from one x to the next: of the step, and of x and the step together
-  {
-    std::vector<float> Step;
-    std::vector<float> Sum;
-  };
-  std::deque<Change> Changes;
-  std::vector<float> X;
-  std::vector<float> Step;
-};
+    });
+}
 
 Vec3 GetOffset(int code, int count)
 {
@@ -141,6 +93,10 @@ public:
   Vec3 Cell = Vec3(1.0);
   double Unit = 1.0; // of the channels' lengths [scene units]
   Channel Channels[3];
+  // [light][node][colour], if there is a peak: light that arrives through the scaled media, and the peak's
+  // events on its way, which are means over what scatters.
+  std::vector<float> Arriving;
+  std::vector<float> Passed;
   std::vector<float> Cover;  // [node]
   std::vector<float> Albedo; // of what covers
   vtkGodRaysOrdinates Ordinates;
@@ -152,7 +108,7 @@ public:
   void SampleNode(std::size_t node);
   std::vector<Wall> MakeWalls(int color) const;
   void Solve(int color);
-  void FillOpaque(Channel& channel) const;
+  void FillOpaque(const Vec3& eye, const Vec3& forward, bool parallel, Texture& texture) const;
 
   // The light that arrives at a place through the scaled media, and the mean number of the peak's events on
   // its way, which is not set if no light comes.
@@ -270,20 +226,17 @@ Vec3 vtkGodRaysMultipleScattering::vtkInternals::GetArriving(
   const Scene::Light& source = this->Input.Lights[light];
   double distance;
   Vec3 arriving = this->Input.GetIrradiance(source, place, towards, distance);
-  const double near = std::min(distance / nearest, 1.0);
-  arriving *= near * near;
+  const double closeness = std::min(distance / nearest, 1.0);
+  arriving *= closeness * closeness;
   if (source.Visibility)
   {
     arriving *= source.Visibility(place);
   }
-  if (arriving == Vec3(0.0))
-  {
-    return arriving;
-  }
   Vec3 depth(0.0);
   events = Vec3(0.0);
   const int formulas = this->Input.Medium.NumberOfComponents;
-  for (int k = 0; k < this->Input.GetNumberOfComponents(); ++k)
+  const int components = arriving == Vec3(0.0) ? 0 : this->Input.GetNumberOfComponents();
+  for (int k = 0; k < components; ++k)
   {
     Vec3 own;
     if (k < formulas)
@@ -318,6 +271,9 @@ void vtkGodRaysMultipleScattering::vtkInternals::SampleNode(std::size_t node)
   std::array<Vec3, MaximumMoments> emits;
   scatters.fill(Vec3(0.0));
   emits.fill(Vec3(0.0));
+  const bool hasPeak = this->ForwardPeak.ForwardPart > 0.0;
+  std::vector<std::array<Vec3, 2>> comes(
+    hasPeak ? scene.Lights.size() : 0, { Vec3(0.0), Vec3(0.0) }); // light, and events times it
   int count = 0;
   int covered = 0;
   for (int i = 0; i < Samples * Samples * Samples; ++i)
@@ -358,6 +314,11 @@ void vtkGodRaysMultipleScattering::vtkInternals::SampleNode(std::size_t node)
       const Vec3 arriving = this->GetArriving(light, place, Nearest * this->Unit, towards, events);
       float harmonics[MaximumMoments];
       vtkGodRaysOrdinates::GetHarmonics(-towards, this->Settings.Degree, harmonics);
+      if (hasPeak && arriving != Vec3(0.0))
+      {
+        comes[light][0] += own[0] * arriving;
+        comes[light][1] += own[0] * arriving * events;
+      }
       for (int m = 0; m < this->CountMoments() && arriving != Vec3(0.0); ++m)
       {
         emits[m] += own[GetDegree(m)] * arriving * static_cast<double>(harmonics[m]);
@@ -378,6 +339,17 @@ void vtkGodRaysMultipleScattering::vtkInternals::SampleNode(std::size_t node)
       channel.Emission[m * this->Size + node] = static_cast<float>(factor * emits[m][c]);
     }
   }
+  for (std::size_t light = 0; light < comes.size(); ++light)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      const std::size_t at = 3 * (light * this->Size + node) + c;
+      this->Arriving[at] =
+        static_cast<float>(comes[light][0][c] / std::max(scatters[0][c], 1e-300));
+      this->Passed[at] =
+        static_cast<float>(comes[light][1][c] / std::max(comes[light][0][c], 1e-300));
+    }
+  }
   this->Cover[node] = static_cast<float>(covered) / static_cast<float>(std::max(count, 1));
 }
 
@@ -392,7 +364,7 @@ std::vector<Wall> vtkGodRaysMultipleScattering::vtkInternals::MakeWalls(int colo
     this->GetIndices(node, at);
     const float cover = this->Cover[node];
     // What covers half of the volume hides all; what covers less is wider than its share of the volume.
-    Wall wall = { node, cover > MostOpen ? 0.0f : 1.0f - 1.5f * cover, this->Albedo[node], false,
+    Wall wall = { node, cover > MostOpen ? 0.0f : 1.0f - Wider * cover, this->Albedo[node], false,
       {}, {} };
     for (int face = 0; face < 6; ++face)
     {
@@ -458,7 +430,7 @@ void vtkGodRaysMultipleScattering::vtkInternals::Solve(int color)
   std::vector<float> x(count + irradiance.size(), 0.0f);
   std::vector<float> next(x.size());
   std::vector<float> emission(count);
-  FixedPoint iteration;
+  vtkGodRaysFixedPoint iteration;
   for (this->Last.Sweeps = 1;; ++this->Last.Sweeps)
   {
     for (std::size_t i = 0; i < count; ++i)
@@ -492,11 +464,12 @@ void vtkGodRaysMultipleScattering::vtkInternals::Solve(int color)
   }
   next.resize(count);
   channel.Moments = std::move(next);
-  this->FillOpaque(channel);
 }
 
-// Gives nodes inside occluders the mean of their neighbours, so that rays along walls find no darkness there.
-void vtkGodRaysMultipleScattering::vtkInternals::FillOpaque(Channel& channel) const
+// Gives nodes inside occluders the mean of their neighbours on the eye's side, where view rays come from that
+// end there.
+void vtkGodRaysMultipleScattering::vtkInternals::FillOpaque(
+  const Vec3& eye, const Vec3& forward, bool parallel, Texture& texture) const
 {
   std::vector<float> cover = this->Cover;
   std::vector<float> left = cover;
@@ -509,22 +482,25 @@ void vtkGodRaysMultipleScattering::vtkInternals::FillOpaque(Channel& channel) co
     }
     int at[3];
     this->GetIndices(node, at);
-    std::array<float, MaximumMoments> sums = { 0.0f };
-    float count = 0.0f;
+    const Vec3 towards = parallel ? -forward : eye - this->GetPlace(node);
+    Vec3 sum(0.0);
+    double weights = 0.0;
     for (int face = 0; face < 6 && cover[node] > MostOpen; ++face)
     {
-      const int next = at[face / 2] + (face % 2 ? 1 : -1);
+      const int step = face % 2 ? 1 : -1;
+      const int next = at[face / 2] + step;
+      const double ahead = step * towards[face / 2];
       const std::size_t other = this->GetBeside(node, face);
-      const bool isOpen = next >= 0 && next < this->Nodes[face / 2] && cover[other] <= MostOpen;
-      count += isOpen ? 1.0f : 0.0f;
-      for (int m = 0; m < this->CountMoments() && isOpen; ++m)
+      if (ahead > 0.0 && next >= 0 && next < this->Nodes[face / 2] && cover[other] <= MostOpen)
       {
-        sums[m] += channel.Moments[m * this->Size + other];
+        const float* const value = texture.Values.data() + 3 * other;
+        sum += ahead * Vec3(value[0], value[1], value[2]);
+        weights += ahead;
       }
     }
-    for (int m = 0; m < this->CountMoments() && count > 0.0f; ++m)
+    for (int c = 0; c < 3 && weights > 0.0; ++c)
     {
-      channel.Moments[m * this->Size + node] = sums[m] / count;
+      texture.Values[3 * node + c] = static_cast<float>(sum[c] / weights);
       left[node] = 0.0f;
     }
   }
@@ -537,18 +513,17 @@ vtkGodRaysMultipleScattering::vtkGodRaysMultipleScattering()
 vtkGodRaysMultipleScattering::~vtkGodRaysMultipleScattering() = default;
 
 vtkGodRaysMultipleScattering::Parameters vtkGodRaysMultipleScattering::Choose(
-  double tolerance, double depth, double asymmetry, bool hasOccluders)
+  double tolerance, double depth, double asymmetry)
 {
   Parameters result;
-  if (tolerance >= 0.02 && std::abs(asymmetry) <= 0.5)
+  if (tolerance >= 1e-3)
   {
-    result.Cells = depth > 10.0 ? 32 : 16;
-    result.Directions = depth > 3.0 && hasOccluders ? 98 : 26;
+    result.Cells = depth > 1.0 ? 24 : 16;
   }
   else if (std::abs(asymmetry) > 0.5 || depth > 0.3)
   {
     result.Cells = 32;
-    result.Directions = tolerance >= 0.01 && !hasOccluders ? 26 : 98;
+    result.Directions = 98;
     result.Degree = 3;
   }
   return result;
@@ -577,14 +552,16 @@ bool vtkGodRaysMultipleScattering::Update(const Scene& scene, const Parameters& 
   }
   in.Cover.assign(in.Size, 0.0f);
   in.Albedo.assign(in.Size, 0.0f);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(in.Size), 64,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType node = begin; node < end; ++node)
-      {
-        in.SampleNode(node);
-      }
-    });
+  const std::size_t lights = in.ForwardPeak.ForwardPart > 0.0 ? scene.Lights.size() : 0;
+  in.Arriving.assign(3 * lights * in.Size, 0.0f);
+  in.Passed.assign(3 * lights * in.Size, 0.0f);
+  ForNodes(in.Size, [&](std::size_t node) { in.SampleNode(node); });
+  if (scene.Cover)
+  {
+    scene.Cover(in.Nodes, scene.Low, in.Cell, in.Cover);
+    std::transform(in.Cover.begin(), in.Cover.end(), in.Cover.begin(),
+      [](float stopped) { return std::min(stopped, 1.0f) / Wider; });
+  }
   for (int c = 0; c < 3; ++c)
   {
     // Colours that are alike, but for a factor of the light, are solved once.
@@ -628,45 +605,94 @@ void vtkGodRaysMultipleScattering::Contract(
     const auto values = in.Channels[i % 3].Scattering.begin() + (i / 3) * in.Size;
     means[i] = std::accumulate(values, values + in.Size, 0.0);
   }
-  vtkSMPTools::For(0, static_cast<vtkIdType>(in.Size), 256,
-    [&](vtkIdType begin, vtkIdType end)
+  ForNodes(in.Size,
+    [&](std::size_t node)
     {
-      for (std::size_t node = begin; node < static_cast<std::size_t>(end); ++node)
+      // Nodes near the eye are for rays that begin between them, all of which go forward: they see an eye
+      // a cell behind.
+      Vec3 towards = eye - in.GetPlace(node);
+      const double closeness = 2.0 - vtkGodRays::length(towards) / in.Unit;
+      towards -= in.Unit * glm::clamp(closeness, 0.0, 1.0) * forward;
+      towards = parallel ? -forward : towards / std::max(vtkGodRays::length(towards), 1e-300);
+      float harmonics[MaximumMoments];
+      vtkGodRaysOrdinates::GetHarmonics(towards, in.Settings.Degree, harmonics);
+      for (int c = 0; c < 3; ++c)
       {
-        // Nodes near the eye are for rays that begin between them, all of which go forward: they see an eye
-        // a cell behind.
-        Vec3 towards = eye - in.GetPlace(node);
-        const double near = 2.0 - vtkGodRays::length(towards) / in.Unit;
-        towards -= in.Unit * glm::clamp(near, 0.0, 1.0) * forward;
-        towards = parallel ? -forward : towards / std::max(vtkGodRays::length(towards), 1e-300);
-        float harmonics[MaximumMoments];
-        vtkGodRaysOrdinates::GetHarmonics(towards, in.Settings.Degree, harmonics);
-        for (int c = 0; c < 3; ++c)
+        const vtkInternals::Channel& channel = in.Channels[c];
+        const bool isVoid = channel.Scattering[node] <= 0.0f;
+        const double whole = isVoid ? means[c] : channel.Scattering[node];
+        double sum = 0.0;
+        for (int m = 0; m < in.CountMoments() && whole > 0.0; ++m)
         {
-          const vtkInternals::Channel& channel = in.Channels[c];
-          const bool isVoid = channel.Scattering[node] <= 0.0f;
-          const double whole = isVoid ? means[c] : channel.Scattering[node];
-          double sum = 0.0;
-          for (int m = 0; m < in.CountMoments() && whole > 0.0; ++m)
-          {
-            const int l = vtkInternals::GetDegree(m);
-            const double part = isVoid ? means[3 * l + c] : channel.Scattering[l * in.Size + node];
-            sum += part / whole * harmonics[m] * channel.Moments[m * in.Size + node];
-          }
-          texture.Values[3 * node + c] = static_cast<float>(sum);
+          const int l = vtkInternals::GetDegree(m);
+          const double part = isVoid ? means[3 * l + c] : channel.Scattering[l * in.Size + node];
+          sum += part / whole * harmonics[m] * channel.Moments[m * in.Size + node];
         }
+        texture.Values[3 * node + c] = static_cast<float>(sum);
       }
     });
+  in.FillOpaque(eye, forward, parallel, texture);
+}
+
+void vtkGodRaysMultipleScattering::FindSource(
+  const Vec3& eye, const Vec3& forward, bool parallel, Texture& texture) const
+{
+  const vtkInternals& in = *this->Internals;
+  this->Contract(eye, forward, parallel, texture);
+  const double f = texture.ForwardPart = in.ForwardPeak.ForwardPart;
+  const Scene& scene = in.Input;
+  const Vec3 last(in.Nodes[0] - 1, in.Nodes[1] - 1, in.Nodes[2] - 1);
+  constexpr int steps =
+    8; // of a node's way to the eye: peaks change slowly with the number of events
+  const auto add = [&](std::size_t node)
+  {
+    const Vec3 place = in.GetPlace(node);
+    Vec3 way = parallel ? -2.0 * vtkGodRays::length(scene.High - scene.Low) * forward : eye - place;
+    const double distance = std::max(vtkGodRays::length(way), 1e-300);
+    double begin = 0.0;
+    double end = 1.0;
+    scene.Clip(place, way, begin, end); // beyond the box media are not known
+    Vec3 events(0.0);
+    for (int i = 0; i < steps; ++i)
+    {
+      const Vec3 at = vtkGodRays::clamp(
+        (place + end * (i + 0.5) / steps * way - scene.Low) / in.Cell + 0.5, Vec3(0.0), last);
+      const std::size_t nearest =
+        (static_cast<std::size_t>(at.z) * in.Nodes[1] + static_cast<std::size_t>(at.y)) *
+          in.Nodes[0] +
+        static_cast<std::size_t>(at.x);
+      for (int c = 0; c < 3; ++c)
+      {
+        events[c] += in.Channels[c].Scattering[nearest];
+      }
+    }
+    events *= f / (1.0 - f) * end * distance / (steps * in.Unit);
+    for (int c = 0; c < 3; ++c)
+    {
+      float& value = texture.Values[3 * node + c];
+      value *= static_cast<float>(1.0 - f);
+      for (std::size_t k = 0; k < scene.Lights.size() && f > 0.0; ++k)
+      {
+        const std::size_t at = 3 * (k * in.Size + node) + c;
+        if (in.Arriving[at] > 0.0f)
+        {
+          double unused;
+          Vec3 towards;
+          scene.GetIrradiance(scene.Lights[k], place, towards, unused);
+          value += in.Arriving[at] *
+            static_cast<float>(in.ForwardPeak.Get(
+              -vtkGodRays::dot(towards, way) / distance, in.Passed[at] + events[c]));
+        }
+      }
+    }
+  };
+  ForNodes(in.Size, add);
+  in.FillOpaque(eye, forward, parallel, texture);
 }
 
 const vtkGodRaysForwardPeak& vtkGodRaysMultipleScattering::GetPeak() const
 {
   return this->Internals->ForwardPeak;
-}
-
-Vec3 vtkGodRaysMultipleScattering::GetEvents(int component) const
-{
-  return this->Internals->Events[component];
 }
 
 vtkGodRaysMultipleScattering::Result vtkGodRaysMultipleScattering::Evaluate(

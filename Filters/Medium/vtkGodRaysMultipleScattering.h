@@ -53,7 +53,9 @@ public:
     Vec3 Low = Vec3(0.0);  // the first node
     Vec3 Cell = Vec3(1.0); // edges
     std::vector<float> Values;
+    double ForwardPart = 0.0; // of scattered light, which counts as not scattered, of FindSource()
 
+    /// Beyond the nodes it is that of the outermost ones.
     Vec3 Sample(const Vec3& place) const;
   };
 
@@ -77,7 +79,7 @@ public:
 
   /// Returns the cheapest parameters that kept a tolerance, an RMS error as a fraction of the brightest
   /// radiance, in most scenes that were measured, by their optical depth and mean cosine of scattering.
-  static Parameters Choose(double tolerance, double depth, double asymmetry, bool hasOccluders);
+  static Parameters Choose(double tolerance, double depth, double asymmetry);
 
   /// Solves, unless parameters and the scene's Version are those of the last time; returns whether it did.
   bool Update(const Scene& scene, const Parameters& parameters);
@@ -86,11 +88,12 @@ public:
   /// direction.
   void Contract(const Vec3& eye, const Vec3& forward, bool parallel, Texture& texture) const;
 
-  const vtkGodRaysForwardPeak& GetPeak() const;
+  /// Finds all that D has of each place but the scaled extinction between it and the eye: what scattering
+  /// there sends towards the eye, for each unit of its coefficient. Light and the peak's events are the means
+  /// of nodes.
+  void FindSource(const Vec3& eye, const Vec3& forward, bool parallel, Texture& texture) const;
 
-  /// Returns the mean number of the peak's events for each unit of a component's optical depth, by colour:
-  /// for n, and for depths of the scaled medium, which are less by as much.
-  Vec3 GetEvents(int component) const;
+  const vtkGodRaysForwardPeak& GetPeak() const;
 
   /// Evaluates D of a view ray in so many steps.
   Result Evaluate(const Texture& texture, const Ray& ray, int steps) const;

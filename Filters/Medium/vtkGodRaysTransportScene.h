@@ -47,6 +47,11 @@ struct VTKGODRAYSFILTERS_EXPORT vtkGodRaysTransportScene
   bool SunIsDimmed = false;
   /// Returns the albedo of the occluder that a place is inside of; below 0: none. Null: there are none.
   std::function<double(const Vec3& place)> Solid;
+  /// Fills in what part of the light that goes through each node black occluders stop, of the grid that
+  /// begins at low; x is fastest. Null: Solid tells.
+  std::function<void(
+    const int nodes[3], const Vec3& low, const Vec3& cell, std::vector<float>& cover)>
+    Cover;
   /// The albedo of the box's faces, from inside: -x, +x, -y, +y, -z, +z. Light leaves and enters where it is
   /// 0; other faces are opaque. A ground is a face.
   double FaceAlbedo[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };

@@ -10,6 +10,7 @@
 #ifndef vtkGodRaysTriangleTree_h
 #define vtkGodRaysTriangleTree_h
 
+#include "vtkGodRaysFiltersModule.h" // For export macro
 #include "vtkGodRaysMath.h"
 
 #include <array>
@@ -23,7 +24,7 @@ namespace vtkGodRays
 {
 using Triangle = std::array<Vec3, 3>;
 
-class TriangleTree
+class VTKGODRAYSFILTERS_EXPORT TriangleTree
 {
 public:
   /// Of polygons and strips, those whose corners are finite. Null has none.

@@ -123,6 +123,9 @@ void vtkGodRaysMediumEffect::Begin(const Frame& frame)
     : GetDiagonal(bounds) * (air.Scattering[1] + air.Absorption[1]);
   this->HiddenLamps = 0;
   this->Data.Begin();
+  this->Diffuse.Begin();
+  this->LightsToCome = frame.NumberOfLights;
+  this->SingleReason = this->FindSingle(frame);
   this->DataError = frame.ErrorTolerance;
   this->HadData = false;
   if (!this->Data.IsEmpty() && frame.NumberOfLights == 0 && frame.Scatters)
@@ -148,7 +151,11 @@ std::string vtkGodRaysMediumEffect::Describe() const
   {
     text << ", " << this->HiddenLamps << " lamp(s) in the planet's ground give no light";
   }
-  text << this->Data.Describe();
+  text << this->Data.Describe() << this->Diffuse.Describe();
+  if (!this->SingleReason.empty())
+  {
+    text << ", light is scattered once: " << this->SingleReason;
+  }
   return text.str();
 }
 
@@ -194,12 +201,42 @@ vtkGodRaysMediumIntegrator::Request vtkGodRaysMediumEffect::MakeRequest(
 
 // With the shadows that the light in the air has, so that what data take of it is no more than there is.
 bool vtkGodRaysMediumEffect::DrawData(const vtkGodRaysMediumIntegrator::Request& request,
-  bool hasAir, vtkGodRaysMediumIntegrator* integrator)
+  bool hasAir, vtkGodRaysMediumIntegrator* integrator, const vtkGodRaysDiffuseLight* diffuse)
 {
   const vtkGodRaysShadowGrids* shadows =
     hasAir ? integrator->GetShadows() : integrator->DrawShadows(request);
-  this->HadData = shadows && this->Data.Draw(request, shadows);
+  this->HadData = shadows && this->Data.Draw(request, shadows, diffuse);
   return this->HadData;
+}
+
+// Why all orders cannot be had; empty if they can, or are not asked for.
+std::string vtkGodRaysMediumEffect::FindSingle(const Frame& frame) const
+{
+  return this->Model->GetScatteringOrders() == vtkGodRaysMediumModel::SINGLE ? ""
+    : frame.Compositor && frame.Compositor->IsDistributed()
+    ? "all orders are not found on several processes"
+    : this->Medium.NumberOfComponents + this->Data.GetGrids().size() >
+      vtkGodRaysTransportScene::MaximumComponents
+    ? "all orders are found in at most 16 media"
+    : "";
+}
+
+// Take a light, and find light of all orders once it is the last one.
+bool vtkGodRaysMediumEffect::FindDiffuse(
+  const Frame& frame, const vtkGodRaysMediumIntegrator::Request& request, bool estimates)
+{
+  const vtkGodRaysGridPicture* data = this->Data.IsEmpty() ? nullptr : this->Data.Prepare(request);
+  if (!(data || this->Data.IsEmpty()) || !this->Diffuse.AddLight(request, data))
+  {
+    return false;
+  }
+  if (this->LightsToCome == 0)
+  {
+    double bounds[6];
+    vtkGodRaysGate::FindBounds(frame.Renderer, frame.Compositor, bounds);
+    this->Diffuse.Find(request, bounds, this->Data.GetGrids(), this->Data.GetVersion(), estimates);
+  }
+  return true;
 }
 
 bool vtkGodRaysMediumEffect::IsInGround(const vtkGodRaysLight& light) const
@@ -221,6 +258,7 @@ bool vtkGodRaysMediumEffect::DrawLight(const Frame& frame, const vtkGodRaysLight
   vtkGodRaysMediumIntegrator::Request request = this->MakeRequest(frame, light);
   auto integrator = vtkGodRaysMediumIntegrator::SafeDownCast(frame.Integrator);
   frame.Timers->Start(vtkGodRaysTimers::SCATTERING);
+  --this->LightsToCome;
   bool done = false;
   if (frame.Compositor && !frame.Compositor->IsRoot())
   {
@@ -235,9 +273,16 @@ bool vtkGodRaysMediumEffect::DrawLight(const Frame& frame, const vtkGodRaysLight
     const bool isWhole = !frame.Compositor || !frame.Compositor->IsDistributed();
     vtkGodRaysVerification verification(integrator, *frame.Light);
     const bool hasAir = this->Data.IsEmpty() || this->Model->CanScatter();
-    done = !hasAir || integrator->Integrate(request);
-    done = done && (this->Data.IsEmpty() || this->DrawData(request, hasAir, integrator));
-    if (done && isWhole && verification.IsWanted())
+    const bool all = this->Model->GetScatteringOrders() == vtkGodRaysMediumModel::ALL &&
+      this->SingleReason.empty();
+    done = (!hasAir || integrator->Integrate(request)) &&
+      (!all || this->FindDiffuse(frame, request, verification.IsWanted()));
+    const vtkGodRaysDiffuseLight* const diffuse =
+      all && this->LightsToCome == 0 ? &this->Diffuse : nullptr;
+    done = done && (this->Data.IsEmpty() || this->DrawData(request, hasAir, integrator, diffuse));
+    const bool isMixed =
+      diffuse && !this->Data.IsEmpty(); // what data scatter once is not known alone
+    if (done && isWhole && verification.IsWanted() && !isMixed)
     {
       if (this->VerifiedData != this->Data.GetVersion())
       {
@@ -246,6 +291,7 @@ bool vtkGodRaysMediumEffect::DrawLight(const Frame& frame, const vtkGodRaysLight
       }
       this->Verification.Measure(request, verification);
     }
+    done = done && (!diffuse || !this->Data.IsEmpty() || this->Diffuse.Add(request));
   }
   frame.Timers->Stop();
   return done;
@@ -281,6 +327,7 @@ bool vtkGodRaysMediumEffect::FillNumbers(const Reading& reading, vtkImageData* i
     const bool hasData = this->HadData && left.size() == 3 * reading.WindowDepths.size();
     vtkGodRaysMediumNumbers::Fill(reading, this->LastView, this->Medium, this->LastUnit,
       hasData ? left.data() : nullptr, 4.0 * this->DataError, image);
+    vtkGodRaysMediumNumbers::AddOrders(this->Diffuse.HasLight(), image);
     if (this->HadData)
     {
       double mean;
@@ -296,4 +343,5 @@ void vtkGodRaysMediumEffect::Release(vtkWindow* window)
 {
   this->Depths.Release(window);
   this->Data.Release(window);
+  this->Diffuse.Release(window);
 }

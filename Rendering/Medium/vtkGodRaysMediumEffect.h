@@ -9,6 +9,7 @@
 #ifndef vtkGodRaysMediumEffect_h
 #define vtkGodRaysMediumEffect_h
 
+#include "vtkGodRaysDiffuseLight.h"
 #include "vtkGodRaysEffect.h"
 #include "vtkGodRaysMedium.h"
 #include "vtkGodRaysMediumVerification.h"
@@ -55,12 +56,18 @@ private:
   bool IsInGround(const vtkGodRaysLight& light) const; // of a planet
   vtkGodRaysMediumIntegrator::Request MakeRequest(const Frame& frame, const vtkGodRaysLight& light);
   bool DrawData(const vtkGodRaysMediumIntegrator::Request& request, bool hasAir,
-    vtkGodRaysMediumIntegrator* integrator);
+    vtkGodRaysMediumIntegrator* integrator, const vtkGodRaysDiffuseLight* diffuse);
+  bool FindDiffuse(
+    const Frame& frame, const vtkGodRaysMediumIntegrator::Request& request, bool estimates);
+  std::string FindSingle(const Frame& frame) const;
 
   vtkGodRaysMediumModel* Model;
   vtkGodRaysMedium Medium; // of this frame, in scene units
   vtkGodRaysViewDepths Depths;
   vtkGodRaysVolumeMedium Data;
+  vtkGodRaysDiffuseLight Diffuse;
+  int LightsToCome = 0;     // of this frame
+  std::string SingleReason; // why light is scattered once in this frame, though ALL is asked for
   unsigned int VerifiedData = 0;
   double DataError = 0.0; // of the last frame
   bool HadData = false;   // alike

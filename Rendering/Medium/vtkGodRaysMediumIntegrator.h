@@ -47,8 +47,10 @@ public:
     vtkGodRaysViewDepths* Depths = nullptr;
     const std::vector<vtkProp*>* Occluders = nullptr; ///< these props block light
     vtkGodRaysCompositor* Compositor = nullptr;       ///< of a scene on several processes
-    double Share = 0.5;   ///< of a nested face in the one before [fraction]
-    double Focus = 0.0;   ///< of the camera; with it, a sun's faces take steps as the eye moves
+    double Share = 0.5; ///< of a nested face in the one before [fraction]
+    /// Of the camera; with it, a sun's faces take steps as the eye moves. Infinite: one face is about all
+    /// occluders, wherever the eye is.
+    double Focus = 0.0;
     double Nearest = 0.0; ///< distance from a lamp from which on its cube of maps must see things
     double Overlap = 0.0; ///< by which its faces reach into the next ones [of half a face]
     bool WantsLayers = true; ///< of what lets light through; false where there is no picture

@@ -73,6 +73,8 @@ void vtkGodRaysMediumModel::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WorldUnitInMeters: " << this->WorldUnitInMeters << "\n";
   os << indent << "FarLimit: " << this->FarLimit << "\n";
   os << indent << "AttenuateScene: " << (this->AttenuateScene ? "on" : "off") << "\n";
+  os << indent << "ScatteringOrders: " << (this->ScatteringOrders == ALL ? "ALL" : "SINGLE")
+     << "\n";
   os << indent << "DataScale: " << this->DataScale << "\n";
   os << indent << "DataAlbedo: " << this->DataAlbedo[0] << " " << this->DataAlbedo[1] << " "
      << this->DataAlbedo[2] << "\n";

@@ -280,3 +280,9 @@ void vtkGodRaysMediumNumbers::AddDataErrors(
   AddNumber(image, name + "Error", mean / GetMeters(unit), "m-1, root mean square");
   AddNumber(image, name + "MaxError", largest / GetMeters(unit), "m-1");
 }
+
+void vtkGodRaysMediumNumbers::AddOrders(bool all, vtkImageData* image)
+{
+  AddNumber(image, "ScatteringOrders", all ? 0.0 : 1.0,
+    "1: once, 0: any number of times; Radiance_Error is that of light that was scattered once");
+}

@@ -33,6 +33,11 @@ public:
    * Add how far the extinction of data is off by resampling [1/scene unit]: root mean square, and at most.
    */
   static void AddDataErrors(double mean, double largest, double unit, vtkImageData* image);
+
+  /**
+   * Add how often the light was scattered: once, to Radiance_Error, or, with all orders, any number of times.
+   */
+  static void AddOrders(bool all, vtkImageData* image);
 };
 
 #endif

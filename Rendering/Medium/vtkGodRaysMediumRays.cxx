@@ -61,6 +61,21 @@ vtkGodRaysSingleScattering::Parameters vtkGodRaysMediumRays::GetWorldParameters(
   return parameters;
 }
 
+vtkGodRaysFroxels::Picture vtkGodRaysMediumRays::GetPicture() const
+{
+  const double scale = this->Request.View->ViewScale;
+  vtkGodRaysFroxels::Picture picture;
+  picture.Size[0] = this->Request.Result->GetWidth();
+  picture.Size[1] = this->Request.Result->GetHeight();
+  picture.PixelSize = this->Pinhole.PixelSize * scale * this->LayerSize[1] / picture.Size[1];
+  for (int i = 0; i < 2; ++i)
+  {
+    picture.Center[i] =
+      (0.5 + (this->Pinhole.Center[i] / this->LayerSize[i] - 0.5) / scale) * picture.Size[i];
+  }
+  return picture;
+}
+
 bool vtkGodRaysMediumRays::IsClosed() const
 {
   return this->IsInfinite() && !this->Request.Medium->HasExponentialDensity();

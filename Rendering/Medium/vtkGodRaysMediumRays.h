@@ -10,6 +10,7 @@
 #ifndef vtkGodRaysMediumRays_h
 #define vtkGodRaysMediumRays_h
 
+#include "vtkGodRaysFroxels.h"          // For Picture
 #include "vtkGodRaysLight.h"            // For IsInfinite
 #include "vtkGodRaysMediumIntegrator.h" // For Request
 #include "vtkGodRaysSingleScattering.h" // For Parameters
@@ -45,6 +46,11 @@ public:
   ///@}
 
   const vtkGodRaysView::Pinhole& GetPinhole() const { return this->Pinhole; }
+
+  /**
+   * Get the view rays of the result's pixels: of the layer the part without the margin.
+   */
+  vtkGodRaysFroxels::Picture GetPicture() const;
 
   /**
    * Give the shader its numbers.

@@ -119,6 +119,37 @@ vtkMTimeType GetTime(vtkProp* prop)
 }
 }
 
+int vtkGodRaysMediumVerification::AddOpaque(const std::vector<vtkProp*>& props,
+  vtkAppendPolyData* all, const std::function<bool(vtkActor*, vtkMatrix4x4*)>& translucent)
+{
+  int leftOut = 0;
+  for (vtkProp* prop : props)
+  {
+    prop->InitPathTraversal();
+    while (vtkAssemblyPath* path = prop->GetNextPath())
+    {
+      vtkAssemblyNode* node = path->GetLastNode();
+      vtkProp* part = node->GetViewProp();
+      auto actor = vtkActor::SafeDownCast(part);
+      if (!part->GetVisibility())
+      {
+        continue;
+      }
+      if (translucent && part->HasTranslucentPolygonalGeometry())
+      {
+        leftOut += translucent(actor, node->GetMatrix()) ? 0 : 1;
+      }
+      if (!part->HasOpaqueGeometry())
+      {
+        leftOut += vtkVolume::SafeDownCast(part) ? 1 : 0;
+        continue;
+      }
+      leftOut += actor && AddActor(actor, node->GetMatrix(), all) ? 0 : 1;
+    }
+  }
+  return leftOut;
+}
+
 void vtkGodRaysMediumVerification::TakeOccluders(const std::vector<vtkProp*>& props)
 {
   std::vector<std::pair<const void*, vtkMTimeType>> now;
@@ -132,36 +163,10 @@ void vtkGodRaysMediumVerification::TakeOccluders(const std::vector<vtkProp*>& pr
   }
   this->Taken = std::move(now);
   this->HasTaken = true;
-  this->LeftOut = 0;
   this->Exact.RemoveAllVeils();
   vtkNew<vtkAppendPolyData> all;
-  for (vtkProp* prop : props)
-  {
-    prop->InitPathTraversal();
-    while (vtkAssemblyPath* path = prop->GetNextPath())
-    {
-      vtkAssemblyNode* node = path->GetLastNode();
-      vtkProp* part = node->GetViewProp();
-      auto actor = vtkActor::SafeDownCast(part);
-      if (!part->GetVisibility())
-      {
-        continue;
-      }
-      if (part->HasTranslucentPolygonalGeometry())
-      {
-        this->LeftOut += this->AddVeil(actor, node->GetMatrix()) ? 0 : 1;
-      }
-      if (!part->HasOpaqueGeometry())
-      {
-        this->LeftOut += vtkVolume::SafeDownCast(part) ? 1 : 0;
-        continue;
-      }
-      if (!actor || !AddActor(actor, node->GetMatrix(), all))
-      {
-        ++this->LeftOut;
-      }
-    }
-  }
+  this->LeftOut = AddOpaque(props, all,
+    [this](vtkActor* actor, vtkMatrix4x4* matrix) { return this->AddVeil(actor, matrix); });
   if (all->GetNumberOfInputConnections(0) > 0)
   {
     all->Update();

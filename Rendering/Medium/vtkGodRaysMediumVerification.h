@@ -18,11 +18,13 @@
 #include "vtkGodRaysSingleScattering.h"
 #include "vtkType.h" // For vtkMTimeType
 
+#include <functional> // For std::function
 #include <string>
 #include <utility> // For std::pair
 #include <vector>
 
 class vtkActor;
+class vtkAppendPolyData;
 class vtkGodRaysVerification;
 class vtkMatrix4x4;
 struct vtkGodRaysGrid;
@@ -40,6 +42,13 @@ public:
    */
   void Measure(
     const vtkGodRaysMediumIntegrator::Request& request, vtkGodRaysVerification& verification);
+
+  /**
+   * Add the opaque surfaces of props, in the world, and call translucent for the others of their parts.
+   * Returns how many parts are no surfaces.
+   */
+  static int AddOpaque(const std::vector<vtkProp*>& props, vtkAppendPolyData* all,
+    const std::function<bool(vtkActor*, vtkMatrix4x4*)>& translucent = nullptr);
 
   /**
    * What is left out, for the plan; empty if nothing is.

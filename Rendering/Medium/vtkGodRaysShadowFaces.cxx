@@ -44,7 +44,8 @@ bool GetBounds(const vtkGodRaysMediumIntegrator::Request& request, double bounds
 }
 
 /// Right, up, and backwards from what is looked at: made right-handed, in the camera's coordinates, so
-/// that faces of props face as they do. In the world they are the same wherever the eye is.
+/// that faces of props face as they do. In the world they are the same wherever the eye is: the perpendicular
+/// is chosen by the largest component, of which the eye's rounding must not make another one.
 void SetAxes(const vtkGodRaysView& view, const double backwards[3], double axes[3][3])
 {
   const double* toView = view.WorldToView; // its rows turn, and mirror z
@@ -57,6 +58,10 @@ void SetAxes(const vtkGodRaysView& view, const double backwards[3], double axes[
       backwards[0] * toView[i] + backwards[1] * toView[4 + i] + backwards[2] * toView[8 + i];
   }
   vtkMath::Normalize(world);
+  for (double& component : world)
+  {
+    component = std::round(component * 1e6) / 1e6;
+  }
   vtkMath::Perpendiculars(world, right, unused, 0.0);
   for (int i = 0; i < 3; ++i)
   {
@@ -203,7 +208,7 @@ void vtkGodRaysShadowFaces::FitDirectional(const vtkGodRaysMediumIntegrator::Req
     seenLow[k] = std::max(low[k], seenLow[k]);
     seenHigh[k] = std::min(high[k], seenHigh[k]);
     seen *= seenHigh[k] - seenLow[k];
-    if (!(seenLow[k] - around < seenHigh[k] + around))
+    if (!std::isinf(request.Focus) && !(seenLow[k] - around < seenHigh[k] + around))
     {
       return; // no shadow is seen
     }

@@ -4,6 +4,7 @@
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkGodRaysCompositor.h"
+#include "vtkGodRaysDiffuseLight.h"
 #include "vtkGodRaysLight.h"
 #include "vtkGodRaysMediumRays.h"
 #include "vtkGodRaysOpenGL.h"
@@ -198,51 +199,31 @@ bool vtkGodRaysVolumeMedium::ReadDepths(const vtkGodRaysMediumIntegrator::Reques
   return true;
 }
 
-bool vtkGodRaysVolumeMedium::Draw(
-  const vtkGodRaysMediumIntegrator::Request& request, const vtkGodRaysShadowGrids* shadows)
+// The one of the next light, with the grids as they are.
+vtkGodRaysVolumeMedium::Drawer& vtkGodRaysVolumeMedium::GetDrawer()
 {
-  if (!this->ReadDepths(request))
-  {
-    return false;
-  }
   if (this->Light == this->Drawers.size())
   {
     this->Drawers.emplace_back();
   }
-  Drawer& drawer = this->Drawers[this->Light++];
+  Drawer& drawer = this->Drawers[this->Light];
   if (drawer.Version != this->Version)
   {
     drawer.Picture.SetGrids(this->Grids, drawer.ExtinctionVersion == this->ExtinctionVersion);
     drawer.Version = this->Version;
     drawer.ExtinctionVersion = this->ExtinctionVersion;
   }
-  drawer.Picture.SetShadows(shadows);
-  auto parameters = vtkGodRaysMediumRays::GetWorldParameters(request);
-  parameters.Tolerance = PartOfTolerance * request.ErrorTolerance;
+  return drawer;
+}
 
-  const vtkGodRaysTarget& ends = *request.Depths->GetEnds();
-  const int layer[2] = { ends.GetWidth(), ends.GetHeight() };
-  const vtkGodRaysMediumRays rays(request, layer);
-  vtkGodRaysGridPicture::Picture picture;
-  picture.Size[0] = request.Result->GetWidth();
-  picture.Size[1] = request.Result->GetHeight();
-  const std::size_t values = 3 * static_cast<std::size_t>(picture.Size[0]) * picture.Size[1];
-  this->Radiance.resize(values);
-  this->Transmittance.resize(values);
-  // Of the layer's picture the part without the margin.
-  const vtkGodRaysView::Pinhole& pinhole = rays.GetPinhole();
-  const double scale = request.View->ViewScale;
-  picture.PixelSize = pinhole.PixelSize * scale * layer[1] / picture.Size[1];
-  for (int i = 0; i < 2; ++i)
-  {
-    picture.Center[i] = (0.5 + (pinhole.Center[i] / layer[i] - 0.5) / scale) * picture.Size[i];
-  }
-  picture.Depths = this->Depths.data();
-  picture.Radiance = this->Radiance.data();
-  picture.Transmittance = this->Transmittance.data();
+/// Does what takes memory. Returns false, after a warning, if there is not enough.
+template <typename Work>
+bool vtkGodRaysVolumeMedium::Try(const Work& work)
+{
   try
   {
-    drawer.Picture.Draw(parameters, picture);
+    work();
+    return true;
   }
   catch (const std::bad_alloc&)
   {
@@ -254,7 +235,50 @@ bool vtkGodRaysVolumeMedium::Draw(
       "fewer points, as by vtkImageResample.");
     return false;
   }
-  drawer.Picture.SetShadows(nullptr);
+}
+
+const vtkGodRaysGridPicture* vtkGodRaysVolumeMedium::Prepare(
+  const vtkGodRaysMediumIntegrator::Request& request)
+{
+  vtkGodRaysGridPicture& picture = this->GetDrawer().Picture;
+  return this->Try([&]() { picture.Prepare(vtkGodRaysMediumRays::GetWorldParameters(request)); })
+    ? &picture
+    : nullptr;
+}
+
+bool vtkGodRaysVolumeMedium::Draw(const vtkGodRaysMediumIntegrator::Request& request,
+  const vtkGodRaysShadowGrids* shadows, const vtkGodRaysDiffuseLight* diffuse)
+{
+  if (!this->ReadDepths(request))
+  {
+    return false;
+  }
+  vtkGodRaysGridPicture& drawer = this->GetDrawer().Picture;
+  ++this->Light;
+  drawer.SetShadows(shadows);
+  drawer.SetDiffuse(diffuse ? diffuse->GetAir() : nullptr, diffuse ? diffuse->GetData() : nullptr);
+  auto parameters = vtkGodRaysMediumRays::GetWorldParameters(request);
+  parameters.Tolerance = PartOfTolerance * request.ErrorTolerance;
+
+  const vtkGodRaysTarget& ends = *request.Depths->GetEnds();
+  const int layer[2] = { ends.GetWidth(), ends.GetHeight() };
+  const vtkGodRaysFroxels::Picture seen = vtkGodRaysMediumRays(request, layer).GetPicture();
+  vtkGodRaysGridPicture::Picture picture;
+  std::copy_n(seen.Size, 2, picture.Size);
+  std::copy_n(seen.Center, 2, picture.Center);
+  picture.PixelSize = seen.PixelSize;
+  const std::size_t values = 3 * static_cast<std::size_t>(picture.Size[0]) * picture.Size[1];
+  this->Radiance.resize(values);
+  this->Transmittance.resize(values);
+  picture.Depths = this->Depths.data();
+  picture.Radiance = this->Radiance.data();
+  picture.Transmittance = this->Transmittance.data();
+  if (!this->Try([&]() { drawer.Draw(parameters, picture); }))
+  {
+    return false;
+  }
+  drawer.SetShadows(nullptr);
+  drawer.SetDiffuse(nullptr, nullptr);
 
   if (!request.Result->Settle()) // what is lent may be these rays, of another light
   {

@@ -23,6 +23,7 @@
 #include <vector>
 
 class vtkGodRaysCompositor;
+class vtkGodRaysDiffuseLight;
 class vtkProp;
 class vtkRenderer;
 class vtkTextureObject;
@@ -59,11 +60,17 @@ public:
   void Begin() { this->Light = 0; }
 
   /**
-   * Add what they change of a light to the request's result, where shadows are as told, null for none.
-   * Returns false, after an error, if that failed.
+   * Find what they leave of the light that Draw() is to draw next, which is valid until then. Returns null,
+   * after an error, if that failed.
    */
-  bool Draw(
-    const vtkGodRaysMediumIntegrator::Request& request, const vtkGodRaysShadowGrids* shadows);
+  const vtkGodRaysGridPicture* Prepare(const vtkGodRaysMediumIntegrator::Request& request);
+
+  /**
+   * Add what they change of a light to the request's result, where shadows are as told, null for none, and
+   * light that was scattered before, null for none. Returns false, after an error, if that failed.
+   */
+  bool Draw(const vtkGodRaysMediumIntegrator::Request& request,
+    const vtkGodRaysShadowGrids* shadows, const vtkGodRaysDiffuseLight* diffuse = nullptr);
 
   /**
    * What they leave of what is behind them, of the picture's size, after Draw().
@@ -95,12 +102,17 @@ private:
   std::string Read(const vtkGodRaysVolumeGrid::Numbers& numbers);
   bool ReadDepths(const vtkGodRaysMediumIntegrator::Request& request);
 
+  template <typename Work>
+  bool Try(const Work& work);
+
   struct Drawer
   {
     vtkGodRaysGridPicture Picture;
     unsigned int Version = 0;
     unsigned int ExtinctionVersion = 0;
   };
+
+  Drawer& GetDrawer();
 
   bool Split = false;
   std::vector<vtkProp*> Props;

@@ -5,8 +5,8 @@
 // the reference.
 
 #include "GodRaysFiltersTesting.h"
+#include "GodRaysMultipleScatteringReference.h"
 #include "GodRaysTransportScenes.h"
-#include "vtkGodRaysMultipleScatteringReference.h"
 
 #include "vtkSMPTools.h"
 
@@ -19,7 +19,7 @@ using namespace GodRaysTransportScenes;
 namespace
 {
 using Solver = vtkGodRaysMultipleScattering;
-using Reference = vtkGodRaysMultipleScatteringReference;
+using Reference = GodRaysMultipleScatteringReference;
 constexpr double Pi = 3.14159265358979323846;
 
 // What the reference made of a case, in some 20 s: see MultipleScattering.WriteTruths.
@@ -576,7 +576,6 @@ TEST(MultipleScattering, Peak_PhaseFunctions_HaveTheirIntegrals)
     solver.Update(each.Media, MakeParameters(4, 14, 2));
     const vtkGodRaysForwardPeak& peak = solver.GetPeak();
     const double f = peak.ForwardPart;
-    EXPECT_NEAR(solver.GetEvents(0).x, f, 1e-12); // the albedo is 1
     if (kind == vtkGodRays::PHASE_HENYEY_GREENSTEIN)
     {
       EXPECT_NEAR(f, g * g * g, 1e-5);

@@ -154,6 +154,7 @@ def enable(
     visibility: float | None = None,
     optical_depth: float | None = None,
     attenuate_scene: bool | None = None,
+    scattering_orders: str | int | None = None,
     far_limit: float | None = None,
     data_scale: float | None = None,
     data_albedo: Sequence[float] | None = None,

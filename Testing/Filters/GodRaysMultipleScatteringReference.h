@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkGodRaysMultipleScatteringReference
+ * @class   GodRaysMultipleScatteringReference
  * @brief   all orders of scattering by a Monte Carlo method, with its variance: the ground truth
  *
  * Private. Paths go backwards from the eye. Lengths of free flight come of delta tracking [Woodcock1965], and
@@ -11,17 +11,16 @@
  * scene's functions: with vtkGodRaysMultipleScattering only the description of media and lights is shared.
  */
 
-#ifndef vtkGodRaysMultipleScatteringReference_h
-#define vtkGodRaysMultipleScatteringReference_h
+#ifndef GodRaysMultipleScatteringReference_h
+#define GodRaysMultipleScatteringReference_h
 
-#include "vtkGodRaysFiltersModule.h" // For export macro
 #include "vtkGodRaysTransportScene.h"
 
 #include <memory> // For std::unique_ptr
 
 class vtkPolyData;
 
-class VTKGODRAYSFILTERS_EXPORT vtkGodRaysMultipleScatteringReference
+class GodRaysMultipleScatteringReference
 {
 public:
   using Vec3 = vtkGodRays::Vec3;
@@ -33,10 +32,10 @@ public:
     double Variance = 0.0; // of Orders, the mean over paths
   };
 
-  vtkGodRaysMultipleScatteringReference();
-  ~vtkGodRaysMultipleScatteringReference();
-  vtkGodRaysMultipleScatteringReference(const vtkGodRaysMultipleScatteringReference&) = delete;
-  void operator=(const vtkGodRaysMultipleScatteringReference&) = delete;
+  GodRaysMultipleScatteringReference();
+  ~GodRaysMultipleScatteringReference();
+  GodRaysMultipleScatteringReference(const GodRaysMultipleScatteringReference&) = delete;
+  void operator=(const GodRaysMultipleScatteringReference&) = delete;
 
   /// Sets the scene, and triangles that block light and reflect the part albedo of it; null: none.
   void SetScene(const vtkGodRaysTransportScene& scene, vtkPolyData* occluders, double albedo);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkGodRaysMultipleScatteringReference.h"
+#include "GodRaysMultipleScatteringReference.h"
 
 #include "vtkGodRaysTriangleTree.h"
 #include "vtkMath.h"
@@ -78,7 +78,7 @@ double DrawCosine(const Scene::PhaseMix& mix, Random& random)
 }
 }
 
-class vtkGodRaysMultipleScatteringReference::vtkInternals
+class GodRaysMultipleScatteringReference::vtkInternals
 {
 public:
   Scene Input;
@@ -101,8 +101,8 @@ public:
     Vec3 place, Vec3 direction, int color, Random& random, double& single, double& orders) const;
 };
 
-vtkGodRaysMultipleScatteringReference::vtkInternals::Point
-vtkGodRaysMultipleScatteringReference::vtkInternals::GetPoint(const Vec3& place, int color) const
+GodRaysMultipleScatteringReference::vtkInternals::Point
+GodRaysMultipleScatteringReference::vtkInternals::GetPoint(const Vec3& place, int color) const
 {
   Point point;
   for (int k = 0; k < this->Input.GetNumberOfComponents(); ++k)
@@ -116,7 +116,7 @@ vtkGodRaysMultipleScatteringReference::vtkInternals::GetPoint(const Vec3& place,
 }
 
 // Finds the first surface of a ray that starts in the box: a triangle, or the box's face.
-Hit vtkGodRaysMultipleScatteringReference::vtkInternals::Cast(
+Hit GodRaysMultipleScatteringReference::vtkInternals::Cast(
   const Vec3& origin, const Vec3& direction) const
 {
   Hit hit;
@@ -159,7 +159,7 @@ Hit vtkGodRaysMultipleScatteringReference::vtkInternals::Cast(
 }
 
 // Returns the irradiance of a random light, times how many there are, that arrives at a place.
-double vtkGodRaysMultipleScatteringReference::vtkInternals::GetLight(
+double GodRaysMultipleScatteringReference::vtkInternals::GetLight(
   const Vec3& place, int color, Vec3& towards, Random& random) const
 {
   const std::size_t count = this->Input.Lights.size();
@@ -185,7 +185,7 @@ double vtkGodRaysMultipleScatteringReference::vtkInternals::GetLight(
 }
 
 // Follows a path on from its first event.
-void vtkGodRaysMultipleScatteringReference::vtkInternals::Follow(
+void GodRaysMultipleScatteringReference::vtkInternals::Follow(
   Vec3 place, Vec3 direction, int color, Random& random, double& single, double& orders) const
 {
   single = orders = 0.0;
@@ -247,13 +247,13 @@ void vtkGodRaysMultipleScatteringReference::vtkInternals::Follow(
   }
 }
 
-vtkGodRaysMultipleScatteringReference::vtkGodRaysMultipleScatteringReference()
+GodRaysMultipleScatteringReference::GodRaysMultipleScatteringReference()
   : Internals(std::make_unique<vtkInternals>())
 {
 }
-vtkGodRaysMultipleScatteringReference::~vtkGodRaysMultipleScatteringReference() = default;
+GodRaysMultipleScatteringReference::~GodRaysMultipleScatteringReference() = default;
 
-void vtkGodRaysMultipleScatteringReference::SetScene(
+void GodRaysMultipleScatteringReference::SetScene(
   const vtkGodRaysTransportScene& scene, vtkPolyData* occluders, double albedo)
 {
   vtkInternals& in = *this->Internals;
@@ -296,7 +296,7 @@ void vtkGodRaysMultipleScatteringReference::SetScene(
   in.Majorant *= 1.0 + 1e-9;
 }
 
-vtkGodRaysMultipleScatteringReference::Result vtkGodRaysMultipleScatteringReference::Evaluate(
+GodRaysMultipleScatteringReference::Result GodRaysMultipleScatteringReference::Evaluate(
   const Vec3& origin, const Vec3& direction, int color, int paths, unsigned int seed) const
 {
   constexpr int parts = 1024;
