@@ -46,12 +46,12 @@ std::vector<double> vtkGodRaysForwardPeak::FindMoments(
     legendre[i] = 12.0 * vtkMath::Pi() * x * x * phase.Get(cosines[i]) / count;
   }
   std::vector<double> moments;
-  int small = 0;
-  while (moments.size() < most && small < 8)
+  int vanishing = 0;
+  while (moments.size() < most && vanishing < 8)
   {
     const double l = static_cast<double>(moments.size());
     moments.push_back(std::accumulate(legendre.begin(), legendre.end(), 0.0));
-    small = std::abs(moments.back()) < 1e-6 ? small + 1 : 0;
+    vanishing = std::abs(moments.back()) < 1e-6 ? vanishing + 1 : 0;
     for (int i = 0; i < count; ++i)
     {
       const double next = ((2.0 * l + 1.0) * cosines[i] * legendre[i] - l * last[i]) / (l + 1.0);
