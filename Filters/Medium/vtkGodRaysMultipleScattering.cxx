@@ -516,13 +516,9 @@ vtkGodRaysMultipleScattering::Parameters vtkGodRaysMultipleScattering::Choose(
   double tolerance, double depth, double asymmetry)
 {
   Parameters result;
-  if (tolerance >= 1e-3)
+  if (depth > 1.0 || (tolerance < 1e-3 && (depth > 0.3 || std::abs(asymmetry) > 0.5)))
   {
-    result.Cells = depth > 1.0 ? 24 : 16;
-  }
-  else if (std::abs(asymmetry) > 0.5 || depth > 0.3)
-  {
-    result.Cells = 32;
+    result.Cells = tolerance < 1e-3 ? 32 : 24;
     result.Directions = 98;
     result.Degree = 3;
   }

@@ -328,7 +328,7 @@ TEST(MultipleScattering, Cases_DefaultTolerance_MatchReference)
   {
     Solver solver;
     const Solver::Parameters parameters =
-      Solver::Choose(1.0 / 255.0, cases[i].Depth, cases[i].Asymmetry, !cases[i].Boxes.empty());
+      Solver::Choose(1.0 / 255.0, cases[i].Depth, cases[i].Asymmetry);
     const Comparison c = Compare(Evaluate(solver, cases[i], parameters), Truths[i]);
     std::printf("%-30s mean %+.3f rms %.4f (truth's noise %.4f), %d sweeps\n",
       cases[i].Name.c_str(), c.Mean, c.Rms, Truths[i].Noise, solver.GetReport().Sweeps);
