@@ -183,7 +183,8 @@ TEST(MultipleScatteringReference, Slab_HenyeyGreenstein_MatchesVanDeHulst)
   constexpr int count = 200;
   for (int i = 0; i < 2 * count; ++i)
   {
-    const double mu = (i / 2 + 0.5) / count;
+    const int pair = i / 2;
+    const double mu = (pair + 0.5) / count;
     const double side = i % 2 ? -1.0 : 1.0; // of the slab, from which it is seen
     const Reference::Result result = reference.Evaluate(Vec3(0.0, 0.0, side < 0.0 ? -2.0 : 0.0),
       Vec3(std::sqrt(1.0 - mu * mu), 0.0, -side * mu), 0, 1000, i);
