@@ -122,17 +122,18 @@ std::unique_ptr<Stage> Playlist::Open(std::size_t item, std::size_t step, const 
   const std::string ofVolumes = this->Settings->VolumeMedium ? "--volume-medium"
     : !this->Settings->VolumePreset.empty()                  ? "--volume-preset"
                                                              : "";
+  Options settings = *this->Settings;
   if (!ofVolumes.empty() && scene.NumberOfVoxels == 0)
   {
     notes.push_back(ofVolumes + ": no volume is drawn, so it changes nothing");
+    settings.VolumeMedium = false; // a model of volumes alone would have no light
   }
-  const Viewpoint place = view ? *view : MakeView(scene, *this->Settings);
+  const Viewpoint place = view ? *view : MakeView(scene, settings);
   waiting.reset();
   this->HasAdvice = false;
-  if (this->Settings->Rays)
+  if (settings.Rays)
   {
-    const auto advice =
-      GetAdvice(scene, place, *this->Settings, ::GetPreset(*this->Settings).IsMedium);
+    const auto advice = GetAdvice(scene, place, settings, ::GetPreset(settings).IsMedium);
     notes.insert(notes.end(), advice.begin(), advice.end());
     this->HasAdvice = !advice.empty();
   }
@@ -145,7 +146,7 @@ std::unique_ptr<Stage> Playlist::Open(std::size_t item, std::size_t step, const 
   }
   this->HasAdvised = !this->Settings->Each; // a film would say it again in each frame
   this->Took.Preparing = GetSeconds() - start - this->Took.Reading;
-  return std::make_unique<Stage>(std::move(scene), place, *this->Settings);
+  return std::make_unique<Stage>(std::move(scene), place, settings);
 }
 
 //------------------------------------------------------------------------------
