@@ -218,9 +218,14 @@ class CloudField(unittest.TestCase):
             picture, found = cookbook.read(window).astype(float), godrays.measure(renderer)
             return picture, found["Transmittance"].min(2)[::-1], found["Radiance"].mean(2)[::-1]
 
-        picture, through, radiance = look()
+        picture, through, _ = look()
         scene["clouds"].VisibilityOff()
-        without, air, open_air = look()
+        without, air, _ = look()
+        model.scattering_orders = 0  # once: clouds scatter light into the air about them, too
+        open_air = look()[2]
+        scene["clouds"].VisibilityOn()
+        radiance = look()[2]
+        scene["clouds"].VisibilityOff()
         cloudy = numpy.pad(through < 0.999 * air, 2)
         steps = [slice(each, each - 4 or None) for each in range(5)]
         clear = ~numpy.any([cloudy[row, column] for row in steps for column in steps], axis=0)

@@ -108,12 +108,13 @@ class Window(unittest.TestCase):
                 [sys.executable, EXAMPLE, "Statue-model-py.png", "400x300", model],
                 stderr=subprocess.PIPE, text=True)  # fmt: skip
 
-        ball = vtk.vtkSphereSource()
+        ring = vtk.vtkSuperquadricSource()  # through which light is seen: a ball would hide it
+        ring.ToroidalOn()
         writer = vtk.vtkSTLWriter()
-        writer.SetInputConnection(ball.GetOutputPort())
-        writer.SetFileName("Statue-ball-py.stl")
+        writer.SetInputConnection(ring.GetOutputPort())
+        writer.SetFileName("Statue-ring-py.stl")
         writer.Write()
-        result = draw("Statue-ball-py.stl")
+        result = draw("Statue-ring-py.stl")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         result = draw("missing.obj")
         self.assertEqual(result.returncode, 1)

@@ -254,11 +254,14 @@ TEST(MultipleScatteringReference, Furnace_AlbedoOne_IsEven)
 //------------------------------------------------------------------------------
 // Writes GodRaysTransportTruths.inc anew, to the file and in the seconds for each case that the environment
 // tells. Numbers differ from run to run by their noise.
-TEST(MultipleScattering, DISABLED_WriteTruths)
+TEST(MultipleScattering, WriteTruths)
 {
   const char* const file = std::getenv("GODRAYS_TRUTHS");
   const char* const seconds = std::getenv("GODRAYS_SECONDS");
-  ASSERT_TRUE(file && seconds);
+  if (!file || !seconds)
+  {
+    GTEST_SKIP() << "GODRAYS_TRUTHS and GODRAYS_SECONDS are not set";
+  }
   std::ofstream out(file);
   out << "// SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors\n"
          "// SPDX-License-Identifier: BSD-3-Clause\n";
