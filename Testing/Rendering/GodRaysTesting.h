@@ -29,7 +29,8 @@ namespace GodRaysTesting
 class Messages
 {
 public:
-  Messages();
+  /// mayDrawNothing: warnings that a frame has no rays are expected.
+  explicit Messages(bool mayDrawNothing = false);
   ~Messages();
   Messages(const Messages&) = delete;
   void operator=(const Messages&) = delete;
@@ -39,6 +40,9 @@ public:
 
   /// Takes the only message so far, which has these words.
   void Expect(const std::string& words);
+
+private:
+  bool MayDrawNothing;
 };
 
 /// Whether a plan or message has these words.

@@ -123,7 +123,7 @@ void CheckReadBack(
   const Case& kind, const std::string& name, const std::function<void(Stage&)>& change, Read read)
 {
   SCOPED_TRACE(std::string(kind.Name) + ", then " + name);
-  Messages messages;
+  Messages messages(true);
   Stage scene;
   scene.AddPillarsAndSun();
   if (kind.HasData)

@@ -123,7 +123,7 @@ void Aim(vtkLight* light, double x, double y, double z)
 
 TEST(GodRaysSweeps, ASunAboutTheCameraDoesNotJump)
 {
-  Messages messages;
+  Messages messages(true);
   SmallStage scene;
   auto sun = MakeSun({ 0.0, 0.0, -1.0 });
   scene.Rays->AddLight(sun);
@@ -159,7 +159,7 @@ TEST(GodRaysSweeps, ASunAboutTheCameraDoesNotJump)
 
 TEST(GodRaysSweeps, ALampAboutTheCameraDoesNotJump)
 {
-  Messages messages;
+  Messages messages(true);
   SmallStage scene;
   auto lamp = MakeLamplight({ 0.0, 0.0, 0.0 });
   scene.Rays->AddLight(lamp);
@@ -178,7 +178,7 @@ TEST(GodRaysSweeps, ALampAboutTheCameraDoesNotJump)
 
 TEST(GodRaysSweeps, AParallelCamerasLightsDoNotJump)
 {
-  Messages messages;
+  Messages messages(true);
   SmallStage scene;
   scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
   scene.Renderer->GetActiveCamera()->SetParallelScale(4.0);
@@ -210,7 +210,7 @@ TEST(GodRaysSweeps, AParallelCamerasLightsDoNotJump)
 
 TEST(GodRaysSweeps, ALightThroughEachEdgeAndCornerDoesNotJump)
 {
-  Messages messages;
+  Messages messages(true);
   SmallStage scene;
   auto sun = MakeSun({ 0.0, 0.0, -1.0 });
   scene.Rays->AddLight(sun);
@@ -241,7 +241,7 @@ TEST(GodRaysSweeps, ALightThroughEachEdgeAndCornerDoesNotJump)
 
 TEST(GodRaysSweeps, ALightBehindIsNotMirrored)
 {
-  Messages messages;
+  Messages messages(true);
   SmallStage scene;
   scene.Renderer->RemoveAllViewProps();
   scene.Renderer->GetActiveCamera()->SetViewAngle(120.0);
@@ -417,7 +417,7 @@ TEST(GodRaysExtremes, AScene1e7FromTheOriginAndANearPlane1e7TimesNearer)
 
 TEST(GodRaysExtremes, ACameraWithinThings)
 {
-  Messages messages;
+  Messages messages(true);
   // in an occluder: nothing is open
   Stage inside;
   inside.Renderer->AddActor(MakeBox({ 0.0, 0.0, 10.0 }, { 8.0, 8.0, 8.0 }));
