@@ -571,8 +571,8 @@ bool vtkGodRaysPass::DrawOutput(
   {
     self.Effect->Join(request);
     double above[3];
-    std::any_of(self.Lights.begin(), self.Lights.end(),
-      [&](vtkLight* each) { return vtkGodRaysGetLightAboveAir(each, above, request.SkyLight); });
+    static_cast<void>(std::any_of(self.Lights.begin(), self.Lights.end(),
+      [&](vtkLight* each) { return vtkGodRaysGetLightAboveAir(each, above, request.SkyLight); }));
   }
   request.Screen = this->Blend == MODEL_BLEND ? request.Screen : this->Blend == SCREEN;
   bool drawn = true;

@@ -92,6 +92,13 @@ struct Options
   std::string Configuration; ///< a file of options instead of the user's
   bool NoConfiguration = false;
   std::string Document; ///< the kind of one to print
+
+  bool OpensWindow() const
+  {
+    const bool isWritten = !this->Output.empty() || !this->Film.empty() || !this->Numbers.empty() ||
+      !this->Reference.empty();
+    return !isWritten || this->Interactive;
+  }
 };
 
 /**

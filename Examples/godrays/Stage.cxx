@@ -7,6 +7,7 @@
 #include "Values.h"
 
 #include "vtkActor.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkGodRaysAtmosphere.h"
 #include "vtkGodRaysHomogeneousModel.h"
@@ -266,6 +267,11 @@ Stage::Stage(Scene scene, const Viewpoint& view, const Options& options)
   this->Rays->AddLight(this->Light);
   this->Rays->SetLightData(!SunLightsData(options));
   this->Rays->SetMeasureTimes(options.Stats);
+  if (options.OpensWindow())
+  {
+    vtkNew<vtkCallbackCommand> silence; // a window's status line has the advice
+    this->Rays->AddObserver(vtkCommand::WarningEvent, silence);
+  }
   this->SetRays(options.Rays);
 }
 

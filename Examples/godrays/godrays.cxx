@@ -215,14 +215,6 @@ bool TellMessages(const Messages& messages, std::set<std::string>& told, bool qu
   return !messages.GetErrors().empty();
 }
 
-//------------------------------------------------------------------------------
-bool IsWindow(const Options& options)
-{
-  const bool isWritten = !options.Output.empty() || !options.Film.empty() ||
-    !options.Numbers.empty() || !options.Reference.empty();
-  return !isWritten || options.Interactive;
-}
-
 /// Which scene of a list, at which time.
 struct Position
 {
@@ -273,7 +265,7 @@ void Compare(vtkRenderWindow* window, const Options& options)
 bool DrawFrames(vtkRenderWindow* window, std::unique_ptr<Stage>& stage, Playlist& list,
   const Options& options, const Position& at, Frames& frames)
 {
-  const bool isWindow = IsWindow(options);
+  const bool isWindow = options.OpensWindow();
   const Messages messages(!isWindow,
     "godrays: the display cannot draw, or not with OpenGL 3.2; see that it is there, and its "
     "driver "
@@ -341,7 +333,7 @@ bool DrawFrames(vtkRenderWindow* window, std::unique_ptr<Stage>& stage, Playlist
 vtkSmartPointer<vtkRenderWindow> MakeWindow(const Options& options)
 {
   auto window = vtkSmartPointer<vtkRenderWindow>::New();
-  window->SetOffScreenRendering(!IsWindow(options));
+  window->SetOffScreenRendering(!options.OpensWindow());
   window->SetSize(options.Size[0], options.Size[1]);
   window->SetWindowName("godrays");
   window->SetAlphaBitPlanes(options.Transparent);
@@ -358,7 +350,7 @@ bool DrawAll(const Options& options)
   Frames frames(options);
   vtkSmartPointer<vtkRenderWindow> window;
   bool isGood = true;
-  const std::size_t items = IsWindow(options) ? 1 : list.GetSize();
+  const std::size_t items = options.OpensWindow() ? 1 : list.GetSize();
   for (std::size_t item = 0; item < items; ++item)
   {
     std::size_t steps = 1;

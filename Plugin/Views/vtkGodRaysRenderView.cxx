@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysRenderView.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCompositeRepresentation.h"
 #include "vtkGodRaysIntegrator.h"
@@ -24,7 +25,9 @@
 #include "vtkPVGridAxes3DActor.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVLight.h"
+#include "vtkPVSession.h"
 #include "vtkPVSynchronizedRenderer.h"
+#include "vtkProcessModule.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderState.h"
 #include "vtkRenderWindow.h"
@@ -117,6 +120,7 @@ struct vtkGodRaysRenderView::vtkInternals
   vtkNew<vtkLight> SunLight;
   std::string Plan;
   bool IsRayTraced = false;
+  vtkNew<vtkCallbackCommand> Silence; // does nothing: warnings are not shown
 
   std::vector<vtkSmartPointer<vtkLight>> ChosenLights;
 
@@ -450,6 +454,15 @@ void vtkGodRaysRenderView::AboutToRenderOnLocalProcess(bool interactive)
   this->Internals->Compositor->Update(this->GetRenderer(), distributed, hasDepth);
   // So that what is translucent is before the sky; pictures that are joined have alpha for that.
   this->Internals->Chain->UsesDelegate = !drawsSky || distributed;
+
+  // What a client draws where the server's picture is shown is empty: the server tells why it has no rays.
+  auto session = vtkPVSession::SafeDownCast(vtkProcessModule::GetProcessModule()->GetSession());
+  this->Internals->Pass->RemoveObserver(this->Internals->Silence);
+  if (session && !session->HasProcessRole(vtkPVSession::RENDER_SERVER) &&
+    this->GetUseDistributedRenderingForRender())
+  {
+    this->Internals->Pass->AddObserver(vtkCommand::WarningEvent, this->Internals->Silence);
+  }
 
   this->UpdateRoles();
   this->UpdateLights();

@@ -39,13 +39,14 @@ class Readme(Case):
         names = {"__name__": "__main__"}
         first = first.replace("LoadPlugin", "# ")  # it is loaded
 
-        def run(script):
+        def run(script, told=""):
             with Messages() as messages:
                 exec(compile(script.replace(PATH, PLUGIN), str(README), "exec"), names)
                 view = names.get("view")
                 if view:
                     simple.Render(view)
-            self.assertEqual(messages.text, "")
+            self.assertIn(told, messages.text)
+            self.assertEqual(messages.text.count("Warning"), 1 if told else 0, messages.text)
 
         run(first)
         view = names["view"]
@@ -54,7 +55,7 @@ class Readme(Case):
         self.assertEqual(view.PlaceSun, 0)
         run(by_hand)
         self.assertEqual((view.SunAzimuth, view.SunElevation), (5.0, 12.0))
-        run(sun)
+        run(sun, "no light reaches the picture (behind the camera)")
         self.assertLess(abs(names["azimuth"] - 290.0), 15.0)  # in the north-west
         self.assertLess(abs(names["elevation"] - 15.0), 5.0)  # some hours before it sets
         run(sky)
