@@ -279,9 +279,12 @@ void vtkGodRaysOverlays::Draw()
 {
   vtkRenderer* renderer = this->State->GetRenderer();
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  // Some passes, such as vtkShadowMapPass, leave those of the whole window; others, such as vtkDepthOfFieldPass,
+  // draw into a larger one and need theirs again.
+  const vtkOpenGLState::ScopedglViewport formerViewport(window->GetState());
+  const vtkOpenGLState::ScopedglScissor formerScissor(window->GetState());
   int viewport[4];
   vtkGodRaysScene::GetViewport(this->State, viewport);
-  // Some passes, such as vtkShadowMapPass, leave those of the whole window.
   window->GetState()->vtkglViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
   window->GetState()->vtkglScissor(viewport[0], viewport[1], viewport[2], viewport[3]);
   for (const auto& overlay : this->Overlays)

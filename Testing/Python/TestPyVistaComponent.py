@@ -147,8 +147,8 @@ def make():
     return plotter
 
 a, b = make(), make()
-a.god_rays.enable(light=(0.1, 0.2, -1))
-godrays.enable(b, light=(0.1, 0.2, -1))
+a.god_rays.enable()
+godrays.enable(b)
 for plotter in (a, b):
     plotter.enable_ssao()
     plotter.screenshot()
