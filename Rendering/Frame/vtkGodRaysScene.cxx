@@ -279,8 +279,8 @@ void vtkGodRaysOverlays::Draw()
 {
   vtkRenderer* renderer = this->State->GetRenderer();
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  // Some passes, such as vtkShadowMapPass, leave those of the whole window; others, such as vtkDepthOfFieldPass,
-  // draw into a larger one and need theirs again.
+  // Some passes, such as vtkShadowMapPass, leave those of the whole window; others, such as
+  // vtkDepthOfFieldPass, draw into a larger one and need theirs again.
   const vtkOpenGLState::ScopedglViewport formerViewport(window->GetState());
   const vtkOpenGLState::ScopedglScissor formerScissor(window->GetState());
   int viewport[4];
