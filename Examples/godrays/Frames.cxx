@@ -29,7 +29,7 @@ bool IsOgv(const std::string& path)
 
 //------------------------------------------------------------------------------
 /**
- * Whether a file has its last page, to its end: VTK's writer does not look whether the disk is full.
+ * Returns whether a file has its last page, to its end: VTK's writer does not look whether the disk is full.
  */
 bool IsWholeOgg(const std::string& path)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the program asks of the operating system. System.cxx alone calls POSIX or Windows.
+ * Asks the operating system for what the program needs. System.cxx alone calls POSIX or Windows.
  */
 #ifndef System_h
 #define System_h

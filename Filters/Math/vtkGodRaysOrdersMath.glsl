@@ -24,7 +24,7 @@ FUNCTION Vec2 PeakPlace(IN(Real) cosAngle, IN(Real) n, IN(Real) most)
   return Vec2(pow(max(0.5 * (1.0 - cosAngle), 0.0), 1.0 / 3.0), sqrt(min(n / most, 1.0)));
 }
 
-// What light of two and more scatterings adds to a view ray at a place, for each unit of length: lit is the
+// Returns the light of two and more scatterings that a place adds to a view ray, for each length: lit is the
 // sum over the lights of their irradiance there, dimmed by the scaled medium, times the peak function,
 // source the radiance that is scattered towards the eye for each unit of scaled scattering.
 // Formula: sigma_s (lit + (1 - f) source). [radiance/length]

@@ -300,22 +300,6 @@ std::vector<const vtkGodRaysGridLight*> vtkGodRaysGridPicture::GetLights() const
   return lights;
 }
 
-void vtkGodRaysGridPicture::GetLightDepth(const double position[3], double depth[3]) const
-{
-  const vtkInternals& self = *this->Internals;
-  std::fill_n(depth, 3, 0.0);
-  for (std::size_t i = 0; i < self.Lights.size(); ++i)
-  {
-    float here[3] = { 0.0f, 0.0f, 0.0f };
-    self.Lights[i].AddDepth(
-      self.Grids[i], self.Grids[i].GetPlace(Vec3(position[0], position[1], position[2])), here);
-    for (int c = 0; c < 3; ++c)
-    {
-      depth[c] += here[self.Grids[i].Bands == 1 ? 0 : c];
-    }
-  }
-}
-
 std::size_t vtkGodRaysGridPicture::GetNumberOfRays() const
 {
   return this->Internals->Rays;

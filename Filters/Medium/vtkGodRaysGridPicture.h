@@ -82,11 +82,6 @@ public:
    */
   std::vector<const vtkGodRaysGridLight*> GetLights() const;
 
-  /**
-   * The optical depths, of each colour, of a light's way through data to a place of the world.
-   */
-  void GetLightDepth(const double position[3], double depth[3]) const;
-
   ///@{
   /// Of the last picture: how many view rays were evaluated, with how many steps; whether the light's
   /// depths were kept; how many bytes are, beside data.

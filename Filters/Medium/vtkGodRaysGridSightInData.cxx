@@ -37,7 +37,7 @@ vtkGodRays::Vec3 vtkGodRaysGridSight::GetArriving(const Vec3& position) const
   return vtkGodRays::exp(-Vec3(way[0], way[1], way[2]));
 }
 
-// What air adds of light of two and more scatterings along a part of the ray, behind a scaled depth of data.
+// Adds the air's light of two and more scatterings along a part of the ray, behind a scaled depth of data.
 void vtkGodRaysGridSight::AddDiffuseAir(
   const Ray& ray, double begin, double end, const Vec3& before, Way& way) const
 {
@@ -50,7 +50,7 @@ void vtkGodRaysGridSight::AddDiffuseAir(
   }
 }
 
-// What data add of it in a step about a place of the ray.
+// Adds the light that data scatter again in a step about a place of the ray.
 void vtkGodRaysGridSight::AddDiffuse(const Ray& ray, double s, double length,
   const Vec3& extinction, const Vec3& scattering, Way& way) const
 {

@@ -363,7 +363,7 @@ std::vector<Wall> vtkGodRaysMultipleScattering::vtkInternals::MakeWalls(int colo
     int at[3];
     this->GetIndices(node, at);
     const float cover = this->Cover[node];
-    // What covers half of the volume hides all; what covers less is wider than its share of the volume.
+    // Occluders of half of the volume hide all; smaller ones are wider than their share of the volume.
     Wall wall = { node, cover > MostOpen ? 0.0f : 1.0f - Wider * cover, this->Albedo[node], false,
       {}, {} };
     for (int face = 0; face < 6; ++face)

@@ -302,7 +302,7 @@ void vtkGodRaysOrdinates::SweepDirection(
       (values[node + halves[0]] + values[node + halves[1]] + values[node + halves[2]] +
         values[node + halves[3]]);
   };
-  // What walls send: in place of the light that they do not let pass, or, on a face of the grid, as light
+  // Walls send light: in place of the light that they do not let pass, or, on a face of the grid, as light
   // that enters there.
   const auto send = [&](std::ptrdiff_t node, bool enters)
   {

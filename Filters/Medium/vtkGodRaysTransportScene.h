@@ -42,7 +42,7 @@ struct VTKGODRAYSFILTERS_EXPORT vtkGodRaysTransportScene
   vtkGodRaysMedium Medium; // may have no component; PlanetRadius and FarLimit are not looked at
   std::vector<vtkGodRaysGrid> Grids;
   std::vector<Light> Lights;
-  /// Whether homogeneous components dim a directional light, from where it enters the box. They do not where
+  /// Tells whether homogeneous components dim a directional light from the box on. They do not where
   /// Color is the irradiance everywhere, as in pictures of single scattering.
   bool SunIsDimmed = false;
   /// Returns the albedo of the occluder that a place is inside of; below 0: none. Null: there are none.

@@ -455,7 +455,7 @@ void vtkGodRaysRenderView::AboutToRenderOnLocalProcess(bool interactive)
   // So that what is translucent is before the sky; pictures that are joined have alpha for that.
   this->Internals->Chain->UsesDelegate = !drawsSky || distributed;
 
-  // What a client draws where the server's picture is shown is empty: the server tells why it has no rays.
+  // A client that shows its server's picture draws an empty one: the server tells why it has no rays.
   auto session = vtkPVSession::SafeDownCast(vtkProcessModule::GetProcessModule()->GetSession());
   this->Internals->Pass->RemoveObserver(this->Internals->Silence);
   if (session && !session->HasProcessRole(vtkPVSession::RENDER_SERVER) &&
