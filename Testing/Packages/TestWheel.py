@@ -22,7 +22,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDER = pathlib.Path(os.environ["GODRAYS_BUILD"]) / "Testing" / "Wheel"
 TREE = ROOT / "build-wheel"  # beside build: the compiler's cache has what was compiled there
 VTK_DIR = pathlib.Path(os.environ["GODRAYS_VTK_DIR"])
-FLAGS = os.environ["GODRAYS_CXX_FLAGS"].split(";")  # the build type, and its flags
+BUILD_TYPE = os.environ["GODRAYS_BUILD_TYPE"]
+FLAGS = os.environ["GODRAYS_CXX_FLAGS"]
 ENVIRONMENT = {name: value for name, value in os.environ.items()
     if name not in ("PYTHONPATH", "LD_LIBRARY_PATH", "CMAKE_PREFIX_PATH")}
 
@@ -109,8 +110,8 @@ class Wheel(unittest.TestCase):
             make_sdk(packages, distribution, root)
             dist = FOLDER / distribution
             log = run(python, "-m", "pip", "wheel", "--no-index", "--no-deps", "--no-build-isolation", "-w", dist, ROOT, "-v",
-                "-C", f"build-dir={TREE}", "-C", f"cmake.build-type={FLAGS[0]}",
-                "-C", f"cmake.define.CMAKE_CXX_FLAGS_{FLAGS[0].upper()}={FLAGS[1]}",
+                "-C", f"build-dir={TREE}", "-C", f"cmake.build-type={BUILD_TYPE}",
+                "-C", f"cmake.define.CMAKE_CXX_FLAGS_{BUILD_TYPE.upper()}={FLAGS}",
                 "-C", "cmake.define.CMAKE_DISABLE_FIND_PACKAGE_OpenEXR=ON",  # where wheels are published, there is none
                 "-C", "cmake.define.CMAKE_INSTALL_RPATH_USE_LINK_PATH=OFF")
             (FOLDER / f"{distribution}.log").write_text(log, encoding="utf-8")
