@@ -393,7 +393,7 @@ def draw_file(program, file, folder):
     Returns the pictures without and with rays, the opacity of data, and the place of the sun or lamp.
     """
     opacity = run(program, file, folder, "--no-rays", "--transparent")[0][..., 3] / 255
-    before = run(program, file, folder, "--no-rays")[0][..., :3]
+    before = run(program, file, folder, "--no-rays", "--fill", "1", "--no-ambient-occlusion")[0][..., :3]
     after, stats = run(program, file, folder, "--stats")
     return (before, after[..., :3]), opacity, find_light(stats)
 

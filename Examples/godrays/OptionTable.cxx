@@ -127,7 +127,7 @@ void AddLightOptions(Parser& parser, Options& options)
   parser.Add("--light-size", options.LightSize, 1e-6, 1e30,
     "Radius of the sun in degrees, or of the lamp in world units");
   parser.Add("--fill", options.Fill, 0.0, 10.0,
-    "Light from the eye on the data; 1 is VTK's headlight (0.85, or 1 where an array colours "
+    "Light from the eye on the data; 1 is VTK's headlight (0.88, or 1 where an array colours "
     "them). With --sky the sun and the sky light the data instead (0)");
 }
 

@@ -162,11 +162,11 @@ FUNCTION Real RingLight(IN(Vec3) fit, IN(Real) r)
 
 // A light background, which rays cannot make lighter. It keeps its colour where rays are as bright as a
 // reference, and becomes a cool grey in their shadows: white becomes sRGB's (178, 189, 208).
-// Formula: a (1 - s (1 - g) (1 - min(Y/Y_ref, 1))), g = (0.445, 0.509, 0.631). [linear light]
+// Formula: a (1 - s (1 - g) (1 - min(Y/Y_ref, 1))^0.75), g = (0.445, 0.509, 0.631). [linear light]
 FUNCTION Vec3 BlendSurround(IN(Vec3) scene, IN(Vec3) rays, IN(Real) reference, IN(Real) part)
 {
   GODRAYS_EXPECT(reference > 0.0 && part >= 0.0 && part <= 1.0);
-  Real dark = part * (1.0 - min(Luminance(rays) / reference, 1.0));
+  Real dark = part * pow(1.0 - min(Luminance(rays) / reference, 1.0), Real(0.75));
   return scene * (Vec3(1.0) - dark * Vec3(0.555, 0.491, 0.369));
 }
 

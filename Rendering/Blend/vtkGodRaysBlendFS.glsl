@@ -180,6 +180,7 @@ void main()
   // as large as the scene
   ivec2 pixel = ivec2(uv * vec2(hasRays ? textureSize(rays, 0) : textureSize(scene, 0)));
   vec3 light = vec3(0.0);
+  float shade = 1.0; // how dark shadows are before a light background: they fade and have streaks, too
   if (hasRays)
   {
     vec4 ray = resized ? texture(rays, 0.5 + (uv - 0.5) * viewScale) : texelFetch(rays, pixel, 0);
@@ -188,6 +189,7 @@ void main()
     {
       vec2 offset = (uv - responsePlace.xy) * responsePlace.zw;
       light *= RadialResponse(offset, responseNumbers.x, responseNumbers.y, responseNumbers.z);
+      shade = RadialResponse(offset, responseNumbers.x, 3.0 * responseNumbers.y, responseNumbers.z);
     }
   }
   if (showRays)
@@ -243,7 +245,7 @@ void main()
     vec3 ground = dimmed ? mix(base, before, surroundPart) : base; // a medium's own light makes up for it
     vec2 place = surroundPlace.z * (vec2(pixel + tile) + 0.5);
     float lit = RingLight(surroundLight, distance(place, surroundPlace.xy));
-    vec3 darker = BlendSurround(ground, light, lit, surroundPart);
+    vec3 darker = BlendSurround(ground, light, lit, min(surroundPart * shade, 1.0));
     sum = mix(Join(darker, surroundRays * light), sum, DataPart(pixel, shownOver.a));
   }
   if (lightnessAlone)

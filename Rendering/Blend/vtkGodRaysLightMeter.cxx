@@ -480,19 +480,20 @@ vtkGodRaysBlendPass::Surround vtkGodRaysLightMeter::FindSurround(
         exposure * vtkGodRays::Luminance(ToVector(sample.Rays)));
     }
   }
-  // least squares: the rings' 90th percentiles, each as often as it has samples
+  // Fits the rings' 97th percentiles by least squares. A ring counts by its samples and by its light: the
+  // faint edge of a shadow tells nothing, and would lead the fit.
   glm::dmat3 squares(0.0);
   Vec3 sums(0.0);
   for (int k = 0; k < NumberOfRings; ++k)
   {
     std::vector<double>& ring = this->Rings[k];
-    const auto rank = ring.begin() + static_cast<std::ptrdiff_t>(0.9 * ring.size());
+    const auto rank = ring.begin() + static_cast<std::ptrdiff_t>(0.97 * ring.size());
     if (rank != ring.end())
     {
       std::nth_element(ring.begin(), rank, ring.end());
       const double u = std::log((k + 0.5) / RingsInHeight + 0.05);
       const Vec3 terms(1.0, u, u * u);
-      const double weight = *rank > 0.0 ? static_cast<double>(ring.size()) : 0.0;
+      const double weight = *rank * static_cast<double>(ring.size());
       squares += weight * glm::outerProduct(terms, terms);
       sums += weight * std::log(std::max(*rank, 1e-30)) * terms;
     }

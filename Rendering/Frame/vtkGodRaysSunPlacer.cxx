@@ -119,6 +119,7 @@ struct vtkGodRaysSunPlacer::Internals
   static constexpr double GlowRadius = 0.025; // as the pass has it for a view of 30 degrees
   static constexpr double GlowEnd = 0.145;
   static constexpr double Threshold = 3.0; // [L*] of a maximum that counts
+  static constexpr double Clear = 8.0;
   static constexpr double MostProminence = 25.0;
   static constexpr double OverData = 0.6; // weight and light of rays over data
 
@@ -221,8 +222,8 @@ struct vtkGodRaysSunPlacer::Internals
   }
 
   /// Sums and counts the prominences of the maxima of a closed profile that stand out by Threshold on both
-  /// sides.
-  static double SumProminences(const std::vector<float>& profile, int& count)
+  /// sides. Those below Clear count in part.
+  static double SumProminences(const std::vector<float>& profile, double& count)
   {
     if (profile.empty())
     {
@@ -252,8 +253,9 @@ struct vtkGodRaysSunPlacer::Internals
       low = std::min(low, value);
       if (low <= high - Threshold && (value >= low + Threshold || i == size))
       {
-        ++count;
-        sum += std::min(high - std::max(valley, low), MostProminence);
+        const double prominence = high - std::max(valley, low);
+        count += std::min(prominence / Clear, 1.0);
+        sum += std::min(prominence, MostProminence);
         valley = low;
         high = low = value;
       }
@@ -319,7 +321,7 @@ struct vtkGodRaysSunPlacer::Internals
       }
     }
     double prominence = 0.0;
-    int shafts = 0;
+    double shafts = 0.0;
     for (int i = 0; i < 3; ++i)
     {
       prominence += SumProminences(rings[i], shafts) / 3.0;

@@ -180,7 +180,7 @@ TEST(BlendSurround, KeepsWhatIsLitAndDarkensShadows)
   const Vec3 shadow = 255.0 * EncodeDisplay(BlendSurround(white, Vec3(0.0), 1.0, 1.0));
   EXPECT_NEAR(length(shadow - Vec3(178.0, 189.0, 208.0)), 0.0, 0.5);
   const Vec3 half = BlendSurround(white, 0.5 * rays, Luminance(rays), 1.0);
-  EXPECT_NEAR(half.x, 0.5 * (1.0 + 0.445), 1e-12);
+  EXPECT_NEAR(half.x, 1.0 - std::pow(0.5, 0.75) * (1.0 - 0.445), 1e-12);
 }
 
 //------------------------------------------------------------------------------

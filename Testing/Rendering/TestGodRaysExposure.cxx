@@ -388,6 +388,9 @@ TEST(LightBackground, IsDarkerInShadows)
   Messages messages;
   ColorStage stage;
   stage.Renderer->SetBackground(1.0, 1.0, 1.0);
+  auto* model = vtkGodRaysRadialModel::SafeDownCast(stage.Rays->GetModel());
+  ASSERT_NE(model, nullptr);
+  model->SetStreaks(0.0);
   const auto with = GetPixels(stage.Window);
   vtkNew<vtkImageData> light;
   ASSERT_TRUE(stage.Rays->GetScatteringImage(light));
@@ -413,7 +416,7 @@ TEST(LightBackground, IsDarkerInShadows)
     }
   }
   const auto getTerm = [](double distance) { return std::log(distance + 0.05); };
-  // Fits a parabola to the logarithms of the rings' 90th percentiles, by least squares over all pixels.
+  // Fits a parabola to the logarithms of the rings' 97th percentiles, by least squares over all light.
   double squares[3][3] = {};
   double sums[3] = {};
   double fit[3];
@@ -421,25 +424,28 @@ TEST(LightBackground, IsDarkerInShadows)
   for (auto& [ring, values] : rings)
   {
     std::sort(values.begin(), values.end());
-    const double lit = values[values.size() * 9 / 10];
+    const double lit = values[values.size() * 97 / 100];
     percentile = ring < 0 ? lit : percentile;
     for (int j = 0; j < 9 && ring >= 0; ++j)
     {
       const double u = getTerm((ring + 0.5) / 12.0);
-      const double weight = static_cast<double>(values.size()) * std::pow(u, j / 3);
+      const double weight = lit * static_cast<double>(values.size()) * std::pow(u, j / 3);
       squares[j / 3][j % 3] += weight * std::pow(u, j % 3);
       sums[j / 3] += j % 3 == 0 ? weight * std::log(lit) : 0.0;
     }
   }
   vtkMath::LinearSolve3x3(squares, sums, fit);
-  // Lit places stay white, and full shadow becomes a cool grey, sRGB's (178, 189, 208), at each distance.
+  // Lit places stay white, and full shadow becomes a cool grey, sRGB's (178, 189, 208), near the light, and
+  // fades with distance.
   const auto getWorst = [&](const std::function<double(double)>& getLit)
   {
     const double parts[3] = { 0.555, 0.491, 0.369 };
     double worst = 0.0;
     for (int i = 0; i < Width * Height; ++i)
     {
-      const double shadow = 1.0 - std::min(luminance[i] / getLit(getDistance(i)), 1.0);
+      const double distance = getDistance(i);
+      const double shadow = std::exp(-distance / (3.0 * model->GetReach())) *
+        std::pow(1.0 - std::min(luminance[i] / getLit(distance), 1.0), 0.75);
       for (int c = 0; c < 3 && !stage.IsData(i); ++c)
       {
         const double expected = 255.0 * vtkGodRays::EncodeDisplay(1.0 - parts[c] * shadow);
