@@ -3,49 +3,9 @@
 #include "vtkGodRaysGrid.h"
 
 #include "vtkDataArray.h"
-#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
-#include "vtkSmartPointer.h"
-
-#include <atomic>
-
-namespace
-{
-// The array as floats; what keeps them is owner.
-const float* GetFloats(vtkDataArray* array, std::shared_ptr<const void>& owner)
-{
-  vtkSmartPointer<vtkFloatArray> floats = vtkFloatArray::FastDownCast(array);
-  if (!floats)
-  {
-    floats = vtkSmartPointer<vtkFloatArray>::New();
-    floats->DeepCopy(array);
-  }
-  owner = std::make_shared<vtkSmartPointer<vtkFloatArray>>(floats);
-  return floats->GetPointer(0);
-}
-
-bool IsWithin(const float* values, vtkIdType count, float high)
-{
-  std::atomic<bool> good(true);
-  vtkSMPTools::For(0, count,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      bool fine = true;
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        fine = fine && values[i] >= 0.0f && values[i] <= high; // false for NaN
-      }
-      if (!fine)
-      {
-        good = false;
-      }
-    });
-  return good;
-}
-}
 
 std::string vtkGodRaysGrid::Read(
   vtkImageData* image, const char* extinction, const char* scattering)
@@ -87,15 +47,15 @@ std::string vtkGodRaysGrid::Read(
              "or "
              "red, green and blue.";
     }
-    const float* values = GetFloats(arrays[i], this->Owners[i]);
-    if (!IsWithin(values, arrays[i]->GetNumberOfValues(), 1e30f))
-    {
-      return "data of a medium are negative or not finite. Give extinction and scattering "
-             "coefficients in [0, 1e30].";
-    }
-    (i == 0 ? this->Extinction : this->Scattering) = values;
     (i == 0 ? this->Bands : this->ScatteringBands) = bands;
   }
+  auto table = std::make_shared<vtkGodRaysGridTable>();
+  if (!table->SetCoefficients(arrays[0], arrays[1]))
+  {
+    return "data of a medium are negative or not finite. Give extinction and scattering "
+           "coefficients in [0, 1e30].";
+  }
+  this->Table = table;
   std::copy_n(size, 3, this->Points);
   const int* extent = image->GetExtent();
   vtkMatrix4x4* matrix = image->GetIndexToPhysicalMatrix();

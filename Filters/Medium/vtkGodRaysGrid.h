@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file    vtkGodRaysGrid.h
- * @brief   a medium that a grid of numbers tells of
+ * @brief   a participating medium sampled on a regular grid
  *
  * Private. Extinction and scattering coefficients at the points of a grid, trilinear between them and 0
- * outside of it: arrays of them, or numbers and a table of what they mean. Lengths are in scene units. A
- * place is in points: (i, j, k) is the place of a point.
+ * outside of it. Lengths are in scene units. A place is in points: (i, j, k) is the place of a point.
  */
 
 #ifndef vtkGodRaysGrid_h
@@ -29,18 +28,14 @@ struct vtkGodRaysGrid
 {
   using Vec3 = vtkGodRays::Vec3;
 
-  int Points[3] = { 2, 2, 2 };       // along each axis, at least 2
-  Vec3 Origin = Vec3(0.0);           // where place 0 is, in the coordinates of rays [scene units]
-  Vec3 Axes[3];                      // and what a step of 1 along each is
-  Vec3 Inverse[3];                   // rows of what takes an offset from there to a place
-  int Bands = 1;                     // of Extinction: 1, or 3 for red, green and blue
-  int ScatteringBands = 0;           // of Scattering; 0: it is Albedo times the extinction
-  const float* Extinction = nullptr; // point-major [1/scene unit, times Scale], at least 0
-  const float* Scattering = nullptr;
-  std::shared_ptr<const void> Owners[2]; // of these
-  std::shared_ptr<const vtkGodRaysGridTable>
-    Table;                              // in their place, if any; extinction has one band
-  double Scale = 1.0;                   // of both
+  int Points[3] = { 2, 2, 2 }; // along each axis, at least 2
+  Vec3 Origin = Vec3(0.0);     // where place 0 is, in the coordinates of rays [scene units]
+  Vec3 Axes[3];                // and what a step of 1 along each is
+  Vec3 Inverse[3];             // rows of what takes an offset from there to a place
+  int Bands = 1;               // of extinction: 1, or 3 for red, green and blue
+  int ScatteringBands = 0;     // 0: it is Albedo times the extinction
+  std::shared_ptr<const vtkGodRaysGridTable> Table; // [1/scene unit, times Scale], at least 0
+  double Scale = 1.0;
   double Albedo[3] = { 1.0, 1.0, 1.0 }; // what part of extinction is scattering, [0, 1]
   int PhaseFunction = 0;                // see vtkGodRaysPhaseFunction.h
   double Asymmetry = 0.0;               // [-0.99, 0.99]
@@ -72,30 +67,6 @@ struct vtkGodRaysGrid
   std::size_t GetPoint(int i, int j, int k) const
   {
     return (static_cast<std::size_t>(k) * this->Points[1] + j) * this->Points[0] + i;
-  }
-
-  /// Extinction or scattering of a band at the corners of a cell whose first point is at i.
-  void GetCorners(
-    bool ofScattering, std::size_t i, int band, vtkGodRays::Vec4& low, vtkGodRays::Vec4& high) const
-  {
-    if (this->Table)
-    {
-      float c[8];
-      this->Table->GetCorners(i, this->Points[0],
-        static_cast<std::ptrdiff_t>(this->Points[0]) * this->Points[1], ofScattering ? 1 + band : 0,
-        c);
-      low = vtkGodRays::Vec4(c[0], c[1], c[2], c[3]);
-      high = vtkGodRays::Vec4(c[4], c[5], c[6], c[7]);
-      return;
-    }
-    const float* values = ofScattering ? this->Scattering : this->Extinction;
-    const int bands = ofScattering ? this->ScatteringBands : this->Bands;
-    const std::size_t row = static_cast<std::size_t>(bands) * this->Points[0];
-    const std::size_t slice = row * this->Points[1];
-    const float* v = values + i * bands + band;
-    low = vtkGodRays::Vec4(v[0], v[bands], v[row], v[row + bands]);
-    v += slice;
-    high = vtkGodRays::Vec4(v[0], v[bands], v[row], v[row + bands]);
   }
 
   /// The part of a line, place + s steps from s = begin to end, that is in the grid; false if there is none.
@@ -174,12 +145,12 @@ struct vtkGodRaysGrid
   void AddCellDepth(
     std::size_t point, const Vec3& from, const Vec3& to, double length, Vec3& depth) const
   {
-    vtkGodRays::Vec4 low;
-    vtkGodRays::Vec4 high;
+    vtkGodRays::Vec4 corners[2 * vtkGodRaysGridTable::MostComponents];
+    this->GetCorners(point, this->Bands, corners);
     for (int band = 0; band < this->Bands; ++band)
     {
-      this->GetCorners(false, point, band, low, high);
-      depth[band] += this->Scale * length * vtkGodRays::CellMean(low, high, from, to);
+      depth[band] += this->Scale * length *
+        vtkGodRays::CellMean(corners[2 * band], corners[2 * band + 1], from, to);
     }
     if (this->Bands == 1)
     {
@@ -187,24 +158,42 @@ struct vtkGodRaysGrid
     }
   }
 
-  /// What is scattered into all directions at a place in a cell. [1/scene unit]
-  Vec3 GetScattering(std::size_t point, const Vec3& place) const
+  /// Coefficients at a place. [1/scene unit]
+  struct Point
   {
-    const bool own = this->ScatteringBands > 0;
-    const int bands = own ? this->ScatteringBands : this->Bands;
-    vtkGodRays::Vec4 low;
-    vtkGodRays::Vec4 high;
-    Vec3 result(0.0);
-    for (int band = 0; band < bands; ++band)
+    Vec3 Extinction = Vec3(0.0);
+    Vec3 Scattering = Vec3(0.0); // into all directions
+  };
+  /// Those at a place; beyond the grid they are those of its face.
+  Point Sample(const Vec3& place) const
+  {
+    int cell[3];
+    Vec3 there;
+    for (int i = 0; i < 3; ++i)
     {
-      this->GetCorners(own, point, band, low, high);
-      result[band] = this->Scale * vtkGodRays::CellValue(low, high, place);
+      const double x = std::clamp(place[i], 0.0, this->Points[i] - 1.0);
+      cell[i] = std::min(static_cast<int>(x), this->Points[i] - 2);
+      there[i] = x - cell[i];
     }
-    if (bands == 1)
+    const int count = this->Bands + this->ScatteringBands;
+    vtkGodRays::Vec4 corners[2 * vtkGodRaysGridTable::MostComponents];
+    this->GetCorners(this->GetPoint(cell[0], cell[1], cell[2]), count, corners);
+    const auto read = [&](int first, int bands)
     {
-      result.y = result.z = result.x;
-    }
-    return own ? result : result * Vec3(this->Albedo[0], this->Albedo[1], this->Albedo[2]);
+      Vec3 result;
+      for (int c = 0; c < 3; ++c)
+      {
+        const vtkGodRays::Vec4* at = corners + 2 * (first + c);
+        result[c] = c < bands ? this->Scale * vtkGodRays::CellValue(at[0], at[1], there) : result.x;
+      }
+      return result;
+    };
+    Point point;
+    point.Extinction = read(0, this->Bands);
+    point.Scattering = this->ScatteringBands > 0
+      ? read(this->Bands, this->ScatteringBands)
+      : point.Extinction * Vec3(this->Albedo[0], this->Albedo[1], this->Albedo[2]);
+    return point;
   }
 
   /**
@@ -216,6 +205,23 @@ struct vtkGodRaysGrid
     vtkImageData* image, const char* extinction = nullptr, const char* scattering = nullptr);
 
 private:
+  /// So many components at the corners of a cell, from its first point: first where z is 0.
+  void GetCorners(std::size_t point, int count, vtkGodRays::Vec4* corners) const
+  {
+    const std::ptrdiff_t row = this->Points[0];
+    const std::ptrdiff_t slice = row * this->Points[1];
+    const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(point);
+    const std::ptrdiff_t points[8] = { first, first + 1, first + row, first + row + 1,
+      first + slice, first + slice + 1, first + slice + row, first + slice + row + 1 };
+    float values[8 * vtkGodRaysGridTable::MostComponents];
+    this->Table->Gather(points, 8, 0, count, values);
+    for (int i = 0; i < 2 * count; ++i)
+    {
+      const float* v = values + 4 * i;
+      corners[i] = vtkGodRays::Vec4(v[0], v[1], v[2], v[3]);
+    }
+  }
+
   double GetFace(const Vec3& place, const Vec3& steps, const int cell[3], int axis) const
   {
     return steps[axis] == 0.0

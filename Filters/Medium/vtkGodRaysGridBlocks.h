@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file    vtkGodRaysGridBlocks.h
- * @brief   where a medium of data is empty, and its numbers between points, in single precision
+ * @brief   the range of extinction in blocks of cells of a grid
  *
  * Private.
  */
@@ -14,6 +14,8 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <numeric>
+#include <vector>
 
 // The least and the largest extinction in each block of cells.
 class vtkGodRaysGridBlocks
@@ -101,18 +103,14 @@ private:
     {
       for (int b = first[1]; b <= last[1]; ++b)
       {
-        if (grid.Table)
-        {
-          grid.Table->AddRange(grid.GetPoint(first[0], b, c), last[0] - first[0] + 1, low, high);
-          continue;
-        }
-        const float* values = grid.Extinction + grid.Bands * grid.GetPoint(first[0], b, c);
-        const int count = grid.Bands * (last[0] - first[0] + 1);
-        for (int a = 0; a < count; ++a)
-        {
-          low = std::min(low, values[a]);
-          high = std::max(high, values[a]);
-        }
+        std::ptrdiff_t points[BlockSize + 1];
+        float values[3 * (BlockSize + 1)];
+        const int count = last[0] - first[0] + 1;
+        std::iota(points, points + count, grid.GetPoint(first[0], b, c));
+        grid.Table->Gather(points, count, 0, grid.Bands, values);
+        const auto range = std::minmax_element(values, values + count * grid.Bands);
+        low = std::min(low, *range.first);
+        high = std::max(high, *range.second);
       }
     }
     return { low, high };
@@ -121,65 +119,6 @@ private:
   int Size[3];
   std::vector<Range> Ranges;
   double Scale;
-};
-
-// A place between the points of a grid, for several arrays.
-class vtkGodRaysGridPlace
-{
-public:
-  vtkGodRaysGridPlace(const vtkGodRaysGrid& grid, const vtkGodRays::Vec3& place)
-  {
-    std::ptrdiff_t cell[3];
-    for (int i = 0; i < 3; ++i)
-    {
-      const double x = std::clamp(place[i], 0.0, grid.Points[i] - 1.0);
-      cell[i] =
-        std::min(static_cast<std::ptrdiff_t>(x), static_cast<std::ptrdiff_t>(grid.Points[i] - 2));
-      this->T[i] = static_cast<float>(x - cell[i]);
-    }
-    this->Row = grid.Points[0];
-    this->Slice = this->Row * grid.Points[1];
-    this->First = cell[2] * this->Slice + cell[1] * this->Row + cell[0];
-  }
-
-  /// Extinction of each band and scattering of each that it has itself, before Scale: at most 6 numbers.
-  void Read(const vtkGodRaysGrid& grid, float* coefficients) const
-  {
-    if (grid.Table)
-    {
-      grid.Table->Look(this->First, this->Row, this->Slice, this->T, coefficients);
-      return;
-    }
-    for (int band = 0; band < grid.Bands; ++band)
-    {
-      coefficients[band] = this->Read(grid.Extinction, grid.Bands, band);
-    }
-    for (int band = 0; band < grid.ScatteringBands; ++band)
-    {
-      coefficients[grid.Bands + band] = this->Read(grid.Scattering, grid.ScatteringBands, band);
-    }
-  }
-
-private:
-  float Read(const float* values, int bands, int band) const
-  {
-    const float* v = values + this->First * bands + band;
-    const float* w = v + this->Slice * bands;
-    const std::ptrdiff_t row = this->Row * bands;
-    const float* t = this->T;
-    const float a = v[0] + t[0] * (v[bands] - v[0]);
-    const float b = v[row] + t[0] * (v[row + bands] - v[row]);
-    const float c = w[0] + t[0] * (w[bands] - w[0]);
-    const float d = w[row] + t[0] * (w[row + bands] - w[row]);
-    const float front = a + t[1] * (b - a);
-    const float back = c + t[1] * (d - c);
-    return front + t[2] * (back - front);
-  }
-
-  std::ptrdiff_t First;
-  std::ptrdiff_t Row;
-  std::ptrdiff_t Slice;
-  float T[3];
 };
 
 #endif

@@ -9,7 +9,8 @@ namespace
 {
 // Along an axis: depths bend where the way's end moves from a face of the grid to the next.
 constexpr int LeastNodes = 40;
-constexpr int GroupSize = 16; // columns
+constexpr int GroupSize = 16;  // columns
+constexpr int PlanesRead = 16; // together
 constexpr double ExactPlanes =
   32.0; // on longer ways of a lamp what changes between planes is averaged out
 
@@ -54,29 +55,46 @@ void AddPlanes(const vtkGodRaysGrid& grid, const vtkGodRays::Vec3& place,
   const double bend = begin + (first - from) * one;
   const std::ptrdiff_t strides[3] = { 1, grid.Points[0],
     static_cast<std::ptrdiff_t>(grid.Points[0]) * grid.Points[1] };
-  vtkGodRaysGridPlanes planes;
-  planes.Count = last - first + 1;
-  planes.First = up * first * strides[along];
-  planes.Next = up * strides[along];
-  for (int k = 0; k < 2; ++k)
-  {
-    planes.Strides[k] = strides[across[k]];
-    planes.Last[k] = grid.Points[across[k]] - 2;
-    planes.Begin[k] = place[across[k]] + bend * steps[across[k]];
-    planes.Step[k] = one * steps[across[k]];
-  }
   grid.AddDepth(place, steps, begin, bend, depth);
-  for (int band = 0; band < 3; ++band)
+  float sums[3] = { 0.0f, 0.0f, 0.0f };
+  for (int plane = first; plane <= last; plane += PlanesRead)
   {
-    if (band >= grid.Bands)
+    const int count = std::min(PlanesRead, last - plane + 1);
+    std::ptrdiff_t points[4 * PlanesRead];
+    float t[2][PlanesRead]; // in the cell across
+    for (int i = 0; i < count; ++i)
     {
-      depth[band] = depth.x;
-      continue;
+      std::ptrdiff_t point = up * (plane + i) * strides[along];
+      for (int k = 0; k < 2; ++k)
+      {
+        const int axis = across[k];
+        const double at =
+          std::max(place[axis] + (bend + (plane + i - first) * one) * steps[axis], 0.0);
+        const int cell = std::min(static_cast<int>(at), grid.Points[axis] - 2);
+        t[k][i] = static_cast<float>(at - cell);
+        point += cell * strides[axis];
+      }
+      for (int k = 0; k < 4; ++k)
+      {
+        points[4 * i + k] = point + (k & 1) * strides[across[0]] + (k >> 1) * strides[across[1]];
+      }
     }
-    const float sum = grid.Table ? grid.Table->Integrate(planes)
-                                 : planes.Integrate([&](std::ptrdiff_t point)
-                                     { return grid.Extinction[point * grid.Bands + band]; });
-    depth[band] += grid.Scale * one * sum;
+    float values[12 * PlanesRead];
+    grid.Table->Gather(points, 4 * count, 0, grid.Bands, values);
+    for (int i = 0; i < grid.Bands * count; ++i)
+    {
+      const float* v = values + 4 * i;
+      const float x = t[0][i % count];
+      const float front = v[0] + x * (v[1] - v[0]);
+      const float back = v[2] + x * (v[3] - v[2]);
+      const int at = plane + i % count;
+      const float weight = at == first || at == last ? 0.5f : 1.0f;
+      sums[i / count] += weight * (front + t[1][i % count] * (back - front));
+    }
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    depth[c] += grid.Scale * one * sums[c < grid.Bands ? c : 0];
   }
   grid.AddDepth(place, steps, bend + (last - first) * one, end, depth);
 }

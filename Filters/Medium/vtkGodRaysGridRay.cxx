@@ -133,7 +133,7 @@ void vtkGodRaysGridRay::Add(double s, double cosAngle, bool lit, Vec3& scattered
         place - part.Corner, s - part.Begin, here);
       depth += here;
       scattered += vtkGodRays::Phase({ grid.PhaseFunction, grid.Asymmetry }, cosAngle) *
-        grid.GetScattering(part.Point, place - part.Corner);
+        grid.Sample(place).Scattering;
     }
     // Rounding moves the shadow's ends a little.
     const double slack = 1e-9 * (passage.Cell + s);

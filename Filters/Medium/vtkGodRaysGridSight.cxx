@@ -222,8 +222,7 @@ vtkGodRaysGridSight::Result vtkGodRaysGridSight::Evaluate(double x, double y, do
     }
     if (this->Directional)
     {
-      passage.Phase =
-        grid.Scale * vtkGodRays::Phase({ grid.PhaseFunction, grid.Asymmetry }, ray.Foot);
+      passage.Phase = vtkGodRays::Phase({ grid.PhaseFunction, grid.Asymmetry }, ray.Foot);
     }
     first = std::min(first, passage.Begin);
     last = std::max(last, passage.End);

@@ -69,7 +69,7 @@ private:
     double Begin;
     double End;
     double Speed; // points for each unit of length, along the axis along which that is most
-    double Phase; // of a directional light, times the grid's Scale
+    double Phase; // of a directional light
   };
   struct Ray
   {

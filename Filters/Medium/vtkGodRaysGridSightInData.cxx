@@ -16,7 +16,6 @@ using vtkGodRays::Vec3;
 constexpr double FourPi = 12.566370614359172;
 
 using Blocks = vtkGodRaysGridBlocks;
-using Place = vtkGodRaysGridPlace;
 }
 
 // Into how many pieces, alike as a lamp sees them, a step falls.
@@ -232,22 +231,13 @@ void vtkGodRaysGridSight::MarchBlock(const Ray& ray, double begin, double end, d
         continue;
       }
       const vtkGodRaysGrid& grid = this->Grids[i];
-      const Place place(grid, passage.Place + middle * passage.Steps);
+      const vtkGodRaysGrid::Point point = grid.Sample(passage.Place + middle * passage.Steps);
       const double phase = this->Directional
         ? passage.Phase
-        : grid.Scale * vtkGodRays::Phase({ grid.PhaseFunction, grid.Asymmetry }, air.Cosine);
-      float coefficients[6];
-      place.Read(grid, coefficients);
-      const float* own = coefficients + grid.Bands; // scattering
-      for (int c = 0; c < colours; ++c)
-      {
-        const double value = coefficients[grid.Bands == 1 ? 0 : c];
-        extinction[c] += grid.Scale * value;
-        const double part = grid.ScatteringBands == 0 ? grid.Albedo[c] * value
-                                                      : own[grid.ScatteringBands == 1 ? 0 : c];
-        scattering[c] += grid.Scale * part;
-        scattered[c] += phase * part;
-      }
+        : vtkGodRays::Phase({ grid.PhaseFunction, grid.Asymmetry }, air.Cosine);
+      extinction += point.Extinction;
+      scattering += point.Scattering;
+      scattered += phase * point.Scattering;
     }
     float light[3] = { 0.0f, 0.0f, 0.0f };
     const Vec3 sunlit = this->Shadows.GetMean(

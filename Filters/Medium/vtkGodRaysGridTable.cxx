@@ -3,144 +3,122 @@
 #include "vtkGodRaysGridTable.h"
 
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <type_traits>
 
-template <typename T, bool IsMasked>
-struct vtkGodRaysGridTable::Reader
+namespace
 {
-  static constexpr bool HasEntries = std::is_integral_v<T> && sizeof(T) <= 2;
-  using Real = std::conditional_t<std::is_same_v<T, float>, float, double>;
-
-  const vtkGodRaysGridTable& Table;
-  const T* const Values;
-  const Real First;
-  const Real PerUnit;
-  const Real Last; // entry
-
-  explicit Reader(const vtkGodRaysGridTable& table)
-    : Table(table)
-    , Values(static_cast<const T*>(table.Values))
-    , First(static_cast<Real>(table.First))
-    , PerUnit(static_cast<Real>(table.PerUnit))
-    , Last(static_cast<Real>(table.Entries - 1))
+// Returns the array as floats, which owner keeps.
+const float* GetFloats(vtkDataArray* array, std::shared_ptr<const void>& owner)
+{
+  vtkSmartPointer<vtkFloatArray> floats = vtkFloatArray::FastDownCast(array);
+  if (!floats)
   {
+    floats = vtkSmartPointer<vtkFloatArray>::New();
+    floats->DeepCopy(array);
   }
+  owner = std::make_shared<vtkSmartPointer<vtkFloatArray>>(floats);
+  return floats->GetPointer(0);
+}
 
-  struct Entry
-  {
-    int Low;
-    float Part; // of the way to the next one
-    bool IsShown;
-  };
-
-  Entry Find(std::ptrdiff_t point) const
-  {
-    Entry entry = { 0, 0.0f, !IsMasked || this->Table.Shown.Get(point) };
-    if constexpr (HasEntries)
+bool IsWithin(const float* values, vtkIdType count, float high)
+{
+  std::atomic<bool> good(true);
+  vtkSMPTools::For(0, count,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      const int at = static_cast<int>(this->Values[point]) - static_cast<int>(this->First);
-      entry.Low = std::clamp(at, 0, static_cast<int>(this->Last));
+      bool fine = true;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        fine = fine && values[i] >= 0.0f && values[i] <= high; // false for NaN
+      }
+      if (!fine)
+      {
+        good = false;
+      }
+    });
+  return good;
+}
+}
+
+bool vtkGodRaysGridTable::SetCoefficients(vtkDataArray* extinction, vtkDataArray* scattering)
+{
+  vtkDataArray* const arrays[2] = { extinction, scattering };
+  for (int i = 0; i < 2 && arrays[i]; ++i)
+  {
+    this->Arrays[i] = GetFloats(arrays[i], this->Owners[i]);
+    this->Bands[i] = arrays[i]->GetNumberOfComponents();
+    if (!IsWithin(this->Arrays[i], arrays[i]->GetNumberOfValues(), 1e30f))
+    {
+      return false;
+    }
+  }
+  this->Components = this->Bands[0] + this->Bands[1];
+  this->Function = [](const vtkGodRaysGridTable& self, const std::ptrdiff_t* points, int count,
+                     int first, int last, float* coefficients)
+  {
+    for (int component = first; component < last; ++component)
+    {
+      const int i = component < self.Bands[0] ? 0 : 1;
+      const int bands = self.Bands[i];
+      const float* const values = self.Arrays[i] + component - i * self.Bands[0];
+      for (int k = 0; k < count; ++k)
+      {
+        *coefficients++ = values[points[k] * bands];
+      }
+    }
+  };
+  return true;
+}
+
+template <typename T>
+void vtkGodRaysGridTable::Look(
+  const std::ptrdiff_t* points, int count, int first, int last, float* coefficients) const
+{
+  constexpr bool hasEntries = std::is_integral_v<T> && sizeof(T) <= 2;
+  using Real = std::conditional_t<std::is_same_v<T, float>, float, double>;
+  const T* const values = static_cast<const T*>(this->Values);
+  const Real begin = static_cast<Real>(this->First);
+  const Real perUnit = static_cast<Real>(this->PerUnit);
+  const Real end = static_cast<Real>(this->Entries - 1);
+  const bool isMasked = !this->Shown.IsEmpty();
+  for (int k = 0; k < count; ++k)
+  {
+    int entry = 0;
+    float part = 0.0f; // of the way to the next one
+    if constexpr (hasEntries)
+    {
+      const int at = static_cast<int>(values[points[k]]) - static_cast<int>(this->First);
+      entry = std::clamp(at, 0, this->Entries - 1);
     }
     else
     {
-      const Real at = (static_cast<Real>(this->Values[point]) - this->First) * this->PerUnit;
-      const Real inside = at > Real(0) ? std::min(at, this->Last) : Real(0); // also of NaN
-      entry.Low = static_cast<int>(inside);
-      entry.Part = static_cast<float>(inside - static_cast<Real>(entry.Low));
+      const Real at = (static_cast<Real>(values[points[k]]) - begin) * perUnit;
+      const Real inside = at > Real(0) ? std::min(at, end) : Real(0); // also of NaN
+      entry = static_cast<int>(inside);
+      part = static_cast<float>(inside - static_cast<Real>(entry));
     }
-    return entry;
-  }
-
-  float Get(const Entry& entry, const float* values, int stride) const
-  {
-    const float* v = values + static_cast<std::ptrdiff_t>(entry.Low) * stride;
-    float value = v[0];
-    if constexpr (!HasEntries)
+    const float* v = this->Coefficients.data() + entry * this->Components + first;
+    const bool isShown = !isMasked || this->Shown.Get(points[k]);
+    for (int i = 0; i < last - first; ++i, ++v)
     {
-      value += entry.Part * (v[stride] - v[0]);
-    }
-    return !IsMasked || entry.IsShown ? value : 0.0f;
-  }
-
-  void Find(std::ptrdiff_t first, std::ptrdiff_t row, std::ptrdiff_t slice, Entry entries[8]) const
-  {
-    const std::ptrdiff_t rows[4] = { first, first + row, first + slice, first + slice + row };
-    for (int i = 0; i < 8; ++i)
-    {
-      entries[i] = this->Find(rows[i / 2] + i % 2);
-    }
-  }
-
-  static void GetCorners(const vtkGodRaysGridTable& table, std::ptrdiff_t first, std::ptrdiff_t row,
-    std::ptrdiff_t slice, int component, float* corners)
-  {
-    const Reader reader(table);
-    Entry entries[8];
-    reader.Find(first, row, slice, entries);
-    const int stride = component == 0 ? 1 : table.Bands;
-    const float* values =
-      component == 0 ? table.Extinctions.data() : table.Scatterings.data() + component - 1;
-    for (int i = 0; i < 8; ++i)
-    {
-      corners[i] = reader.Get(entries[i], values, stride);
-    }
-  }
-
-  static void Look(const vtkGodRaysGridTable& table, std::ptrdiff_t first, std::ptrdiff_t row,
-    std::ptrdiff_t slice, const float* t, float* coefficients)
-  {
-    const Reader reader(table);
-    Entry entries[8];
-    reader.Find(first, row, slice, entries);
-    const auto mean = [&](const float* values, int stride)
-    {
-      float v[8];
-      for (int i = 0; i < 8; ++i)
+      float value = v[0];
+      if constexpr (!hasEntries)
       {
-        v[i] = reader.Get(entries[i], values, stride);
+        value += part * (v[this->Components] - v[0]);
       }
-      const float a = v[0] + t[0] * (v[1] - v[0]);
-      const float b = v[2] + t[0] * (v[3] - v[2]);
-      const float c = v[4] + t[0] * (v[5] - v[4]);
-      const float d = v[6] + t[0] * (v[7] - v[6]);
-      const float front = a + t[1] * (b - a);
-      const float back = c + t[1] * (d - c);
-      return front + t[2] * (back - front);
-    };
-    coefficients[0] = mean(table.Extinctions.data(), 1);
-    for (int band = 0; band < table.Bands; ++band)
-    {
-      coefficients[1 + band] = mean(table.Scatterings.data() + band, table.Bands);
+      coefficients[i * count + k] = isShown ? value : 0.0f;
     }
   }
-
-  static float Integrate(const vtkGodRaysGridTable& table, const vtkGodRaysGridPlanes& planes)
-  {
-    const Reader reader(table);
-    const float* values = table.Extinctions.data();
-    return planes.Integrate(
-      [&](std::ptrdiff_t point) { return reader.Get(reader.Find(point), values, 1); });
-  }
-
-  static void AddRange(
-    const vtkGodRaysGridTable& table, std::ptrdiff_t first, int count, float& low, float& high)
-  {
-    const Reader reader(table);
-    for (int i = 0; i < count; ++i)
-    {
-      const float value = reader.Get(reader.Find(first + i), table.Extinctions.data(), 1);
-      low = std::min(low, value);
-      high = std::max(high, value);
-    }
-  }
-};
+}
 
 template <typename T>
 bool vtkGodRaysGridTable::FindRange(const T* values)
@@ -188,7 +166,7 @@ bool vtkGodRaysGridTable::SetValues(vtkDataArray* values)
     own.TakeReference(vtkDataArray::CreateDataArray(values->GetDataType()));
     own->DeepCopy(values);
   }
-  this->Owner = std::make_shared<vtkSmartPointer<vtkDataArray>>(own);
+  this->Owners[0] = std::make_shared<vtkSmartPointer<vtkDataArray>>(own);
   this->Array = own;
   this->Values = own->GetVoidPointer(0);
   this->Count = own->GetNumberOfTuples();
@@ -217,35 +195,17 @@ bool vtkGodRaysGridTable::IsInPlace() const
     this->Array->GetVoidPointer(0) == this->Values;
 }
 
-template <typename T>
-void vtkGodRaysGridTable::SetFunctions()
-{
-  const auto set = [this](auto reader)
-  {
-    using Chosen = decltype(reader);
-    this->Functions.GetCorners = Chosen::GetCorners;
-    this->Functions.Look = Chosen::Look;
-    this->Functions.Integrate = Chosen::Integrate;
-    this->Functions.AddRange = Chosen::AddRange;
-  };
-  if (this->Shown.IsEmpty())
-  {
-    set(Reader<T, false>(*this));
-  }
-  else
-  {
-    set(Reader<T, true>(*this));
-  }
-}
-
 void vtkGodRaysGridTable::Finish()
 {
-  // One more of each, so that what is between the last entry and the next one can be looked up.
-  this->Extinctions.push_back(this->Extinctions.back());
-  this->Scatterings.insert(
-    this->Scatterings.end(), this->Scatterings.end() - this->Bands, this->Scatterings.end());
+  // One more, so that what is between the last entry and the next one can be looked up.
+  const std::vector<float> last(
+    this->Coefficients.end() - this->Components, this->Coefficients.end());
+  this->Coefficients.insert(this->Coefficients.end(), last.begin(), last.end());
   switch (this->Array->GetDataType())
   {
-    vtkTemplateMacro(this->SetFunctions<VTK_TT>());
+    vtkTemplateMacro(
+      this->Function = [](const vtkGodRaysGridTable& self, const std::ptrdiff_t* points, int count,
+                         int first, int last, float* coefficients)
+      { self.Look<VTK_TT>(points, count, first, last, coefficients); });
   }
 }

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGodRaysGridTable
- * @brief   coefficients at the points of a grid, looked up from numbers of any type; private
+ * @brief   extinction and scattering at the points of a grid; private
  *
- * What a transfer function makes of numbers is in a table. The numbers are read where they are, so that
- * nothing is kept for a point but, where some points have no medium, a bit. Numbers of 8 and 16 bits have an
- * entry each; between the entries of others coefficients are linear.
+ * They are read from arrays of coefficients, or looked up from numbers of any type: then a table holds the
+ * transfer function. The numbers are read where they are, so that nothing is kept for a point but, where some
+ * points have no medium, a bit. Numbers of 8 and 16 bits have an entry each; between the entries of others
+ * coefficients are linear.
  */
 
 #ifndef vtkGodRaysGridTable_h
@@ -14,7 +15,6 @@
 
 #include "vtkGodRaysFiltersModule.h" // For export macro
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -45,69 +45,35 @@ private:
   std::vector<std::uint64_t> Words;
 };
 
-/// A line's ways through planes of points that lie side by side, across the axis that it goes along most.
-struct vtkGodRaysGridPlanes
-{
-  int Count;                 // of planes
-  std::ptrdiff_t First;      // the first point of the first one
-  std::ptrdiff_t Next;       // from there to that of the next
-  std::ptrdiff_t Strides[2]; // of points in a plane
-  int Last[2];               // cell there
-  double Begin[2];           // the place in the first plane [points]
-  double Step[2];            // from plane to plane
-
-  /// The integral, from the first plane to the last, of get(point), which counts as linear from plane to
-  /// plane. [points]
-  template <typename Get>
-  float Integrate(const Get& get) const
-  {
-    float sum = 0.0f;
-    float value = 0.0f;
-    for (int i = 0; i < this->Count; ++i)
-    {
-      std::ptrdiff_t point = this->First + i * this->Next;
-      float t[2];
-      for (int k = 0; k < 2; ++k)
-      {
-        const double at = std::max(this->Begin[k] + i * this->Step[k], 0.0);
-        const int cell = std::min(static_cast<int>(at), this->Last[k]);
-        t[k] = static_cast<float>(at - cell);
-        point += cell * this->Strides[k];
-      }
-      const float a = get(point);
-      const float b = get(point + this->Strides[1]);
-      const float front = a + t[0] * (get(point + this->Strides[0]) - a);
-      const float back = b + t[0] * (get(point + this->Strides[0] + this->Strides[1]) - b);
-      value = front + t[1] * (back - front);
-      sum += i == 0 ? 0.5f * value : value;
-    }
-    return this->Count > 1 ? sum - 0.5f * value : 0.0f;
-  }
-};
-
 class VTKGODRAYSFILTERS_EXPORT vtkGodRaysGridTable
 {
 public:
   static constexpr int MostEntries = 4096; // of numbers of more than 16 bits
+  static constexpr int MostComponents = 6; // extinction and scattering of 3 bands each
 
   vtkGodRaysGridBits Shown; // which points have anything; empty: all have
 
   /**
+   * Take coefficients at each point, of 1 or 3 bands, which are copied unless they are floats; scattering may
+   * be null. False if one is negative, above 1e30 or not finite.
+   */
+  bool SetCoefficients(vtkDataArray* extinction, vtkDataArray* scattering);
+
+  /**
    * Take numbers of one component, which must stay as they are, and find their range at points that are
    * shown and how many entries that has. An array whose numbers do not stand side by side is copied. False
-   * if a number is not finite.
+   * if a number is not finite. Then fill in Coefficients, and call Finish().
    */
   bool SetValues(vtkDataArray* values);
 
   ///@{
-  /// What is made of numbers from First to Last, evenly: extinction and, of 0, 1 or 3 bands, scattering.
-  /// [1/scene unit]
+  /// What is made of numbers from First to Last, evenly: extinction and, of 0, 1 or 3 bands, scattering, side
+  /// by side. [1/scene unit]
   double First = 0.0;
   double Last = 1.0;
-  int Bands = 0;
   int Entries = 0;
-  std::vector<float> Extinctions; // as many
-  std::vector<float> Scatterings; // the bands side by side
+  int Components = 1;
+  std::vector<float> Coefficients;
   ///@}
 
   /**
@@ -118,56 +84,30 @@ public:
   /// Whether the numbers are still where they were.
   bool IsInPlace() const;
 
-  ///@{
-  /// At the corners of a cell, x fastest, from its first point, and those of its neighbours in x at a
-  /// distance of 1: component 0 is extinction, those behind are scattering.
-  void GetCorners(std::ptrdiff_t first, std::ptrdiff_t row, std::ptrdiff_t slice, int component,
-    float corners[8]) const
+  /// Read the components from first to before last at so many points: all of the first one, then the next.
+  void Gather(
+    const std::ptrdiff_t* points, int count, int first, int last, float* coefficients) const
   {
-    this->Functions.GetCorners(*this, first, row, slice, component, corners);
+    this->Function(*this, points, count, first, last, coefficients);
   }
-  /// Extinction, and scattering of each band, at a place of the cell.
-  void Look(std::ptrdiff_t first, std::ptrdiff_t row, std::ptrdiff_t slice, const float place[3],
-    float* coefficients) const
-  {
-    this->Functions.Look(*this, first, row, slice, place, coefficients);
-  }
-  /// The integral of extinction from plane to plane.
-  float Integrate(const vtkGodRaysGridPlanes& planes) const
-  {
-    return this->Functions.Integrate(*this, planes);
-  }
-  /// Extend the range of extinction to that of a few points side by side.
-  void AddRange(std::ptrdiff_t first, int count, float& low, float& high) const
-  {
-    this->Functions.AddRange(*this, first, count, low, high);
-  }
-  ///@}
 
 private:
-  template <typename T, bool IsMasked>
-  struct Reader;
-
-  struct
-  {
-    void (*GetCorners)(const vtkGodRaysGridTable&, std::ptrdiff_t, std::ptrdiff_t, std::ptrdiff_t,
-      int, float*) = nullptr;
-    void (*Look)(const vtkGodRaysGridTable&, std::ptrdiff_t, std::ptrdiff_t, std::ptrdiff_t,
-      const float*, float*) = nullptr;
-    float (*Integrate)(const vtkGodRaysGridTable&, const vtkGodRaysGridPlanes&) = nullptr;
-    void (*AddRange)(const vtkGodRaysGridTable&, std::ptrdiff_t, int, float&, float&) = nullptr;
-  } Functions;
+  void (*Function)(
+    const vtkGodRaysGridTable&, const std::ptrdiff_t*, int, int, int, float*) = nullptr;
 
   template <typename T>
   bool FindRange(const T* values);
   template <typename T>
-  void SetFunctions();
+  void Look(
+    const std::ptrdiff_t* points, int count, int first, int last, float* coefficients) const;
 
   double PerUnit = 1.0; // entries
-  std::shared_ptr<const void> Owner;
+  std::shared_ptr<const void> Owners[2];
   vtkDataArray* Array = nullptr;
   const void* Values = nullptr;
   std::ptrdiff_t Count = 0;
+  const float* Arrays[2] = { nullptr, nullptr }; // extinction and scattering at each point
+  int Bands[2] = { 0, 0 };                       // of these
 };
 
 #endif

@@ -50,20 +50,7 @@ vtkGodRaysTransportScene::Point vtkGodRaysTransportScene::Sample(
   {
     return point;
   }
-  const Vec3 cell = vtkGodRays::min(vtkGodRays::floor(at), last - 1.0);
-  const std::size_t corner =
-    grid.GetPoint(static_cast<int>(cell.x), static_cast<int>(cell.y), static_cast<int>(cell.z));
-  for (int band = 0; band < grid.Bands; ++band)
-  {
-    vtkGodRays::Vec4 low;
-    vtkGodRays::Vec4 high;
-    grid.GetCorners(false, corner, band, low, high);
-    point.Extinction[band] = grid.Scale * vtkGodRays::CellValue(low, high, at - cell);
-  }
-  point.Extinction = grid.Bands == 1 ? Vec3(point.Extinction.x) : point.Extinction;
-  point.Scattering = grid.ScatteringBands > 0 ? grid.GetScattering(corner, at - cell)
-                                              : point.Extinction * GetVector(grid.Albedo);
-  return point;
+  return grid.Sample(at);
 }
 
 Vec3 vtkGodRaysTransportScene::GetIrradiance(

@@ -79,12 +79,7 @@ struct VTKGODRAYSFILTERS_EXPORT vtkGodRaysTransportScene
   PhaseMix GetPhase(int component) const;
   ///@}
 
-  /// Coefficients [1/scene unit].
-  struct Point
-  {
-    Vec3 Scattering = Vec3(0.0);
-    Vec3 Extinction = Vec3(0.0);
-  };
+  using Point = vtkGodRaysGrid::Point; // coefficients
   /// Returns those of a component at a place.
   Point Sample(int component, const Vec3& place) const;
 

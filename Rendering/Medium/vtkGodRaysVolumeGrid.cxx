@@ -5,7 +5,6 @@
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
-#include "vtkGodRaysGridBlocks.h"
 #include "vtkGodRaysVolumeHaze.h"
 #include "vtkGodRaysVolumeImage.h"
 #include "vtkImageData.h"
@@ -74,17 +73,16 @@ struct Functions
   /// With scattering of so many bands.
   void Fill(vtkGodRaysGridTable& table, double unit, const Vec3& albedo, int bands) const
   {
-    table.Bands = bands;
-    table.Extinctions.resize(this->Opacities.size());
-    table.Scatterings.resize(bands * this->Opacities.size());
+    table.Components = 1 + bands;
     for (std::size_t i = 0; i < this->Opacities.size(); ++i)
     {
-      table.Extinctions[i] = static_cast<float>(
+      const auto extinction = static_cast<float>(
         vtkGodRays::OpacityExtinction(vtkMath::ClampValue(this->Opacities[i], 0.0, 1.0), unit));
+      table.Coefficients.push_back(extinction);
       for (int c = 0; c < bands; ++c)
       {
-        table.Scatterings[bands * i + c] =
-          static_cast<float>(albedo[c]) * table.Extinctions[i] * this->Tint[3 * i + c];
+        table.Coefficients.push_back(
+          static_cast<float>(albedo[c]) * extinction * this->Tint[3 * i + c]);
       }
     }
   }
@@ -235,10 +233,8 @@ vtkGodRaysVolumeGrid::Error FindError(const std::vector<vtkGodRaysVolumeImage::S
       place[i] -= image->GetExtent()[2 * i];
     }
     const double opacity = vtkMath::ClampValue(opacities->GetValue(sample.Value), 0.0, 1.0);
-    const double known = vtkGodRays::OpacityExtinction(opacity, unit);
-    float coefficients[4];
-    vtkGodRaysGridPlace(grid, Vec3(place[0], place[1], place[2])).Read(grid, coefficients);
-    const double told = coefficients[0];
+    const double known = grid.Scale * vtkGodRays::OpacityExtinction(opacity, unit);
+    const double told = grid.Sample(Vec3(place[0], place[1], place[2])).Extinction.x;
     peak = std::max(peak, known);
     squares += (told - known) * (told - known);
     error.Largest = std::max(error.Largest, std::abs(told - known));
@@ -248,7 +244,7 @@ vtkGodRaysVolumeGrid::Error FindError(const std::vector<vtkGodRaysVolumeImage::S
   {
     error.Mean = std::sqrt(squares / static_cast<double>(count)) / peak;
     error.Largest /= peak;
-    error.Whole = peak * grid.Scale;
+    error.Whole = peak;
   }
   return error;
 }
@@ -311,7 +307,7 @@ std::string vtkGodRaysVolumeGrid::Read(vtkProp* prop, const Numbers& numbers,
   const Cut cut(mapper, volume->GetMatrix());
   Apply(cut, image, table->Shown);
   table->Finish();
-  grid.ScatteringBands = table->Bands;
+  grid.ScatteringBands = table->Components - 1;
   grid.Table = table;
   grid.Scale = numbers.Scale;
   for (int c = 0; c < 3; ++c)

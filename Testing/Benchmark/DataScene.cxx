@@ -58,6 +58,7 @@ Scene::Scene(int points, int width, int height, int mapSize)
   , Height(height)
   , Smoke(GodRaysGridScenes::MakePlume(points))
   , Terrain(MakeTerrain(96))
+  , Extinction(static_cast<const float*>(this->Smoke->GetScalarPointer()))
 {
   this->Grid.Read(this->Smoke);
   std::fill_n(this->Grid.Albedo, 3, Albedo);

@@ -75,7 +75,7 @@ public:
       first[i] = std::min(static_cast<int>(place[i]), this->Grid.Points[i] - 2);
       offset[i] = place[i] - first[i];
     }
-    const float* v = this->Grid.Extinction + this->Grid.GetPoint(first[0], first[1], first[2]);
+    const float* v = this->Extinction + this->Grid.GetPoint(first[0], first[1], first[2]);
     const std::ptrdiff_t row = this->Grid.Points[0];
     const std::ptrdiff_t slice = row * this->Grid.Points[1];
     const auto mix = [](float a, float b, double t) { return a + static_cast<float>(t) * (b - a); };
@@ -89,6 +89,7 @@ public:
   vtkSmartPointer<vtkImageData> Smoke;
   vtkSmartPointer<vtkPolyData> Terrain;
   vtkGodRaysGrid Grid;
+  const float* Extinction; // of the smoke
   Vec3 ToSun;
   Parameters Clear; // smoke alone
   Parameters Hazy;

@@ -277,21 +277,13 @@ void GodRaysMultipleScatteringReference::SetScene(
   for (const vtkGodRaysGrid& grid : scene.Grids)
   {
     Vec3 largest(0.0);
-    for (int i = 0; i < grid.Bands * (grid.Points[0] - 1) * (grid.Points[1] - 1); ++i)
+    for (int i = 0; i < grid.Points[0] * grid.Points[1] * grid.Points[2]; ++i)
     {
-      for (int z = 0; z < grid.Points[2] - 1; ++z)
-      {
-        const int cell = i / grid.Bands;
-        vtkGodRays::Vec4 low;
-        vtkGodRays::Vec4 high;
-        grid.GetCorners(false,
-          grid.GetPoint(cell % (grid.Points[0] - 1), cell / (grid.Points[0] - 1), z),
-          i % grid.Bands, low, high);
-        low = vtkGodRays::max(low, high);
-        largest[i % grid.Bands] = std::max({ largest[i % grid.Bands], low.x, low.y, low.z, low.w });
-      }
+      const Vec3 place(i % grid.Points[0], i / grid.Points[0] % grid.Points[1],
+        i / (grid.Points[0] * grid.Points[1]));
+      largest = vtkGodRays::max(largest, grid.Sample(place).Extinction);
     }
-    in.Majorant += grid.Scale * (grid.Bands == 1 ? Vec3(largest.x) : largest);
+    in.Majorant += largest;
   }
   in.Majorant *= 1.0 + 1e-9;
 }

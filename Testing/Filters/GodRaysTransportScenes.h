@@ -233,7 +233,7 @@ inline void AddGrid(Case& each, const GodRaysGridScenes::Field& field, int axis,
     double sum = 0.0;
     for (int k = 0; k < n; ++k)
     {
-      sum += grid.Extinction[first + k * step];
+      sum += image->GetPointData()->GetScalars()->GetTuple1(first + k * step);
     }
     thickest = std::max(thickest, sum / (n - 1));
   }

@@ -64,20 +64,19 @@ vtkGodRaysGrid MakeTabled(vtkImageData* image, int bands, bool isMasked)
     }
   }
   EXPECT_TRUE(table->SetValues(image->GetPointData()->GetScalars()));
-  table->Bands = bands;
+  table->Components = 1 + bands;
   for (int i = 0; i < table->Entries; ++i)
   {
     const double value = table->First + i * (table->Last - table->First) / (table->Entries - 1);
-    table->Extinctions.push_back(static_cast<float>(GetExtinction(value)));
+    table->Coefficients.push_back(static_cast<float>(GetExtinction(value)));
     for (int band = 0; band < bands; ++band)
     {
-      table->Scatterings.push_back(static_cast<float>(GetScattering(value, band)));
+      table->Coefficients.push_back(static_cast<float>(GetScattering(value, band)));
     }
   }
   table->Finish();
   vtkGodRaysGrid grid;
   EXPECT_EQ(grid.Read(MakePlume(Points)), ""); // its place
-  grid.Extinction = nullptr;
   grid.Table = table;
   grid.ScatteringBands = bands;
   return grid;
@@ -203,12 +202,8 @@ TEST(GridTable, HasTheSameDepths)
       grid.AddDepth(place, steps, 0.0, 1e3, depths[1]);
       deepest = std::max(deepest, depths[0].x);
       ASSERT_NEAR(depths[1].x, depths[0].x, 1e-5 * std::max(depths[0].x, 1.0));
-      const int cell[3] = { static_cast<int>(place.x), static_cast<int>(place.y),
-        static_cast<int>(place.z) };
-      const std::size_t point = plain.GetPoint(cell[0], cell[1], cell[2]);
-      const Vec3 there = place - Vec3(cell[0], cell[1], cell[2]);
-      const Vec3 expected = plain.GetScattering(point, there);
-      const Vec3 actual = grid.GetScattering(point, there);
+      const Vec3 expected = plain.Sample(place).Scattering;
+      const Vec3 actual = grid.Sample(place).Scattering;
       for (int c = 0; c < 3; ++c)
       {
         ASSERT_NEAR(actual[c], expected[c], 1e-5);
