@@ -221,7 +221,8 @@ bool vtkGodRaysShadowMap::RenderTranslucent(
   vtkGodRaysShadowLayers::Haze haze;
   if (hasVolumes)
   {
-    vtkGodRaysVolumeHaze::Make(request, volumes, this->Faces.Grids, this->Faces.Size, haze);
+    this->LeftOut +=
+      vtkGodRaysVolumeHaze::Make(request, volumes, this->Faces.Grids, this->Faces.Size, haze);
   }
   if (request.WantsLayers && (hasVolumes || !surfaces.empty()))
   {
@@ -255,8 +256,8 @@ std::string vtkGodRaysShadowMap::DescribeLayers() const
   if (this->LeftOut > 0)
   {
     text += "; " + std::to_string(this->LeftOut) +
-      " volumes cast no shadow: they are no images, or have gradient opacity, a 2-D transfer "
-      "function or another blend mode than composite";
+      " volumes cast no shadow: they are no images of finite numbers, or have gradient opacity, a "
+      "2-D transfer function or another blend mode than composite";
   }
   return text;
 }

@@ -30,6 +30,8 @@ namespace
 {
 using vtkGodRays::Vec3;
 
+using Cut = vtkGodRaysVolumeGrid::Cut;
+
 /// What transfer functions make of a table's numbers, evenly.
 struct Functions
 {
@@ -85,62 +87,6 @@ struct Functions
           static_cast<float>(albedo[c]) * extinction * this->Tint[3 * i + c]);
       }
     }
-  }
-};
-
-/// What cropping and clipping planes cut off of a volume, in coordinates of its data.
-struct Cut
-{
-  bool Cropped = false;
-  double Crop[6] = {};
-  int Flags = 0;
-  std::vector<std::array<double, 4>> Planes; // a x + b y + c z + d >= 0 is kept
-
-  Cut(vtkAbstractVolumeMapper* mapper, vtkMatrix4x4* toWorld)
-  {
-    if (auto cropping = vtkVolumeMapper::SafeDownCast(mapper))
-    {
-      this->Cropped = cropping->GetCropping() != 0;
-      this->Flags = cropping->GetCroppingRegionFlags();
-      std::copy_n(cropping->GetCroppingRegionPlanes(), 6, this->Crop);
-    }
-    vtkPlaneCollection* planes = mapper->GetClippingPlanes();
-    for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
-    {
-      const double* normal = planes->GetItem(i)->GetNormal();
-      std::array<double, 4> plane = { 0.0, 0.0, 0.0,
-        -vtkMath::Dot(normal, planes->GetItem(i)->GetOrigin()) };
-      for (int column = 0; column < 4; ++column)
-      {
-        for (int k = 0; k < 3; ++k)
-        {
-          plane[column] += normal[k] * toWorld->GetElement(k, column);
-        }
-      }
-      this->Planes.push_back(plane);
-    }
-  }
-
-  bool IsNone() const { return !this->Cropped && this->Planes.empty(); }
-
-  bool Takes(const double place[3]) const
-  {
-    for (const auto& plane : this->Planes)
-    {
-      if (vtkMath::Dot(plane.data(), place) + plane[3] < 0.0)
-      {
-        return true;
-      }
-    }
-    int region = 0;
-    for (int i = 2; this->Cropped && i >= 0; --i)
-    {
-      region = 3 * region +
-        (place[i] < this->Crop[2 * i]          ? 0
-            : place[i] > this->Crop[2 * i + 1] ? 2
-                                               : 1);
-    }
-    return this->Cropped && (this->Flags >> region & 1) == 0;
   }
 };
 
@@ -206,7 +152,7 @@ std::string FindFault(vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* proper
 double GetUnitDistance(vtkVolume* volume)
 {
   return volume->GetProperty()->GetScalarOpacityUnitDistance(0) *
-    std::cbrt(std::abs(volume->GetMatrix()->Determinant()));
+    vtkGodRaysVolumeGrid::GetScale(volume);
 }
 
 /// How far what a grid tells is from what the data are, where these are known. They may be outside of the
@@ -250,8 +196,93 @@ vtkGodRaysVolumeGrid::Error FindError(const std::vector<vtkGodRaysVolumeImage::S
 }
 }
 
+double vtkGodRaysVolumeGrid::GetScale(vtkVolume* volume)
+{
+  return std::cbrt(std::abs(volume->GetMatrix()->Determinant()));
+}
+
+vtkGodRaysVolumeGrid::Cut::Cut(vtkAbstractVolumeMapper* mapper, vtkMatrix4x4* toWorld)
+{
+  if (auto cropping = vtkVolumeMapper::SafeDownCast(mapper))
+  {
+    this->Cropped = cropping->GetCropping() != 0;
+    this->Flags = cropping->GetCroppingRegionFlags();
+    std::copy_n(cropping->GetCroppingRegionPlanes(), 6, this->Crop);
+  }
+  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
+  for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
+  {
+    const double* normal = planes->GetItem(i)->GetNormal();
+    std::array<double, 4> plane = { 0.0, 0.0, 0.0,
+      -vtkMath::Dot(normal, planes->GetItem(i)->GetOrigin()) };
+    for (int column = 0; column < 4; ++column)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        plane[column] += normal[k] * toWorld->GetElement(k, column);
+      }
+    }
+    this->Planes.push_back(plane);
+  }
+}
+
+bool vtkGodRaysVolumeGrid::Cut::Takes(const double place[3]) const
+{
+  for (const auto& plane : this->Planes)
+  {
+    if (vtkMath::Dot(plane.data(), place) + plane[3] < 0.0)
+    {
+      return true;
+    }
+  }
+  int region = 0;
+  for (int i = 2; this->Cropped && i >= 0; --i)
+  {
+    region = 3 * region +
+      (place[i] < this->Crop[2 * i]          ? 0
+          : place[i] > this->Crop[2 * i + 1] ? 2
+                                             : 1);
+  }
+  return this->Cropped && (this->Flags >> region & 1) == 0;
+}
+
+std::vector<std::array<double, 2>> vtkGodRaysVolumeGrid::Cut::GetParts(
+  const Vec3& start, const Vec3& change, double begin, double end) const
+{
+  std::vector<double> ends = { begin, end };
+  const auto add = [&](double at, double rate)
+  {
+    const double s = rate != 0.0 ? -at / rate : begin;
+    if (s > begin && s < end)
+    {
+      ends.push_back(s);
+    }
+  };
+  for (const auto& plane : this->Planes)
+  {
+    const Vec3 normal(plane[0], plane[1], plane[2]);
+    add(vtkGodRays::dot(normal, start) + plane[3], vtkGodRays::dot(normal, change));
+  }
+  for (int i = 0; i < 6 && this->Cropped; ++i)
+  {
+    add(start[i / 2] - this->Crop[i], change[i / 2]);
+  }
+  std::sort(ends.begin(), ends.end());
+  std::vector<std::array<double, 2>> parts;
+  for (std::size_t i = 1; i < ends.size(); ++i)
+  {
+    const Vec3 middle = start + 0.5 * (ends[i - 1] + ends[i]) * change;
+    const double place[3] = { middle.x, middle.y, middle.z };
+    if (ends[i] > ends[i - 1] && !this->Takes(place))
+    {
+      parts.push_back({ ends[i - 1], ends[i] });
+    }
+  }
+  return parts;
+}
+
 std::string vtkGodRaysVolumeGrid::Read(vtkProp* prop, const Numbers& numbers,
-  vtkGodRaysVolumeImage& data, vtkGodRaysGrid& grid, Error& error)
+  vtkGodRaysVolumeImage& data, vtkGodRaysGrid& grid, Error& error, bool isWhole)
 {
   auto volume = vtkVolume::SafeDownCast(prop);
   if (!volume || prop->IsA("vtkMultiVolume"))
@@ -262,7 +293,10 @@ std::string vtkGodRaysVolumeGrid::Read(vtkProp* prop, const Numbers& numbers,
   vtkAbstractVolumeMapper* mapper = volume->GetMapper();
   vtkVolumeProperty* property = volume->GetProperty();
   std::string fault = FindFault(mapper, property);
-  fault = fault.empty() ? data.Update(mapper, numbers.Resolution) : fault;
+  const auto component = !isWhole          ? vtkGodRaysVolumeImage::ONLY
+    : property->GetIndependentComponents() ? vtkGodRaysVolumeImage::FIRST
+                                           : vtkGodRaysVolumeImage::LAST;
+  fault = fault.empty() ? data.Update(mapper, numbers.Resolution, component) : fault;
   if (!fault.empty())
   {
     return fault;
@@ -305,7 +339,10 @@ std::string vtkGodRaysVolumeGrid::Read(vtkProp* prop, const Numbers& numbers,
       : functions.Grey && alike ? 1
                                 : 3);
   const Cut cut(mapper, volume->GetMatrix());
-  Apply(cut, image, table->Shown);
+  if (!isWhole)
+  {
+    Apply(cut, image, table->Shown);
+  }
   table->Finish();
   grid.ScatteringBands = table->Components - 1;
   grid.Table = table;

@@ -14,10 +14,15 @@
 
 #include "vtkGodRaysGrid.h"
 
+#include <array>
 #include <string>
+#include <vector>
 
+class vtkAbstractVolumeMapper;
 class vtkGodRaysVolumeImage;
+class vtkMatrix4x4;
 class vtkProp;
+class vtkVolume;
 
 class vtkGodRaysVolumeGrid
 {
@@ -40,12 +45,35 @@ public:
     double Whole = 0.0; // what they are fractions of [1/scene unit]
   };
 
+  /// What cropping and clipping planes cut off of a volume, in coordinates of its data.
+  class Cut
+  {
+  public:
+    Cut(vtkAbstractVolumeMapper* mapper, vtkMatrix4x4* toWorld);
+    bool IsNone() const { return !this->Cropped && this->Planes.empty(); }
+    bool Takes(const double place[3]) const;
+    /// Returns the parts of a line, start + s change, between begin and end that are not cut off.
+    std::vector<std::array<double, 2>> GetParts(const vtkGodRays::Vec3& start,
+      const vtkGodRays::Vec3& change, double begin, double end) const;
+
+  private:
+    bool Cropped = false;
+    double Crop[6] = {};
+    int Flags = 0;
+    std::vector<std::array<double, 4>> Planes; // a x + b y + c z + d >= 0 is kept
+  };
+
   /**
-   * Read a prop whose pipeline is up to date. data are those that the last call left for it. Returns what is
-   * wrong, and what to do; empty if nothing is.
+   * Read a prop whose pipeline is up to date. data are those that the last call left for it. Of what is whole
+   * no points are cut off. Returns what is wrong, and what to do; empty if nothing is.
    */
   static std::string Read(vtkProp* prop, const Numbers& numbers, vtkGodRaysVolumeImage& data,
-    vtkGodRaysGrid& grid, Error& error);
+    vtkGodRaysGrid& grid, Error& error, bool isWhole = false);
+
+  /**
+   * Return by how much a volume's matrix scales lengths: those of a cube of the same volume.
+   */
+  static double GetScale(vtkVolume* volume);
 };
 
 #endif

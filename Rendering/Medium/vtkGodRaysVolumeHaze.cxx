@@ -8,11 +8,11 @@
 #include "vtkGodRaysLight.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysView.h"
+#include "vtkGodRaysVolumeGrid.h"
 #include "vtkGodRaysVolumeImage.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
-#include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
@@ -22,16 +22,13 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 
 namespace
 {
 using Haze = vtkGodRaysShadowLayers::Haze;
-
-constexpr int TableSize = 1024;
-constexpr int MostSteps = 512; // along a ray, in all
+using vtkGodRays::Vec3;
 
 vtkImageData* GetImage(vtkVolumeMapper* mapper)
 {
@@ -46,204 +43,57 @@ vtkDataArray* GetScalars(vtkVolumeMapper* mapper, int& ofCells)
     mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), ofCells);
 }
 
+/// Transforms a place (w = 1) or a direction (w = 0).
+Vec3 Transform(const double matrix[16], const Vec3& v, double w)
+{
+  const double in[4] = { v.x, v.y, v.z, w };
+  double out[4];
+  vtkMatrix4x4::MultiplyPoint(matrix, in, out);
+  return Vec3(out[0], out[1], out[2]);
+}
+
 /// A volume in numbers.
 struct Field
 {
-  double ToIndex[16]; // from view coordinates
-  double ToData[16];  // of the volume's own coordinates
-  int Dimensions[3];
-  vtkDataArray* Scalars;
-  const void* Values; // found once: arrays of other layouts make a copy for it
-  int Components;
-  int Component; // that has the opacity
-  bool OfCells;
-  bool Nearest;
-  double Extinctions[TableSize]; // [1/unit of the data's coordinates]
-  double Range[2];
-  bool Cropped;
-  double Crop[6];
-  int CropFlags;
-  std::vector<std::array<double, 4>>
-    Planes;    // a x + b y + c z + d >= 0 is kept, in view coordinates
-  double Step; // the least width of a cell [scene units]
+  vtkGodRaysGrid Grid; // in the world
+  vtkGodRaysVolumeGrid::Cut Cut;
+  double ToData[16]; // from there
+  double Scale;      // of lengths, by the volume's matrix
 
-  Field(vtkVolume* volume, const vtkGodRaysView& view)
+  Field(vtkVolume* volume, vtkGodRaysGrid&& grid)
+    : Grid(std::move(grid))
+    , Cut(volume->GetMapper(), volume->GetMatrix())
+    , Scale(vtkGodRaysVolumeGrid::GetScale(volume))
   {
-    auto mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
-    vtkImageData* image = GetImage(mapper);
-    int ofCells = 0;
-    this->Scalars = GetScalars(mapper, ofCells);
-    this->Values = this->Scalars->GetVoidPointer(0);
-    double toWorld[16];
-    vtkMatrix4x4::Invert(view.WorldToView, toWorld);
-    double fromWorld[16];
-    vtkMatrix4x4::Invert(volume->GetMatrix()->GetData(), fromWorld);
-    vtkMatrix4x4::Multiply4x4(fromWorld, toWorld, this->ToData);
-    vtkMatrix4x4::Multiply4x4(
-      image->GetPhysicalToIndexMatrix()->GetData(), this->ToData, this->ToIndex);
-    const int* extent = image->GetExtent();
-    for (int i = 0; i < 3; ++i)
+    vtkMatrix4x4::Invert(volume->GetMatrix()->GetData(), this->ToData);
+  }
+
+  /// Adds the optical depths of a line, start + s change, from the first to the ends of slices. VTK's mappers
+  /// count lengths in the data's coordinates.
+  void AddDepths(const Vec3& start, const Vec3& change, const double range[2], double* depths) const
+  {
+    const Vec3 from = Transform(this->ToData, start, 1.0);
+    const Vec3 along = Transform(this->ToData, change, 0.0);
+    const double length = this->Scale * vtkGodRays::length(along);
+    const Vec3 place = this->Grid.GetPlace(start);
+    const Vec3 steps = this->Grid.GetSteps(change);
+    double ends[2] = { range[0], range[1] };
+    if (!this->Grid.Clip(place, steps, ends[0], ends[1]))
     {
-      this->Dimensions[i] = extent[2 * i + 1] - extent[2 * i] + 1 - (ofCells ? 1 : 0);
-      this->ToIndex[4 * i + 3] -= extent[2 * i] + (ofCells ? 0.5 : 0.0);
+      return;
     }
-    // A cell's width along the index i is one over the change of i.
-    this->Step = VTK_DOUBLE_MAX;
-    for (int i = 0; i < 3; ++i)
+    const auto parts = this->Cut.GetParts(from, along, ends[0], ends[1]);
+    const double slice = (range[1] - range[0]) / Haze::Slices;
+    Vec3 sum(0.0);
+    for (int k = 0; k < Haze::Slices; ++k)
     {
-      this->Step =
-        std::min(this->Step, 1.0 / std::max(vtkMath::Norm(this->ToIndex + 4 * i), 1e-30));
-    }
-    vtkVolumeProperty* property = volume->GetProperty();
-    this->Components = this->Scalars->GetNumberOfComponents();
-    this->Component = property->GetIndependentComponents() ? 0 : this->Components - 1;
-    this->OfCells = ofCells != 0;
-    this->Nearest = property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION || this->OfCells;
-    this->Scalars->GetRange(this->Range, this->Component);
-    this->Range[1] = std::max(this->Range[1], this->Range[0] + 1e-30);
-    property->GetScalarOpacity(0)->GetTable(
-      this->Range[0], this->Range[1], TableSize, this->Extinctions);
-    const double unit = std::max(property->GetScalarOpacityUnitDistance(0), 1e-30);
-    for (double& value : this->Extinctions)
-    {
-      value = vtkGodRays::OpacityExtinction(vtkMath::ClampValue(value, 0.0, 1.0), unit);
-    }
-    this->Cropped = mapper->GetCropping() != 0;
-    std::copy_n(mapper->GetCroppingRegionPlanes(), 6, this->Crop);
-    this->CropFlags = mapper->GetCroppingRegionFlags();
-    vtkPlaneCollection* planes = mapper->GetClippingPlanes();
-    for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
-    {
-      const double* normal = planes->GetItem(i)->GetNormal();
-      const double* origin = planes->GetItem(i)->GetOrigin();
-      std::array<double, 4> plane = { 0.0, 0.0, 0.0, -vtkMath::Dot(normal, origin) };
-      for (int column = 0; column < 4; ++column)
+      for (const auto& part : parts)
       {
-        for (int k = 0; k < 3; ++k)
-        {
-          plane[column] += normal[k] * toWorld[4 * k + column];
-        }
+        this->Grid.AddDepth(place, steps, std::max(range[0] + k * slice, part[0]),
+          std::min(range[0] + (k + 1) * slice, part[1]), sum);
       }
-      this->Planes.push_back(plane);
+      depths[k + 1] += sum.x * length;
     }
-  }
-
-  /// How far data reach beyond the places of their first and last values along an index [cells].
-  double GetMargin(int i) const { return this->OfCells || this->Dimensions[i] == 1 ? 0.5 : 0.0; }
-
-  /// Leave of a range of distances along a ray what is in the data's box.
-  void Clip(const double start[3], const double change[3], double ends[2]) const
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      const double at = Apply(this->ToIndex + 4 * i, start);
-      const double rate = vtkMath::Dot(this->ToIndex + 4 * i, change);
-      const double low = -this->GetMargin(i) - at;
-      const double high = this->Dimensions[i] - 1 + this->GetMargin(i) - at;
-      if (std::abs(rate) < 1e-300)
-      {
-        ends[1] = low <= 0.0 && high >= 0.0 ? ends[1] : ends[0];
-        continue;
-      }
-      ends[0] = std::max(ends[0], std::min(low / rate, high / rate));
-      ends[1] = std::min(ends[1], std::max(low / rate, high / rate));
-    }
-  }
-
-  /// Returns the length of a vector of view coordinates in those of the data, which VTK's mappers count.
-  double GetLength(const double change[3]) const
-  {
-    double inData[3];
-    for (int i = 0; i < 3; ++i)
-    {
-      inData[i] = vtkMath::Dot(this->ToData + 4 * i, change);
-    }
-    return vtkMath::Norm(inData);
-  }
-
-  static double Apply(const double row[4], const double place[3])
-  {
-    return row[0] * place[0] + row[1] * place[1] + row[2] * place[2] + row[3];
-  }
-
-  bool IsCut(const double place[3]) const
-  {
-    for (const auto& plane : this->Planes)
-    {
-      if (Apply(plane.data(), place) < 0.0)
-      {
-        return true;
-      }
-    }
-    if (!this->Cropped)
-    {
-      return false;
-    }
-    int region = 0;
-    for (int i = 2; i >= 0; --i)
-    {
-      const double x = Apply(this->ToData + 4 * i, place);
-      region = 3 * region + (x < this->Crop[2 * i] ? 0 : x > this->Crop[2 * i + 1] ? 2 : 1);
-    }
-    return (this->CropFlags >> region & 1) == 0;
-  }
-
-  double Look(double value) const
-  {
-    const double at = (value - this->Range[0]) / (this->Range[1] - this->Range[0]);
-    const double inside = at > 0.0 ? std::min(at, 1.0) : 0.0; // of NaN, too
-    return this->Extinctions[static_cast<int>(inside * (TableSize - 1) + 0.5)];
-  }
-
-  /// The extinction at a place in view coordinates.
-  template <typename T>
-  double GetExtinction(const T* values, const double place[3]) const
-  {
-    std::ptrdiff_t low[3];
-    std::ptrdiff_t next[3];
-    double part[3];
-    std::ptrdiff_t stride = 1;
-    for (int i = 0; i < 3; ++i)
-    {
-      const double x = Apply(this->ToIndex + 4 * i, place);
-      const double margin = this->GetMargin(i) + 1e-9;
-      const int last = this->Dimensions[i] - 1;
-      if (!(x >= -margin && x <= last + margin))
-      {
-        return 0.0;
-      }
-      const double inside = std::min(std::max(x, 0.0), static_cast<double>(last));
-      const int at = this->Nearest ? static_cast<int>(inside + 0.5)
-                                   : std::min(static_cast<int>(inside), std::max(last - 1, 0));
-      part[i] = this->Nearest ? 0.0 : inside - at;
-      low[i] = at * stride;
-      next[i] = at < last ? stride : 0;
-      stride *= this->Dimensions[i];
-    }
-    if (this->IsCut(place))
-    {
-      return 0.0;
-    }
-    const T* base = values + this->Component;
-    const std::ptrdiff_t first = low[0] + low[1] + low[2];
-    if (this->Nearest)
-    {
-      return this->Look(static_cast<double>(base[first * this->Components]));
-    }
-    double sum = 0.0;
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      double weight = 1.0;
-      std::ptrdiff_t index = first;
-      for (int i = 0; i < 3; ++i)
-      {
-        const bool high = (corner >> i & 1) != 0;
-        weight *= high ? part[i] : 1.0 - part[i];
-        index += high ? next[i] : 0;
-      }
-      sum += weight * static_cast<double>(base[index * this->Components]);
-    }
-    return this->Look(sum);
   }
 };
 
@@ -256,8 +106,8 @@ struct Rays
   double Towards[3]; // of a directional light
 
   // At distances 0 and 1 [scene units].
-  void Find(const vtkGodRaysShadowGrids::Grid& grid, double i, double j, double start[3],
-    double change[3]) const
+  void Find(
+    const vtkGodRaysShadowGrids::Grid& grid, double i, double j, Vec3& start, Vec3& change) const
   {
     const double a = grid.Low[0] + i * grid.Texel[0];
     const double b = grid.Low[1] + j * grid.Texel[1];
@@ -295,41 +145,6 @@ struct Rays
     return static_cast<float>(std::min(std::max(depth, 0.0), 0.9999999));
   }
 };
-
-/// Add a texel's depths of matter at the ends of slices, in steps of so many units of distance at most,
-/// which end where the data do.
-template <typename T>
-void March(const Field& field, const T* values, const Rays& rays,
-  const vtkGodRaysShadowGrids::Grid& grid, double i, double j, const double range[2], double most,
-  double* depths)
-{
-  double start[3];
-  double change[3];
-  rays.Find(grid, i, j, start, change);
-  const double length = field.GetLength(change);
-  double ends[2] = { range[0], range[1] };
-  field.Clip(start, change, ends);
-  const double slice = (range[1] - range[0]) / Haze::Slices;
-  double sum = 0.0;
-  for (int k = 0; k < Haze::Slices; ++k)
-  {
-    const double first = std::max(range[0] + k * slice, ends[0]);
-    const double last = std::min(range[0] + (k + 1) * slice, ends[1]);
-    if (last > first)
-    {
-      const int steps = static_cast<int>(std::ceil((last - first) / most));
-      const double step = (last - first) / steps;
-      for (int n = 0; n < steps; ++n)
-      {
-        const double at = first + (n + 0.5) * step;
-        const double place[3] = { start[0] + at * change[0], start[1] + at * change[1],
-          start[2] + at * change[2] };
-        sum += field.GetExtinction(values, place) * step;
-      }
-    }
-    depths[k + 1] += sum * length;
-  }
-}
 }
 
 vtkVolume* vtkGodRaysVolumeHaze::GetVolume(vtkProp* prop)
@@ -342,6 +157,7 @@ vtkVolume* vtkGodRaysVolumeHaze::GetVolume(vtkProp* prop)
   vtkDataArray* scalars = image ? GetScalars(mapper, ofCells) : nullptr;
   vtkVolumeProperty* property = volume ? volume->GetProperty() : nullptr;
   const bool fits = scalars && ofCells < 2 && scalars->GetDataType() != VTK_BIT &&
+    (ofCells == 0 || scalars->GetNumberOfComponents() == 1) && image->GetDataDimension() == 3 &&
     scalars->GetNumberOfTuples() ==
       (ofCells ? image->GetNumberOfCells() : image->GetNumberOfPoints()) &&
     property && mapper->GetBlendMode() == vtkVolumeMapper::COMPOSITE_BLEND &&
@@ -385,7 +201,7 @@ void vtkGodRaysVolumeHaze::AddState(
   }
 }
 
-void vtkGodRaysVolumeHaze::Make(const vtkGodRaysMediumIntegrator::Request& request,
+int vtkGodRaysVolumeHaze::Make(const vtkGodRaysMediumIntegrator::Request& request,
   const std::vector<vtkVolume*>& volumes, const vtkGodRaysShadowGrids& grids, int size, Haze& haze)
 {
   Rays rays = { grids, {}, {} };
@@ -393,11 +209,20 @@ void vtkGodRaysVolumeHaze::Make(const vtkGodRaysMediumIntegrator::Request& reque
   std::copy_n(request.Light->Direction, 3, rays.Towards);
   double range[2] = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
   std::vector<Field> fields;
-  double least = VTK_DOUBLE_MAX;
+  int leftOut = 0;
+  double toWorld[16];
+  vtkMatrix4x4::Invert(request.View->WorldToView, toWorld);
   for (vtkVolume* volume : volumes)
   {
-    fields.emplace_back(volume, *request.View);
-    least = std::min(least, fields.back().Step);
+    vtkGodRaysVolumeImage image;
+    vtkGodRaysVolumeGrid::Error unused;
+    vtkGodRaysGrid grid;
+    if (!vtkGodRaysVolumeGrid::Read(volume, {}, image, grid, unused, true).empty())
+    {
+      ++leftOut;
+      continue;
+    }
+    fields.emplace_back(volume, std::move(grid));
     const double* bounds = volume->GetBounds();
     for (int i = 0; i < 8; ++i)
     {
@@ -426,8 +251,6 @@ void vtkGodRaysVolumeHaze::Make(const vtkGodRaysMediumIntegrator::Request& reque
   }
   constexpr int values = Haze::Slices + 1;
   haze.Dark.assign(static_cast<std::size_t>(grids.Levels) * haze.Size * haze.Size * values, 1.0f);
-  // Two steps a cell, of what is nearest to a point light's axes.
-  const double most = std::max(0.5 * least, (range[1] - range[0]) / MostSteps);
   vtkSMPTools::For(0, static_cast<vtkIdType>(grids.Levels) * haze.Size, 4,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -439,13 +262,14 @@ void vtkGodRaysVolumeHaze::Make(const vtkGodRaysMediumIntegrator::Request& reque
           double depths[values] = {};
           const double i = std::min((x + 0.5) * Haze::Scale, size - 0.5);
           const double j = std::min((row % haze.Size + 0.5) * Haze::Scale, size - 0.5);
+          Vec3 start;
+          Vec3 change;
+          rays.Find(grid, i, j, start, change);
+          start = Transform(toWorld, start, 1.0);
+          change = Transform(toWorld, change, 0.0);
           for (const Field& field : fields)
           {
-            switch (field.Scalars->GetDataType())
-            {
-              vtkTemplateMacro(March(field, static_cast<const VTK_TT*>(field.Values), rays, grid, i,
-                j, range, most, depths));
-            }
+            field.AddDepths(start, change, range, depths);
           }
           float* through = haze.Dark.data() + (row * haze.Size + x) * values;
           for (int slice = 0; slice < values; ++slice)
@@ -463,4 +287,5 @@ void vtkGodRaysVolumeHaze::Make(const vtkGodRaysMediumIntegrator::Request& reque
   {
     value = 1.0f - value;
   }
+  return leftOut;
 }

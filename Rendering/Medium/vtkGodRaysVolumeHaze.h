@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGodRaysVolumeHaze
- * @brief   what volumes let through of a light, all along its rays; private to this module
+ * @brief   deep shadow map of volumes: transmittance along the light; private to this module
  *
- * For each 4 x 4 texels of a shadow map, on the processor: steps through the data as linear interpolation
- * and the opacity's transfer function have them, moved, cropped and clipped as their mappers do. Volumes are
- * vtkVolume with an image and composite blending; gradient opacity, masks, and volumes of other data are
- * left out.
+ * For each 4 x 4 texels of a shadow map, on the processor: the optical depth of vtkGodRaysVolumeGrid, moved,
+ * cropped and clipped as VTK's mappers do. Volumes are vtkVolume with an image and composite blending;
+ * gradient opacity, masks, and volumes of other data are left out.
  */
 
 #ifndef vtkGodRaysVolumeHaze_h
@@ -45,9 +44,9 @@ public:
   /**
    * Go through the volumes along the rays of a map whose grids are these, in faces of a size [texels], side
    * by side as grids' First and Stride tell. All processes of a compositor call it, and get the volumes of
-   * all.
+   * all. Returns how many volumes cannot be read.
    */
-  static void Make(const vtkGodRaysMediumIntegrator::Request& request,
+  static int Make(const vtkGodRaysMediumIntegrator::Request& request,
     const std::vector<vtkVolume*>& volumes, const vtkGodRaysShadowGrids& grids, int size,
     vtkGodRaysShadowLayers::Haze& haze);
 };

@@ -284,7 +284,8 @@ vtkMTimeType vtkGodRaysVolumeImage::GetTime(vtkDataObject* data)
   return time;
 }
 
-std::string vtkGodRaysVolumeImage::Update(vtkAbstractVolumeMapper* mapper, int resolution)
+std::string vtkGodRaysVolumeImage::Update(
+  vtkAbstractVolumeMapper* mapper, int resolution, Component choice)
 {
   this->Forget();
   vtkDataObject* input = mapper && mapper->GetNumberOfInputConnections(0) > 0
@@ -319,7 +320,10 @@ std::string vtkGodRaysVolumeImage::Update(vtkAbstractVolumeMapper* mapper, int r
   {
     return "has several parts whose scalars have no name. Name them alike";
   }
-  if (scalars->GetNumberOfComponents() != 1 || scalars->GetDataType() == VTK_BIT)
+  auto image = vtkImageData::SafeDownCast(input);
+  const bool isPart =
+    image && ofCells == 0 && choice != ONLY && scalars->GetNumberOfComponents() > 1;
+  if ((scalars->GetNumberOfComponents() != 1 && !isPart) || scalars->GetDataType() == VTK_BIT)
   {
     return "has scalars of " + std::to_string(scalars->GetNumberOfComponents()) +
       " components, or of bits. Make an array of one number each, as by vtkArrayCalculator or "
@@ -335,7 +339,6 @@ std::string vtkGodRaysVolumeImage::Update(vtkAbstractVolumeMapper* mapper, int r
         std::to_string(count) + (ofCells ? " cells" : " points") + ". Give it one for each";
     }
   }
-  auto image = vtkImageData::SafeDownCast(input);
   const int* size = image ? image->GetDimensions() : nullptr;
   const bool flat = image ? size[0] < 2 || size[1] < 2 || size[2] < 2
                           : !(box.IsValid() && box.GetLength(0) > 0.0 && box.GetLength(1) > 0.0 &&
@@ -356,6 +359,14 @@ std::string vtkGodRaysVolumeImage::Update(vtkAbstractVolumeMapper* mapper, int r
     this->Samples.clear();
     this->Image = image;
     this->Scalars = scalars;
+    if (isPart)
+    {
+      this->Part.TakeReference(vtkDataArray::CreateDataArray(scalars->GetDataType()));
+      this->Part->SetNumberOfTuples(scalars->GetNumberOfTuples());
+      this->Part->CopyComponent(
+        0, scalars, choice == FIRST ? 0 : scalars->GetNumberOfComponents() - 1);
+      this->Scalars = this->Part;
+    }
     this->Shown = FindShown(image);
     return "";
   }
@@ -452,5 +463,6 @@ void vtkGodRaysVolumeImage::Forget()
 {
   this->Image = nullptr;
   this->Scalars = nullptr;
+  this->Part = nullptr;
   this->Shown = vtkGodRaysGridBits();
 }

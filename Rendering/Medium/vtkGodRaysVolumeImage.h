@@ -40,9 +40,16 @@ public:
 
   /**
    * Take the data of a mapper whose pipeline is up to date, with at most so many points along an axis if they
-   * are resampled. Returns what is wrong, and what to do; empty if nothing is.
+   * are resampled. Of several components at an image's points the first or the last one is copied, if so
+   * chosen. Returns what is wrong, and what to do; empty if nothing is.
    */
-  std::string Update(vtkAbstractVolumeMapper* mapper, int resolution);
+  enum Component
+  {
+    ONLY,
+    FIRST,
+    LAST
+  };
+  std::string Update(vtkAbstractVolumeMapper* mapper, int resolution, Component choice = ONLY);
 
   ///@{
   /// The image, its numbers, and whether each point is in the data and not hidden; empty: all are. Until
@@ -71,6 +78,7 @@ private:
   vtkImageData* Image = nullptr;
   vtkDataArray* Scalars = nullptr;
   vtkGodRaysGridBits Shown;
+  vtkSmartPointer<vtkDataArray> Part; // one of several components
   vtkSmartPointer<vtkImageData> Resampled;
   std::vector<Sample> Samples;
   const void* Data = nullptr; // that it is of
