@@ -22,37 +22,6 @@ Vec3 ToVector(const double* v)
   return Vec3(v[0], v[1], v[2]);
 }
 
-/// Finds the node before a place and the part of the way to the next one.
-int FindNode(double place, int nodes, double& part)
-{
-  const double within = std::clamp(place, 0.0, nodes - 1.0);
-  const int node = std::min(static_cast<int>(within), std::max(nodes - 2, 0));
-  part = within - node;
-  return node;
-}
-
-/// Interpolates three channels between two corners at each axis.
-Vec3 Interpolate(const float* corner, const std::ptrdiff_t strides[3], const double parts[3])
-{
-  Vec3 sum(0.0);
-  for (int k = 0; k < 8; ++k)
-  {
-    std::ptrdiff_t offset = 0;
-    double weight = 1.0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const bool upper = (k >> axis & 1) != 0;
-      weight *= upper ? parts[axis] : 1.0 - parts[axis];
-      offset += upper ? strides[axis] : 0;
-    }
-    if (weight > 0.0) // the corner beyond the last node is not there
-    {
-      sum += weight * Vec3(corner[offset], corner[offset + 1], corner[offset + 2]);
-    }
-  }
-  return sum;
-}
-
 /// Adds up a medium's components: scattering and scaled extinction where the density is 1, each times a
 /// density or length.
 struct Sums
@@ -92,19 +61,23 @@ void vtkGodRaysFroxels::Build(const vtkGodRaysSingleScattering::Parameters& para
     }
     farthest = std::max(farthest, 2.0 * vtkGodRays::dot(corner, axes[2]));
   }
+  vtkGodRaysMultipleScattering::Texture& table = this->Table;
   this->Farthest = farthest > 0.0 ? std::min(farthest, medium.FarLimit) : medium.FarLimit;
   for (int i = 0; i < 2; ++i)
   {
-    this->Count[i] = std::clamp((picture.Size[i] - 1) / Gap + 2, 2, MostColumns + 1);
-    this->Corner[i] = -picture.Center[i] * picture.PixelSize;
-    this->Step[i] = picture.Size[i] * picture.PixelSize / (this->Count[i] - 1);
+    table.Nodes[i] = std::clamp((picture.Size[i] - 1) / Gap + 2, 2, MostColumns + 1);
+    table.Low[i] = -picture.Center[i] * picture.PixelSize;
+    table.Cell[i] = picture.Size[i] * picture.PixelSize / (table.Nodes[i] - 1);
   }
-  const std::size_t slice = 3 * static_cast<std::size_t>(this->Count[0]) * this->Count[1];
-  this->Values.resize(Slices * slice);
+  table.Nodes[2] = Slices;
+  table.Low[2] = 0.0;
+  table.Cell[2] = this->Farthest / (Slices - 1);
+  const std::size_t slice = 3 * static_cast<std::size_t>(table.Nodes[0]) * table.Nodes[1];
+  table.Values.resize(Slices * slice);
   const auto trace = [&](int column, int row)
   {
-    const double x = this->Corner[0] + column * this->Step[0];
-    const double y = this->Corner[1] + row * this->Step[1];
+    const double x = table.Low[0] + column * table.Cell[0];
+    const double y = table.Low[1] + row * table.Cell[1];
     const Vec3 offset = x * axes[0] + y * axes[1];
     const Vec3 toward = parameters.Parallel ? axes[2] : axes[2] + offset;
     const Vec3 start = parameters.Parallel ? offset : Vec3(0.0); // from the eye
@@ -112,14 +85,14 @@ void vtkGodRaysFroxels::Build(const vtkGodRaysSingleScattering::Parameters& para
     const vtkGodRays::Vec2 begin = vtkGodRays::MediumStart(
       medium.PlanetRadius, medium.EyeHeight, vertical, start, toward / perDepth);
     float* value =
-      this->Values.data() + 3 * (static_cast<std::size_t>(row) * this->Count[0] + column);
+      table.Values.data() + 3 * (static_cast<std::size_t>(row) * table.Nodes[0] + column);
     Vec3 sum(0.0);
     Vec3 before(1.0); // transmittance
     std::fill_n(value, 3, 0.0f);
     for (int k = 1; k < Slices; ++k)
     {
-      const double end = this->Farthest * k / (Slices - 1);
-      const double middle = this->Farthest * (k - 0.5) / (Slices - 1);
+      const double end = k * table.Cell[2];
+      const double middle = (k - 0.5) * table.Cell[2];
       const double height =
         vtkGodRays::MediumHeight(medium.PlanetRadius, begin.x, begin.y, perDepth * middle);
       Sums way;
@@ -144,27 +117,15 @@ void vtkGodRaysFroxels::Build(const vtkGodRaysSingleScattering::Parameters& para
       }
     }
   };
-  vtkSMPTools::For(0, this->Count[1],
+  vtkSMPTools::For(0, table.Nodes[1],
     [&](vtkIdType first, vtkIdType last)
     {
       for (int row = static_cast<int>(first); row < last; ++row)
       {
-        for (int column = 0; column < this->Count[0]; ++column)
+        for (int column = 0; column < table.Nodes[0]; ++column)
         {
           trace(column, row);
         }
       }
     });
-}
-
-Vec3 vtkGodRaysFroxels::Get(double x, double y, double depth) const
-{
-  const std::ptrdiff_t strides[3] = { 3, 3 * static_cast<std::ptrdiff_t>(this->Count[0]),
-    3 * static_cast<std::ptrdiff_t>(this->Count[0]) * this->Count[1] };
-  double parts[3];
-  const std::ptrdiff_t first =
-    strides[0] * FindNode((x - this->Corner[0]) / this->Step[0], this->Count[0], parts[0]) +
-    strides[1] * FindNode((y - this->Corner[1]) / this->Step[1], this->Count[1], parts[1]) +
-    strides[2] * FindNode(depth / this->Farthest * (Slices - 1), Slices, parts[2]);
-  return Interpolate(this->Values.data() + first, strides, parts);
 }

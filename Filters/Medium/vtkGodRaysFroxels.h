@@ -44,23 +44,20 @@ public:
    * Get the light that reaches the eye from nearer than a view depth along the ray through a place of the
    * plane at view depth 1, or of the plane of view if rays are parallel.
    */
-  Vec3 Get(double x, double y, double depth) const;
+  Vec3 Get(double x, double y, double depth) const { return this->Table.Sample(Vec3(x, y, depth)); }
 
   ///@{
   /// The numbers: columns side by side, rows from the bottom up, slice on slice.
-  const std::vector<float>& GetValues() const { return this->Values; }
-  int GetColumns() const { return this->Count[0]; }
-  int GetRows() const { return this->Count[1]; }
+  const std::vector<float>& GetValues() const { return this->Table.Values; }
+  int GetColumns() const { return this->Table.Nodes[0]; }
+  int GetRows() const { return this->Table.Nodes[1]; }
   static constexpr int Slices = 40;
   double GetFarthest() const { return this->Farthest; } // the view depth of the last slice
   ///@}
 
 private:
-  int Count[2] = { 0, 0 };
-  double Corner[2] = { 0.0, 0.0 }; // of the first column and row, in the plane at view depth 1
-  double Step[2] = { 1.0, 1.0 };
   double Farthest = 1.0;
-  std::vector<float> Values;
+  vtkGodRaysMultipleScattering::Texture Table; // over the plane at view depth 1, and view depth
 };
 
 #endif
