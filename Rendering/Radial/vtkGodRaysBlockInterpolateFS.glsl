@@ -31,15 +31,18 @@ uniform float bumpTapLength; // [pixels]
 uniform vec4 nearBox; // first column and row that are drawn with NearLight, and the first beyond
 uniform vec3 gain;
 
+const float KernelEnd = 17.0; // beyond t = KernelEnd/k, the kernel is below a float's precision
+
 vec3 SumTapsNearLight(vec2 point, vec2 march)
 {
   vec2 uv = (point + 0.5) / layerSize;
   vec2 part = ClipMarch(uv, march / layerSize, 0.5 / layerSize);
+  part.y = k > KernelEnd ? min(part.y, KernelEnd / k) : part.y;
   if (part.x >= part.y)
   {
     return vec3(0.0);
   }
-  int taps = int(clamp(ceil((part.y - part.x) * length(march) * tapsPerPixel), 16.0, 1024.0));
+  int taps = int(clamp(ceil((part.y - part.x) * length(march) * tapsPerPixel), 16.0, 32768.0));
   return MeanAlongMarch(layer, uv, march / layerSize, k, part, taps);
 }
 

@@ -6,7 +6,6 @@
 #include "vtkGodRaysBlockMeansFS.h"
 #include "vtkGodRaysBlockPlan.h"
 #include "vtkGodRaysBlockSumFS.h"
-#include "vtkGodRaysClippedTaps.h"
 #include "vtkGodRaysLight.h"
 #include "vtkGodRaysMarch.h"
 #include "vtkGodRaysMath.h"
@@ -27,12 +26,6 @@
 
 namespace
 {
-// Beyond these, taps are as fast, and exact.
-constexpr double SteepestKernel = 30.0;
-constexpr double SteepestGrowth = -5.0;
-
-constexpr double MostTaps = 2e8; // of a picture are affordable: 100 a pixel of 1920 x 1080
-
 constexpr std::size_t LeastPlans = 8; // that are kept, or one for each light of a frame
 
 using Plan = vtkGodRaysBlockPlan;
@@ -102,9 +95,8 @@ Plan* vtkGodRaysBlockMeans::Internals::Prepare(
     this->Lights = 0;
   }
   ++this->Lights;
-  bool kept = false;
-  const Plan::Effort* effort = Plan::ChooseEffort(
-    march, request.ErrorTolerance, vtkTextureObject::GetMaximumTextureSize(request.Window), kept);
+  const Plan::Effort effort = Plan::ChooseEffort(
+    march, request.ErrorTolerance, vtkTextureObject::GetMaximumTextureSize(request.Window));
   const bool oneChannel = request.Layer->HasOneChannel();
   const auto found = std::find_if(this->Plans.begin(), this->Plans.end(),
     [&](const auto& plan) { return plan->Is(march, effort, oneChannel); });
@@ -164,7 +156,7 @@ bool vtkGodRaysBlockMeans::Internals::DrawMeans(
   }
   program->SetUniform4f("wedgeColumns", columns);
   SetVector(program, "size", plan.BlockColumns, plan.Lines);
-  program->SetUniformf("tapsPerPixel", static_cast<float>(plan.Chosen->TapsPerPixel));
+  program->SetUniformf("tapsPerPixel", static_cast<float>(plan.Chosen.TapsPerPixel));
   this->MeansQuad.SetTexture("layer", request.Layer->GetColor());
   this->MeansQuad.SetTexture("blocks", plan.Blocks.Texture);
   this->MeansQuad.End();
@@ -258,8 +250,8 @@ bool vtkGodRaysBlockMeans::Internals::DrawPart(
   set("lastLine", plan.Lines - 1.0);
   set("k", march.K);
   set("shortest", plan.ShortestMarch);
-  set("tapsPerPixel", 2.0 * plan.Chosen->TapsPerPixel);
-  set("bumpTapLength", plan.Chosen->BumpTapLength);
+  set("tapsPerPixel", 2.0 * plan.Chosen.TapsPerPixel);
+  set("bumpTapLength", plan.Chosen.BumpTapLength);
   float box[4];
   std::copy_n(plan.NearBox, 4, box);
   program->SetUniform4f("nearBox", box);
@@ -284,29 +276,6 @@ vtkGodRaysBlockMeans::vtkGodRaysBlockMeans()
 }
 
 vtkGodRaysBlockMeans::~vtkGodRaysBlockMeans() = default;
-
-bool vtkGodRaysBlockMeans::Keeps(
-  const vtkGodRaysRadialIntegrator::Request& request, const vtkGodRaysMarch& march)
-{
-  const int largest = vtkTextureObject::GetMaximumTextureSize(request.Window);
-  const double tolerance = request.ErrorTolerance;
-  bool kept = false;
-  const Plan::Effort* effort = Plan::ChooseEffort(march, tolerance, largest, kept);
-  if ((!kept && vtkGodRaysClippedTaps::CountTaps(march, tolerance) <= MostTaps) ||
-    march.IsSmall() || march.GetLongest() < vtkGodRaysMarch::ShortestSweep ||
-    march.K > SteepestKernel || march.K < SteepestGrowth)
-  {
-    return false;
-  }
-  const double light[2] = { march.Constant[0] / march.Slope, march.Constant[1] / march.Slope };
-  const bool inside = light[0] > -1.0 && light[1] > -1.0 && light[0] < march.LayerSize[0] &&
-    light[1] < march.LayerSize[1];
-  if (march.Slope > 1.0 && inside)
-  {
-    return false;
-  }
-  return Plan::CountLines(march, *effort) <= largest;
-}
 
 bool vtkGodRaysBlockMeans::Integrate(
   const vtkGodRaysRadialIntegrator::Request& request, const vtkGodRaysMarch& march)
@@ -333,8 +302,14 @@ std::string vtkGodRaysBlockMeans::Describe() const
     lines += wedge.Lines;
   }
   std::ostringstream text;
-  text << "block means: " << lines << " lines " << plan.Chosen->Spacing << " pixels apart, up to "
-       << plan.GetNodes() << " nodes, blocks of up to " << plan.Chosen->LongestBlock
+  if (!plan.Chosen.HasLines())
+  {
+    text << "taps: " << 2.0 * plan.Chosen.TapsPerPixel
+         << " for each pixel of a march within the layer";
+    return text.str();
+  }
+  text << "block means: " << lines << " lines " << plan.Chosen.Spacing << " pixels apart, up to "
+       << plan.GetNodes() << " nodes, blocks of up to " << plan.Chosen.LongestBlock
        << " pixels, taps for marches below " << plan.ShortestMarch << " pixels";
   return text.str();
 }

@@ -19,6 +19,11 @@
  *    That and the ends of marches within a block are drawn in a box about the light alone: some
  *    drivers run through a branch that no pixel takes.
  *
+ * The box is the whole picture, and there are no lines, where these cannot keep the tolerance, or are not
+ * faster: for marches below 8 pixels, layers where vtkGodRaysMarch::IsSmall(), kernels that end within few
+ * pixels (k > 30) or grow steeply (k < -5), marches past a light in the layer, and where lines would have
+ * to be closer together than textures are large.
+ *
  * Shaders see no large numbers: lines are known by where they cross the nearest and the farthest
  * row of the picture, pixels by their row. So a light at infinity, or behind the camera, is like any
  * other. Everything that depends on lights and camera is computed in double precision when it
@@ -48,19 +53,10 @@ public:
   void operator=(const vtkGodRaysBlockMeans&) = delete;
 
   /**
-   * Whether Integrate() keeps request.ErrorTolerance, root mean square over the picture as a
-   * fraction of the largest possible result, on any picture; otherwise take vtkGodRaysClippedTaps.
-   * Of very small tolerances of large pictures, for which taps would be too many, it keeps what it
-   * can, and not on noise. It does not for marches below 8 pixels, layers where vtkGodRaysMarch::IsSmall(),
-   * kernels that end within few pixels (k > 30) or grow steeply (k < -5), marches past a light in the layer,
-   * and where lines would have to be closer together than textures are large. The march is the request's,
-   * of a vtkGodRaysRadialModel; the context is current.
-   */
-  static bool Keeps(
-    const vtkGodRaysRadialIntegrator::Request& request, const vtkGodRaysMarch& march);
-
-  /**
-   * Add the light of one layer to the result. Returns false, after an error, if that failed.
+   * Add the light of one layer to the result, to request.ErrorTolerance, root mean square over the picture
+   * as a fraction of the largest possible result. Of very small tolerances of large pictures, for which taps
+   * would be too many, it keeps what it can, and not on noise. The march is the request's, of a
+   * vtkGodRaysRadialModel; the context is current. Returns false, after an error, if that failed.
    */
   bool Integrate(const vtkGodRaysRadialIntegrator::Request& request, const vtkGodRaysMarch& march);
 

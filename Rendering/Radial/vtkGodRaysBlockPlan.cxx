@@ -22,12 +22,24 @@ constexpr double SlopeMargin = 1e-5;
 
 constexpr double ShortestBlock = 2.0; // [pixels]
 
+constexpr double LongestMarch = 1e30; // [pixels] no march is longer
+
 // About the row or column of pixels that the light is in, pictures may change from one to the next and
 // stay so along all of a line. So lines are closer there: within as many pixels as a line needs to
 // move to the side by so many of them, but not more than the largest.
 constexpr double StripSpacing = 0.125; // [pixels]
 constexpr double StripReach = 8.0;     // [pixels]
 constexpr double LargestStrip = 128.0; // [pixels]
+
+// Beyond these kernels, taps are as fast, and exact.
+constexpr double SteepestKernel = 30.0;
+constexpr double SteepestGrowth = -5.0;
+
+constexpr double MostTaps = 2e8; // of a picture are affordable: 100 a pixel of 1920 x 1080
+
+// On black and white noise from pixel to pixel, with taps h <= 1 pixels apart, the error is at most
+// NoiseError h^2/sqrt(pixels that are summed) [of the peak]; measured.
+constexpr double NoiseError = 0.1;
 
 // How many times as close its lines are.
 int FindStripFactor(double spacing)
@@ -45,34 +57,66 @@ const vtkGodRaysBlockPlan::Effort Efforts[] = {
   { 0.014, 1.0 / 3.0, 3.0, 8.0, 0.0625, 1.0, 2e-4 },
   { 0.0085, 1.0 / 6.0, 4.0, 8.0, 0.0625, 0.5, 1e-4 },
 };
-}
 
-double vtkGodRaysBlockPlan::CountLines(const vtkGodRaysMarch& march, const Effort& effort)
+// No wedge has more lines than this.
+double CountLines(const vtkGodRaysMarch& march, const vtkGodRaysBlockPlan::Effort& effort)
 {
   const auto sizes = std::minmax(march.LayerSize[0], march.LayerSize[1]);
   const double ofStrip = 2.0 * LargestStrip * (FindStripFactor(effort.Spacing) - 1);
   return (2.0 * sizes.second + sizes.first + ofStrip) / effort.Spacing + 256.0;
 }
 
-const vtkGodRaysBlockPlan::Effort* vtkGodRaysBlockPlan::ChooseEffort(
-  const vtkGodRaysMarch& march, double tolerance, int largest, bool& kept)
+// How many taps for each pixel of a march within the layer keep a tolerance.
+double CountTapsPerPixel(const vtkGodRaysMarch& march, double tolerance)
 {
-  const Effort* chosen = Efforts;
+  const double size = std::min(march.LayerSize[0], march.LayerSize[1]);
+  const double length = 0.5 * std::min(march.GetLongest(), size); // within the layer, about
+  const double summed = std::max(1.0, length / std::max(1.0, std::abs(march.K)));
+  const double taps = march.GetGrowth() * NoiseError / (tolerance * std::sqrt(summed));
+  return std::min(std::max(1.0, std::sqrt(taps)), 16.0);
+}
+
+// Whether lines through the light keep any tolerance, faster than taps.
+bool CanHaveLines(const vtkGodRaysMarch& march)
+{
+  if (march.IsSmall() || march.GetLongest() < vtkGodRaysMarch::ShortestSweep ||
+    march.K > SteepestKernel || march.K < SteepestGrowth)
+  {
+    return false;
+  }
+  const double light[2] = { march.Constant[0] / march.Slope, march.Constant[1] / march.Slope };
+  const bool inside = light[0] > -1.0 && light[1] > -1.0 && light[0] < march.LayerSize[0] &&
+    light[1] < march.LayerSize[1];
+  return march.Slope <= 1.0 || !inside; // past a light in the layer there are none
+}
+}
+
+vtkGodRaysBlockPlan::Effort vtkGodRaysBlockPlan::ChooseEffort(
+  const vtkGodRaysMarch& march, double tolerance, int largest)
+{
+  const double taps = CountTapsPerPixel(march, tolerance);
+  const Effort tapsAlone = { 0.0, 0.0, 0.5 * taps, 0.0, 0.0, 1.0, 0.0 };
+  if (!CanHaveLines(march))
+  {
+    return tapsAlone;
+  }
+  const bool affordable =
+    taps * march.GetLengthWithin() * march.PictureSize[0] * march.PictureSize[1] <= MostTaps;
   const double scale = march.GetErrorScale();
+  const Effort* most = &tapsAlone;
   for (const Effort& effort : Efforts)
   {
     if (CountLines(march, effort) > largest)
     {
       break;
     }
-    chosen = &effort;
-    kept = effort.Error * scale <= tolerance;
-    if (kept)
+    if (effort.Error * scale <= tolerance)
     {
-      break;
+      return effort;
     }
+    most = &effort;
   }
-  return chosen;
+  return affordable ? tapsAlone : *most;
 }
 
 void vtkGodRaysBlockPlan::Table::Upload(vtkOpenGLRenderWindow* window)
@@ -113,8 +157,9 @@ void vtkGodRaysBlockPlan::Fill()
 {
   this->FindLight();
   // Within few blocks there is nothing to gain.
-  this->ShortestMarch = std::max(24.0, 4.0 * std::abs(this->March.K));
-  this->StripFactor = FindStripFactor(this->Chosen->Spacing);
+  this->ShortestMarch =
+    this->Chosen.HasLines() ? std::max(24.0, 4.0 * std::abs(this->March.K)) : LongestMarch;
+  this->StripFactor = FindStripFactor(this->Chosen.Spacing);
   this->Lines = 1;
   this->BlockColumns = 0;
   this->NodeColumns = 0;
@@ -183,7 +228,7 @@ void vtkGodRaysBlockPlan::FillWedge(Wedge& wedge)
   const double last = up ? ends[1] - light : light - ends[0];
   const double entry = up ? -1.0 - light : light - size;
   const double exit = up ? size - light : light + 1.0;
-  if (last <= 0.0)
+  if (last <= 0.0 || !this->Chosen.HasLines())
   {
     return;
   }
@@ -202,7 +247,7 @@ void vtkGodRaysBlockPlan::FillWedge(Wedge& wedge)
   {
     return;
   }
-  const double spacing = this->Chosen->Spacing;
+  const double spacing = this->Chosen.Spacing;
   wedge.SlopeStep = spacing / last;
   // From a pixel's centre on in the last row, to meet others', too, where lines are parallel.
   const double start = std::floor(side + low * last - 0.5 * spacing);
@@ -217,7 +262,7 @@ void vtkGodRaysBlockPlan::FillWedge(Wedge& wedge)
 // About slope 0; nearest and last are the distances of the first and last rows from the light.
 void vtkGodRaysBlockPlan::PlaceStrip(Wedge& wedge, double nearest, double last) const
 {
-  const double spacing = this->Chosen->Spacing;
+  const double spacing = this->Chosen.Spacing;
   const double change = std::max(1.0 - nearest / last, 1e-9);
   const double reach = std::min(StripReach / change, LargestStrip) / spacing;
   const double axis = -wedge.FirstSlope / wedge.SlopeStep;
@@ -228,14 +273,14 @@ void vtkGodRaysBlockPlan::PlaceStrip(Wedge& wedge, double nearest, double last) 
 
 void vtkGodRaysBlockPlan::MakeNodes(Wedge& wedge)
 {
-  const double ratio = this->Chosen->Ratio / std::max(2.0, std::abs(this->March.K));
+  const double ratio = this->Chosen.Ratio / std::max(2.0, std::abs(this->March.K));
   const double end = wedge.Far - wedge.Near;
   double r = 0.0;
   wedge.Nodes.push_back(r);
   while (r < end)
   {
     const double wanted = ratio * std::abs(this->GetMarch(wedge, r));
-    const double length = std::max(ShortestBlock, std::min(wanted, this->Chosen->LongestBlock));
+    const double length = std::max(ShortestBlock, std::min(wanted, this->Chosen.LongestBlock));
     r = r + 1.5 * length > end ? end : r + length;
     wedge.Nodes.push_back(r);
   }
@@ -369,7 +414,7 @@ bool vtkGodRaysBlockPlan::MakeTail(const Wedge& wedge, double r, double march, i
   const double length = 2.0 * tail < begin + *next ? tail - begin : tail - *next;
   const double k = this->March.K;
   const double factor = -std::exp(-k) / vtkGodRays::MeanExponential(k) * length / march;
-  if (std::abs(factor) <= this->Chosen->LeastTail)
+  if (std::abs(factor) <= this->Chosen.LeastTail)
   {
     return false;
   }

@@ -26,13 +26,17 @@ struct vtkGodRaysBlockPlan
   struct Effort
   {
     double Error;         // see ChooseEffort()
-    double Spacing;       // of lines where they are farthest apart [pixels]
-    double TapsPerPixel;  // of blocks' means [1/pixel]
+    double Spacing;       // of lines where they are farthest apart [pixels]; 0: taps alone
+    double TapsPerPixel;  // of blocks' means, half of those near the light [1/pixel]
     double LongestBlock;  // [pixels]
     double Ratio;         // of a block's length to that of the march, times k
     double BumpTapLength; // [pixels]
     double LeastTail; // smaller ends of marches within a block are left out [fraction of the peak]
-    bool operator==(const Effort& other) const { return this->Error == other.Error; }
+    bool operator==(const Effort& other) const
+    {
+      return this->Error == other.Error && this->TapsPerPixel == other.TapsPerPixel;
+    }
+    bool HasLines() const { return this->Spacing > 0.0; }
   };
 
   /// Four floats a texel.
@@ -93,7 +97,7 @@ struct vtkGodRaysBlockPlan
   static constexpr int NumberOfWedges = 4;
 
   vtkGodRaysMarch March;
-  const Effort* Chosen;
+  Effort Chosen;
   bool OneChannel;
   double Light[2] = { 0.0, 0.0 }; // as used [pixels of the layer]
   double Density = 0.0;
@@ -102,7 +106,7 @@ struct vtkGodRaysBlockPlan
   int Lines = 0;       // as textures must hold
   int BlockColumns = 0;
   int NodeColumns = 0;
-  double ShortestMarch = 0.0; // shorter ones are summed by taps
+  double ShortestMarch = 0.0; // shorter ones are summed by taps [pixels]
   int NearBox[4] = {}; // first column and row of those, and of marches whose ends within a block
                        // count, and the first beyond them [pixels of the picture]
   Table Blocks;        // textures of the shaders
@@ -110,20 +114,20 @@ struct vtkGodRaysBlockPlan
   Table Kernel;
   Table Rows;
 
-  vtkGodRaysBlockPlan(const vtkGodRaysMarch& march, const Effort* effort, bool oneChannel)
+  vtkGodRaysBlockPlan(const vtkGodRaysMarch& march, const Effort& effort, bool oneChannel)
     : March(march)
     , Chosen(effort)
     , OneChannel(oneChannel)
   {
     this->Fill();
   }
-  bool Is(const vtkGodRaysMarch& march, const Effort* effort, bool oneChannel) const
+  bool Is(const vtkGodRaysMarch& march, const Effort& effort, bool oneChannel) const
   {
     return this->March == march && this->Chosen == effort && this->OneChannel == oneChannel;
   }
 
   // To be used for something else: what is on the graphics card is used again.
-  void Change(const vtkGodRaysMarch& march, const Effort* effort, bool oneChannel)
+  void Change(const vtkGodRaysMarch& march, const Effort& effort, bool oneChannel)
   {
     this->March = march;
     this->Chosen = effort;
@@ -148,14 +152,11 @@ struct vtkGodRaysBlockPlan
   }
 
   /**
-   * The least effort that keeps the tolerance, or else, kept being false, the greatest whose lines fit
-   * into a texture of so many pixels.
+   * Returns the least effort that keeps the tolerance: lines, as many as fit into a texture of so many
+   * pixels, or taps alone where these are as fast or lines cannot keep it. Where there would be too many
+   * taps, returns the most lines instead, which do not keep the tolerance on noise.
    */
-  static const Effort* ChooseEffort(
-    const vtkGodRaysMarch& march, double tolerance, int largest, bool& kept);
-
-  /// No wedge has more lines than this.
-  static double CountLines(const vtkGodRaysMarch& march, const Effort& effort);
+  static Effort ChooseEffort(const vtkGodRaysMarch& march, double tolerance, int largest);
 
   static int RoundUp(int value, int multiple)
   {

@@ -3,7 +3,6 @@
 #include "vtkGodRaysEpipolarIntegrator.h"
 
 #include "vtkGodRaysBlockMeans.h"
-#include "vtkGodRaysClippedTaps.h"
 #include "vtkGodRaysLight.h"
 #include "vtkGodRaysMarch.h"
 #include "vtkGodRaysOpenGL.h"
@@ -28,7 +27,6 @@ struct vtkGodRaysEpipolarIntegrator::Internals
   vtkNew<vtkGodRaysTapsIntegrator> Taps;
   vtkGodRaysRadialSweep Sweep;
   vtkGodRaysBlockMeans BlockMeans;
-  vtkGodRaysClippedTaps ClippedTaps;
   std::string Plan = "nothing yet"; // what was done last
   std::vector<float> Pixels;        // of layers and rays of three channels
   vtkGodRaysTarget Rays[2];         // of one channel, and of three
@@ -97,12 +95,8 @@ bool vtkGodRaysEpipolarIntegrator::Internals::IntegrateOnProcessor(const Request
 
 bool vtkGodRaysEpipolarIntegrator::Internals::IntegrateOnGraphics(const Request& request)
 {
-  const vtkGodRaysMarch march = request.GetMarch();
-  const bool keeps = vtkGodRaysBlockMeans::Keeps(request, march);
-  const bool done = keeps ? this->BlockMeans.Integrate(request, march)
-                          : this->ClippedTaps.Integrate(request, march);
-  this->Plan =
-    "in shaders: " + (keeps ? this->BlockMeans.Describe() : this->ClippedTaps.Describe());
+  const bool done = this->BlockMeans.Integrate(request, request.GetMarch());
+  this->Plan = "in shaders: " + this->BlockMeans.Describe();
   return done;
 }
 
@@ -147,7 +141,6 @@ void vtkGodRaysEpipolarIntegrator::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Taps->ReleaseGraphicsResources(window);
   this->Internal->BlockMeans.Release(window);
-  this->Internal->ClippedTaps.Release();
   this->Internal->Rays[0].Release(window);
   this->Internal->Rays[1].Release(window);
 }
