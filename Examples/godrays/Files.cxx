@@ -6,6 +6,7 @@
 #include "Failure.h"
 #include "FileChecks.h"
 #include "GltfFile.h"
+#include "ImageHeaders.h"
 #include "Messages.h"
 #include "ObjMaterials.h"
 #include "PlyStrips.h"
@@ -41,6 +42,7 @@
 #include "vtkPLYReader.h"
 #include "vtkPNGReader.h"
 #include "vtkPNMReader.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
@@ -324,10 +326,25 @@ void ReadDem(const std::string& path, FileContents& contents)
 }
 
 //------------------------------------------------------------------------------
+/**
+ * Read an image whose header says more than VTK's reader applies.
+ */
+template <typename Reader>
+void ReadImage(const std::string& path, FileContents& contents)
+{
+  vtkNew<Reader> reader;
+  Update(reader.Get(), path, contents);
+  if (reader->GetOutput()->GetPointData()->GetScalars())
+  {
+    contents.DataSets = { ApplyHeader(path, reader) };
+  }
+}
+
+//------------------------------------------------------------------------------
 void ReadNrrd(const std::string& path, FileContents& contents)
 {
   CheckNrrd(path);
-  ReadData<vtkNrrdReader>(path, contents);
+  ReadImage<vtkNrrdReader>(path, contents);
 }
 
 //------------------------------------------------------------------------------
@@ -423,10 +440,10 @@ const std::map<std::string, ReadFunction>& Types()
     { ".hdr", ReadHdr },
     { ".jpeg", ReadData<vtkJPEGReader> },
     { ".jpg", ReadData<vtkJPEGReader> },
-    { ".mha", ReadData<vtkMetaImageReader> },
-    { ".mhd", ReadData<vtkMetaImageReader> },
+    { ".mha", ReadImage<vtkMetaImageReader> },
+    { ".mhd", ReadImage<vtkMetaImageReader> },
     { ".nhdr", ReadNrrd },
-    { ".nii", ReadData<vtkNIFTIImageReader> },
+    { ".nii", ReadImage<vtkNIFTIImageReader> },
     { ".nrrd", ReadNrrd },
     { ".obj", ReadObj },
     { ".pgm", ReadPnm },

@@ -19,6 +19,8 @@
 #include "vtkImageData.h"
 #include "vtkImageMagnitude.h"
 #include "vtkMath.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkOpenGLSphereMapper.h"
 #include "vtkPiecewiseFunction.h"
@@ -199,11 +201,14 @@ private:
   //----------------------------------------------------------------------------
   void AddDataSet(const FileContents& file, vtkDataSet* data)
   {
-    auto* picture = vtkImageData::SafeDownCast(data);
+    vtkSmartPointer<vtkImageData> picture = vtkImageData::SafeDownCast(data);
     int size[3] = {};
+    this->Place = nullptr;
     if (picture)
     {
       picture->GetDimensions(size);
+      picture = this->Straighten(picture);
+      data = picture;
     }
     const ColorArray choice = picture ? this->Colors.Choose(data) : ColorArray();
     const bool isElevation = choice.Array && !choice.OfCells && size[2] == 1 && size[0] > 1 &&
@@ -220,6 +225,28 @@ private:
     {
       this->AddSurface(data);
     }
+  }
+
+  //----------------------------------------------------------------------------
+  /// Moves the directions of an image to the matrix of its props: VTK 9.1 neither shades volumes nor makes
+  /// surfaces by those of images.
+  vtkSmartPointer<vtkImageData> Straighten(vtkImageData* image)
+  {
+    if (image->GetDirectionMatrix()->IsIdentity())
+    {
+      return image;
+    }
+    this->Place = vtkSmartPointer<vtkMatrix4x4>::New();
+    for (int i = 0; i < 9; ++i)
+    {
+      this->Place->SetElement(i / 3, i % 3, image->GetDirectionMatrix()->GetData()[i]);
+      this->Place->SetElement(i / 3, 3, image->GetOrigin()[i / 3]);
+    }
+    auto straight = vtkSmartPointer<vtkImageData>::New();
+    straight->ShallowCopy(image);
+    straight->SetDirectionMatrix(1, 0, 0, 0, 1, 0, 0, 0, 1);
+    straight->SetOrigin(0, 0, 0);
+    return straight;
   }
 
   //----------------------------------------------------------------------------
@@ -400,6 +427,7 @@ private:
     this->Colors.AddToRange(part.Choice);
     this->Parts.push_back(part);
     this->Result.Props.emplace_back(part.Actor ? static_cast<vtkProp3D*>(part.Actor) : part.Volume);
+    this->Result.Props.back()->SetUserMatrix(this->Place);
   }
 
   //----------------------------------------------------------------------------
@@ -492,6 +520,7 @@ private:
   Coloring Colors;
   Scene Result;
   std::vector<Part> Parts;
+  vtkSmartPointer<vtkMatrix4x4> Place; ///< of the image that is added, if it has directions
   bool HasElevation = false;
   bool HasIsosurface = false;
 };

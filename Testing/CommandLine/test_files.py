@@ -16,6 +16,7 @@ from vtkmodules.vtkFiltersSources import (
     vtkConeSource, vtkCubeSource, vtkPlaneSource, vtkSphereSource)
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import image_files
 import sample_files
 from program_testing import ProgramTest, godrays
 
@@ -216,6 +217,65 @@ class Files(ProgramTest):
         triangles = self.draw(path, *arguments)
         for name in ("strips.ply", "strips-big.ply", "strips-little.ply"):
             self.assertLess(abs(self.draw(self.folder / name, *arguments) - triangles).mean(), 1.0)
+
+
+class MedicalImages(ProgramTest):
+    def test_one_body_is_one_picture_in_every_storage(self):
+        """Axes in random orders and directions, and the values as they are, as integers, and shifted."""
+        random = numpy.random.default_rng(7)
+        body = numpy.full((14, 12, 10), -1000, "i2")  # [k, j, i], of Hounsfield units
+        body[1:13, 1:11, 1:9] = 60
+        body[2:6, 2:4, 2:8] = 1200
+        body[7:12, 5:9, 6:8] = 700
+        turn = numpy.linalg.qr(random.normal(size=(3, 3)))[0]
+        turn *= numpy.sign(numpy.linalg.det(turn))
+        for name, axes in ("straight", numpy.diag((1.5, 1.0, 2.0))), ("oblique", turn * (1.5, 1.0, 2.0)):
+            matrix = numpy.column_stack((axes, (-30, 20, 10)))
+            middle = matrix @ (4.5, 5.5, 6.5, 1)
+            arguments = [
+                "--volume-preset", "ct-bone", "--no-rays", "--sun", "334,30", "--background", "#010203",
+                "--camera-position", ",".join(map(str, middle + (30, -45, 15))),
+                "--focal-point", ",".join(map(str, middle))]
+            files = [self.folder / f"{name}.vti"]
+            image_files.write_vti(files[0], body, matrix)
+
+            def add(write, file, *extra, body=body, **more):
+                order, flips = random.permutation(3), random.integers(0, 2, 3)
+                files.append(self.folder / f"{name}-{file}")
+                write(files[-1], *image_files.turned(body, matrix, order, flips), *extra, **more)
+
+            add(image_files.write_mha, "body.mha")
+            shifted = (body + 1024).astype("u2")
+            add(image_files.write_mha, "shifted.mha", 1, -1024, body=shifted)
+            add(image_files.write_nii, "shifted.nii", 1, -1024, body=shifted)
+            add(image_files.write_nii, "scaled.nii", 0.5, -1024, body=2 * shifted)
+            add(image_files.write_nii, "body.nii.gz")
+            add(image_files.write_nii, "q.nii", form="q")
+            add(image_files.write_nii, "another-q.nii", form="q")
+            for space, encoding in (
+                ("left-posterior-superior", "raw"), ("RAS", "raw"), ("left-anterior-superior", "raw"),
+                ("LAS", "gzip"), ("right-anterior-superior", "gzip"),
+            ):
+                add(image_files.write_nrrd, f"{space}-{encoding}.nrrd", space, encoding)
+            add(image_files.write_nrrd, "floats.nrrd", body=body.astype("f4"))
+            wrong = self.folder / f"{name}-wrong.mha"
+            image_files.write_mha(wrong, body, matrix * [[-1, 1, 1, -1], [1, 1, 1, 1], [1, 1, 1, 1]])
+            first, *others, mirrored = self.draw_each([*files, wrong], *arguments)
+            self.assertGreater((first != (1, 2, 3)).any(axis=2).mean(), 0.05)
+            self.assertGreater(abs(mirrored - first).mean(), 1, "the control")
+            for file, picture in zip(files[1:], others):
+                with self.subTest(file.name):
+                    self.assertLess(abs(picture - first).mean(), 0.2)
+            surface, *others = self.draw_each(files[:3], "--isosurface", 300, *arguments[2:])
+            self.assertGreater((surface != (1, 2, 3)).any(axis=2).mean(), 0.05)
+            for other in others:
+                self.assertLess(abs(other - surface).mean(), 0.5)
+
+    def test_headers_that_place_nothing(self):
+        values = numpy.zeros((10, 11, 12), "i2")
+        path = self.folder / "flat.mha"
+        image_files.write_mha(path, values, numpy.array([[1.0, 1, 0, 0], [0, 0, 0, 0], [0, 0, 1, 0]]) + 1e-12)
+        self.fails(path, "--output", self.folder / "p.png", says=[path.name, "directions", "write it again"])
 
 
 class Gltf(ProgramTest):
