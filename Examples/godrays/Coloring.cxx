@@ -4,6 +4,7 @@
 
 #include "Colormaps.h"
 #include "Failure.h"
+#include "Outliers.h"
 #include "Values.h"
 
 #include "vtkActor.h"
@@ -131,20 +132,22 @@ ColorArray Coloring::Choose(vtkDataSet* data)
 }
 
 //------------------------------------------------------------------------------
-void Coloring::AddToRange(const ColorArray& choice)
+bool Coloring::AddToRange(const ColorArray& choice)
 {
   if (!choice.Array || choice.IsColor())
   {
-    return;
+    return false;
   }
   double range[2];
-  choice.Array->GetFiniteRange(range, choice.Array->GetNumberOfComponents() > 1 ? -1 : 0);
+  const bool hasOutliers =
+    FindUsualRange(choice.Array, choice.Array->GetNumberOfComponents() > 1 ? -1 : 0, range);
   if (range[0] <= range[1])
   {
     const std::array<double, 2> values = { range[0], range[1] };
     auto& total = this->Ranges.try_emplace(choice.GetName(), values).first->second;
     total = { std::min(total[0], range[0]), std::max(total[1], range[1]) };
   }
+  return hasOutliers;
 }
 
 //------------------------------------------------------------------------------

@@ -47,9 +47,10 @@ public:
   ColorArray Choose(vtkDataSet* data);
 
   /**
-   * Let the values of an array count for the range of the colours.
+   * Let the values of an array count for the range of the colours. Returns whether some are outliers, which
+   * do not.
    */
-  void AddToRange(const ColorArray& choice);
+  bool AddToRange(const ColorArray& choice);
 
   /**
    * Let an array have the colours of terrain, if the user chose none; with onlyIfNamed, if its name

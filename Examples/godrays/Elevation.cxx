@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Elevation.h"
 
+#include "Outliers.h"
+
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
+#include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
@@ -11,12 +15,17 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkXMLDataElement.h"
+#include "vtkXMLUtilities.h"
 #include "vtk_tiff.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <limits>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace
@@ -61,10 +70,17 @@ public:
       : std::vector<T>();
   }
 
-  std::uint32_t GetRows() const
+  /// Returns the text of a tag, empty if there is none.
+  std::string GetText(int tag) const
   {
-    std::uint32_t rows = 0;
-    return this->File && TIFFGetField(this->File, TIFFTAG_IMAGELENGTH, &rows) ? rows : 0;
+    const auto letters = this->Get<char>(tag, TIFF_ASCII);
+    return std::string(letters.begin(), std::find(letters.begin(), letters.end(), '\0'));
+  }
+
+  double GetSize(int tag) const
+  {
+    std::uint32_t size = 0;
+    return this->File && TIFFGetField(this->File, tag, &size) ? size : 0.0;
   }
 
 private:
@@ -75,28 +91,111 @@ private:
 
 constexpr int PixelScaleTag = 33550;
 constexpr int TiepointTag = 33922;
+constexpr int TransformationTag = 34264;
 constexpr int GeoKeysTag = 34735;
+constexpr int GeoDoublesTag = 34736;
+constexpr int MetadataTag = 42112; // GDAL's
 constexpr int NoDataTag = 42113;
-constexpr int ModelTypeKey = 1024;
-constexpr int GeographicModel = 2;
 
 //------------------------------------------------------------------------------
-bool IsLength(double value)
+/// The keys of a GeoTIFF.
+class GeoKeys
 {
-  return value > 0.0 && value < 1e15;
-}
+public:
+  static constexpr int ModelType = 1024;
+  static constexpr int AngularUnits = 2054;
+  static constexpr int LinearUnits = 3076;
+  static constexpr int LinearUnitSize = 3077;
+  static constexpr int VerticalUnits = 4099;
 
-//------------------------------------------------------------------------------
-bool IsGeographic(const std::vector<std::uint16_t>& keys)
-{
-  for (std::size_t i = 4; i + 3 < keys.size(); i += 4)
+  explicit GeoKeys(const TiffTags& tags)
+    : Keys(tags.Get<std::uint16_t>(GeoKeysTag, TIFF_SHORT))
+    , Doubles(tags.Get<double>(GeoDoublesTag, TIFF_DOUBLE))
   {
-    if (keys[i] == ModelTypeKey)
+  }
+
+  /// Returns the value of a key, 0 if there is none.
+  double Get(int key) const
+  {
+    for (std::size_t i = 4; i + 3 < this->Keys.size(); i += 4)
     {
-      return keys[i + 3] == GeographicModel;
+      const std::size_t value = this->Keys[i + 3];
+      if (this->Keys[i] == key)
+      {
+        return this->Keys[i + 1] != GeoDoublesTag ? static_cast<double>(value)
+          : value < this->Doubles.size()          ? this->Doubles[value]
+                                                  : 0.0;
+      }
+    }
+    return 0.0;
+  }
+
+  /// Returns how many metres or degrees the unit of a key has. An unknown unit has one, and is named.
+  double GetUnit(int key, std::string& unread) const
+  {
+    // By EPSG's numbers, and by the text of GDAL's.
+    static const std::map<int, double> units = { { 0, 1.0 }, { 9001, 1.0 }, { 9002, 0.3048 },
+      { 9003, 1200.0 / 3937.0 }, { 9036, 1000.0 }, { 9101, vtkMath::DegreesFromRadians(1.0) },
+      { 9102, 1.0 }, { 9105, 0.9 }, { 9122, 1.0 } };
+    constexpr int userDefined = 32767;
+    const int code = static_cast<int>(this->Get(key));
+    const double size = this->Get(LinearUnitSize);
+    if (key == LinearUnits && code == userDefined && size > 1e-6 && size < 1e6)
+    {
+      return size;
+    }
+    const auto found = units.find(code);
+    if (found == units.end())
+    {
+      unread = "its unit " + std::to_string(code) + " is not known, and taken for " +
+        (key == AngularUnits ? "degrees" : "metres");
+    }
+    return found != units.end() ? found->second : 1.0;
+  }
+
+private:
+  std::vector<std::uint16_t> Keys;
+  std::vector<double> Doubles;
+};
+
+//------------------------------------------------------------------------------
+/// Reads the scale, offset and unit of the samples, which GDAL writes as XML.
+void ReadMetadata(const std::string& text, Georeference& place)
+{
+  const auto root = vtk::TakeSmartPointer(vtkXMLUtilities::ReadElementFromString(text.c_str()));
+  for (int i = 0; root && i < root->GetNumberOfNestedElements(); ++i)
+  {
+    vtkXMLDataElement* item = root->GetNestedElement(i);
+    const char* words = item->GetAttribute("role");
+    const char* contents = item->GetCharacterData();
+    int sample = 0;
+    item->GetScalarAttribute("sample", sample);
+    if (!words || !contents || sample != 0)
+    {
+      continue;
+    }
+    const std::string role = words;
+    const double number = std::strtod(contents, nullptr);
+    if (role == "scale" && std::fabs(number) > 1e-9 && std::fabs(number) < 1e9)
+    {
+      place.Scale = number;
+    }
+    else if (role == "offset" && std::fabs(number) < 1e9)
+    {
+      place.Offset = number;
+    }
+    else if (role == "unittype")
+    {
+      const std::string unit = contents;
+      const auto has = [&unit](const char* word) { return unit.find(word) != std::string::npos; };
+      const bool isFeet = has("ft") || has("feet") || has("foot");
+      const bool isMeters = unit == "m" || has("met");
+      place.MetersPerUnit = !isFeet ? 1.0 : has("US") || has("us") ? 1200.0 / 3937.0 : 0.3048;
+      place.Unread = isFeet || isMeters
+        ? ""
+        : "its unit of elevations " + unit + " is not known, and taken for metres";
     }
   }
-  return false;
 }
 
 //------------------------------------------------------------------------------
@@ -106,34 +205,53 @@ bool IsGeographic(const std::vector<std::uint16_t>& keys)
 class Grid
 {
 public:
-  Grid(vtkImageData* picture, vtkDataArray* elevations, const Georeference& place, double scale)
-    : Elevations(elevations)
-    , Place(place)
+  Grid(vtkImageData* picture, vtkDataArray* samples, const Georeference& place, double scale)
+    : Place(place)
     , Scale(scale)
   {
-    picture->GetDimensions(this->Samples);
+    int size[3];
+    picture->GetDimensions(size);
     const double* bounds = picture->GetBounds();
     this->Origin[0] = bounds[0];
     this->Origin[1] = bounds[2];
     this->Origin[2] = bounds[4];
-    if (!place.Known)
-    {
-      std::copy_n(picture->GetSpacing(), 2, this->Place.Spacing);
-    }
     constexpr double most = 4e6;
-    const double count = static_cast<double>(this->Samples[0]) * this->Samples[1];
-    this->Stride = std::max(1, static_cast<int>(std::ceil(std::sqrt(count / most))));
-    this->Columns = (this->Samples[0] - 1) / this->Stride + 1;
-    this->Rows = (this->Samples[1] - 1) / this->Stride + 1;
-    this->FindLowest();
+    const double count = static_cast<double>(size[0]) * size[1];
+    const int stride = std::max(1, static_cast<int>(std::ceil(std::sqrt(count / most))));
+    this->Columns = (size[0] - 1) / stride + 1;
+    this->Rows = (size[1] - 1) / stride + 1;
+    for (int i = 0; i < 2; ++i)
+    {
+      this->Place.Column[i] = stride *
+        (place.Known ? place.Column[i]
+            : i      ? 0.
+                     : picture->GetSpacing()[0]);
+      this->Place.Row[i] = stride *
+        (place.Known ? place.Row[i]
+            : i      ? picture->GetSpacing()[1]
+                     : 0.);
+    }
+    if (place.NoData && samples->GetDataType() == VTK_FLOAT)
+    {
+      constexpr double largest = std::numeric_limits<float>::max();
+      this->Place.NoData =
+        static_cast<float>(std::clamp(*place.NoData, -largest, largest)); // as samples are rounded
+    }
+    this->Values->SetNumberOfTuples(static_cast<vtkIdType>(this->Columns) * this->Rows);
+    for (vtkIdType i = 0; i < this->Values->GetNumberOfTuples(); ++i)
+    {
+      const vtkIdType sample = i / this->Columns * stride * size[0] + i % this->Columns * stride;
+      const double value = samples->GetComponent(sample, 0);
+      this->Values->SetValue(i,
+        this->Place.NoData && value == *this->Place.NoData ? vtkMath::Nan()
+                                                           : place.Scale * value + place.Offset);
+    }
+    this->LeaveOutliersOut();
   }
 
   double GetValue(int column, int row) const
   {
-    const vtkIdType sample =
-      static_cast<vtkIdType>(row) * this->Stride * this->Samples[0] + column * this->Stride;
-    const double value = this->Elevations->GetComponent(sample, 0);
-    return this->Place.NoData && value == *this->Place.NoData ? vtkMath::Nan() : value;
+    return this->Values->GetValue(static_cast<vtkIdType>(row) * this->Columns + column);
   }
 
   double GetHeight(int column, int row) const
@@ -144,17 +262,31 @@ public:
   void GetPoint(int column, int row, double point[3]) const
   {
     const double height = this->GetHeight(column, row);
-    point[0] = this->Origin[0] + column * this->Stride * this->Place.Spacing[0];
-    point[1] = this->Origin[1] + row * this->Stride * this->Place.Spacing[1];
+    for (int i = 0; i < 2; ++i)
+    {
+      point[i] = this->Origin[i] + column * this->Place.Column[i] + row * this->Place.Row[i];
+    }
     point[2] = this->Origin[2] + (std::isnan(height) ? this->Lowest : height);
   }
 
+  /// Returns the upward unit normal, from the differences of heights along columns and rows.
   void GetNormal(int column, int row, double normal[3]) const
   {
-    normal[0] = -this->GetSlope(column, row, 1, 0);
-    normal[1] = -this->GetSlope(column, row, 0, 1);
+    const double* x = this->Place.Column;
+    const double* y = this->Place.Row;
+    const double alongX = this->GetStep(column, row, 1, 0);
+    const double alongY = this->GetStep(column, row, 0, 1);
+    const double area = this->GetArea();
+    normal[0] = (-y[1] * alongX + x[1] * alongY) / area;
+    normal[1] = (y[0] * alongX - x[0] * alongY) / area;
     normal[2] = 1.0;
     vtkMath::Normalize(normal);
+  }
+
+  /// Returns the area of a cell, negative if rows follow clockwise on columns.
+  double GetArea() const
+  {
+    return this->Place.Column[0] * this->Place.Row[1] - this->Place.Column[1] * this->Place.Row[0];
   }
 
   bool IsCell(int column, int row) const
@@ -165,42 +297,52 @@ public:
 
   int Columns;
   int Rows;
+  bool HasOutliers = false;
 
 private:
-  double GetSlope(int column, int row, int stepX, int stepY) const
+  /// Returns the difference of heights a step farther, 0 where one is missing.
+  double GetStep(int column, int row, int stepX, int stepY) const
   {
     const int column0 = std::max(column - stepX, 0);
     const int column1 = std::min(column + stepX, this->Columns - 1);
     const int row0 = std::max(row - stepY, 0);
     const int row1 = std::min(row + stepY, this->Rows - 1);
-    const double run = stepX ? (column1 - column0) * this->Stride * this->Place.Spacing[0]
-                             : (row1 - row0) * this->Stride * this->Place.Spacing[1];
-    const double slope = (this->GetHeight(column1, row1) - this->GetHeight(column0, row0)) / run;
-    return std::isnan(slope) ? 0.0 : slope;
+    const double step = (this->GetHeight(column1, row1) - this->GetHeight(column0, row0)) /
+      (stepX ? column1 - column0 : row1 - row0);
+    return std::isnan(step) ? 0.0 : step;
   }
 
-  /// Where samples without a value are put: no cell uses them, but bounds count them.
-  void FindLowest()
+  void LeaveOutliersOut()
   {
-    double lowest = VTK_DOUBLE_MAX;
-    for (int row = 0; row < this->Rows; ++row)
+    const double most = this->Place.Known ? 1e5 / this->Place.MetersPerUnit : 1e30;
+    double range[2] = { -most, most };
+    const auto leaveOut = [&]
     {
-      for (int column = 0; column < this->Columns; ++column)
+      double lowest = VTK_DOUBLE_MAX;
+      for (auto& value : vtk::DataArrayValueRange<1>(this->Values.Get()))
       {
-        const double height = this->GetHeight(column, row);
-        lowest = height < lowest ? height : lowest;
+        const bool isOutlier = std::isfinite(value) && !(value >= range[0] && value <= range[1]);
+        this->HasOutliers = this->HasOutliers || isOutlier;
+        value = isOutlier || !std::isfinite(value) ? vtkMath::Nan() : value;
+        lowest = value < lowest ? value : lowest;
       }
+      this->Lowest =
+        lowest < VTK_DOUBLE_MAX ? this->Scale * this->Place.MetersPerUnit * lowest : 0.0;
+    };
+    leaveOut();
+    this->Values->DataChanged();
+    if (FindUsualRange(this->Values, 0, range))
+    {
+      leaveOut();
     }
-    this->Lowest = lowest < VTK_DOUBLE_MAX ? lowest : 0.0;
   }
 
-  vtkDataArray* Elevations;
+  vtkNew<vtkDoubleArray> Values;
   Georeference Place;
   double Scale;
-  double Lowest = 0.0;
-  int Samples[3];
+  double Lowest =
+    0.0; ///< where samples without a value are put: no cell uses them, but bounds count them
   double Origin[3];
-  int Stride;
 };
 }
 
@@ -208,40 +350,74 @@ private:
 Georeference ReadGeoTiffTags(const std::string& path)
 {
   Georeference place;
-  TiffTags tags(path);
-  const auto noData = tags.Get<char>(NoDataTag, TIFF_ASCII);
-  if (!noData.empty())
+  const TiffTags tags(path);
+  const std::string noData = tags.GetText(NoDataTag);
+  char* end = nullptr;
+  const double value = std::strtod(noData.c_str(), &end);
+  if (end != noData.c_str())
   {
-    const std::string text(noData.begin(), noData.end());
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    if (end != text.c_str())
-    {
-      place.NoData = value;
-    }
+    place.NoData = value;
   }
+  const GeoKeys keys(tags);
+  place.MetersPerUnit = keys.GetUnit(GeoKeys::VerticalUnits, place.Unread);
+  const std::string metadata = tags.GetText(MetadataTag);
+  if (!metadata.empty())
+  {
+    ReadMetadata(metadata, place);
+  }
+  // The steps to the next column and row, and the place of the first sample, to the east and north.
+  double column[2] = {};
+  double row[2] = {};
+  double north = 0.0;
+  const auto matrix = tags.Get<double>(TransformationTag, TIFF_DOUBLE);
   const auto scale = tags.Get<double>(PixelScaleTag, TIFF_DOUBLE);
-  if (scale.size() < 2 || !IsLength(scale[0]) || !IsLength(scale[1]))
+  const auto tiepoint = tags.Get<double>(TiepointTag, TIFF_DOUBLE);
+  if (matrix.size() == 16)
   {
-    return place;
+    for (int i = 0; i < 2; ++i)
+    {
+      column[i] = matrix[4 * i];
+      row[i] = matrix[4 * i + 1];
+    }
+    north = matrix[7];
   }
-  double spacing[2] = { scale[0], scale[1] };
-  if (IsGeographic(tags.Get<std::uint16_t>(GeoKeysTag, TIFF_SHORT)))
+  else if (scale.size() >= 2)
   {
-    const auto tiepoint = tags.Get<double>(TiepointTag, TIFF_DOUBLE);
-    const double north = tiepoint.size() >= 6 ? tiepoint[4] + tiepoint[1] * scale[1] : 0.0;
-    const double latitude = north - 0.5 * scale[1] * tags.GetRows();
+    column[0] = scale[0];
+    row[1] = -scale[1];
+    north = tiepoint.size() >= 6 ? tiepoint[4] + tiepoint[1] * scale[1] : 0.0;
+  }
+  double units[2];
+  constexpr int geographic = 2;
+  if (keys.Get(GeoKeys::ModelType) == geographic)
+  {
+    const double degrees = keys.GetUnit(GeoKeys::AngularUnits, place.Unread);
+    const double latitude = degrees *
+      (north + 0.5 * column[1] * tags.GetSize(TIFFTAG_IMAGEWIDTH) +
+        0.5 * row[1] * tags.GetSize(TIFFTAG_IMAGELENGTH));
     if (!(std::fabs(latitude) < 90.0))
     {
       return place; // these are no degrees
     }
-    double lengths[2];
-    GetDegreeLengths(latitude, lengths);
-    spacing[0] *= lengths[0];
-    spacing[1] *= lengths[1];
+    GetDegreeLengths(latitude, units);
+    units[0] *= degrees;
+    units[1] *= degrees;
   }
-  place.Known = true;
-  std::copy_n(spacing, 2, place.Spacing);
+  else
+  {
+    units[0] = units[1] = keys.GetUnit(GeoKeys::LinearUnits, place.Unread);
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    place.Column[i] = units[i] * column[i];
+    place.Row[i] = -units[i] * row[i]; // VTK's first row is the last one of the file
+  }
+  const double lengths[2] = { std::hypot(place.Column[0], place.Column[1]),
+    std::hypot(place.Row[0], place.Row[1]) };
+  const double area = place.Column[0] * place.Row[1] - place.Column[1] * place.Row[0];
+  constexpr double most = 1e15;
+  place.Known =
+    lengths[0] < most && lengths[1] < most && std::fabs(area) > 1e-6 * lengths[0] * lengths[1];
   return place;
 }
 
@@ -287,10 +463,11 @@ double ChooseElevationScale(double relief, double extent, bool lengths)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> MakeElevationSurface(
-  vtkImageData* picture, vtkDataArray* elevations, const Georeference& place, double scale)
+vtkSmartPointer<vtkPolyData> MakeElevationSurface(vtkImageData* picture, vtkDataArray* elevations,
+  const Georeference& place, double scale, bool& hasOutliers)
 {
   const Grid grid(picture, elevations, place, scale);
+  hasOutliers = grid.HasOutliers;
   const vtkIdType count = static_cast<vtkIdType>(grid.Columns) * grid.Rows;
   vtkNew<vtkPoints> points;
   points->SetNumberOfPoints(count);
@@ -315,7 +492,11 @@ vtkSmartPointer<vtkPolyData> MakeElevationSurface(
       scalars->SetTuple1(id, grid.GetValue(column, row));
       if (row + 1 < grid.Rows && column + 1 < grid.Columns && grid.IsCell(column, row))
       {
-        const vtkIdType corners[4] = { id, id + 1, id + grid.Columns + 1, id + grid.Columns };
+        vtkIdType corners[4] = { id, id + 1, id + grid.Columns + 1, id + grid.Columns };
+        if (grid.GetArea() < 0.0)
+        {
+          std::swap(corners[1], corners[3]);
+        }
         cells->InsertNextCell(4, corners);
       }
     }

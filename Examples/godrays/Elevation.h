@@ -19,10 +19,15 @@ class vtkPolyData;
 /// How the samples of a picture lie on the earth.
 struct Georeference
 {
-  bool Known = false;             ///< whether what follows was read from the file
-  double Spacing[2] = { 1., 1. }; ///< between samples, to the east and to the north [metres]
-  double MetersPerUnit = 1.0;     ///< of the elevations
-  std::optional<double> NoData;   ///< the value of samples that were not measured
+  bool Known = false; ///< whether the steps were read from the file
+  double Column[2] = { 1.,
+    0. }; ///< the step to the next column, to the east and to the north [metres]
+  double Row[2] = { 0., 1. }; ///< the step to the next row
+  double Scale = 1.0;         ///< of the samples; Scale * sample + Offset is an elevation
+  double Offset = 0.0;
+  double MetersPerUnit = 1.0;   ///< of the elevations
+  std::optional<double> NoData; ///< the value of samples that were not measured
+  std::string Unread;           ///< a field of the file that is not known, and how it is taken
 };
 
 /**
@@ -44,9 +49,10 @@ double ChooseElevationScale(double relief, double extent, bool lengths);
 /**
  * The surface over a picture in the plane of X and Y, with normals and with the elevations as
  * scalars. Samples without a value are left out, and of more than four million, some rows and
- * columns.
+ * columns. Impossible elevations are left out, too, which sets hasOutliers: those beyond 100 km, or beyond
+ * 1e30 where the unit is not known, and those that FindUsualRange() leaves out.
  */
-vtkSmartPointer<vtkPolyData> MakeElevationSurface(
-  vtkImageData* picture, vtkDataArray* elevations, const Georeference& place, double scale);
+vtkSmartPointer<vtkPolyData> MakeElevationSurface(vtkImageData* picture, vtkDataArray* elevations,
+  const Georeference& place, double scale, bool& hasOutliers);
 
 #endif

@@ -65,6 +65,7 @@
 #include "vtkXMLRectilinearGridReader.h"
 #include "vtkXMLStructuredGridReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
+#include "vtk_tiff.h"
 
 #include <algorithm>
 #include <cmath>
@@ -290,7 +291,14 @@ void ReadPly(const std::string& path, FileContents& contents)
 void ReadTiff(const std::string& path, FileContents& contents)
 {
   contents.Place = ReadGeoTiffTags(path);
-  ReadData<vtkTIFFReader>(path, contents);
+  if (!contents.Place.Unread.empty())
+  {
+    contents.Notes.push_back(path + ": " + contents.Place.Unread);
+  }
+  vtkNew<vtkTIFFReader> reader;
+  // VTK takes the first row, which is at the top, for the lowest one, but not if it is told the reverse.
+  reader->SetOrientationType(ORIENTATION_BOTLEFT);
+  Update(reader.Get(), path, contents);
 }
 
 //------------------------------------------------------------------------------
@@ -310,7 +318,8 @@ void ReadDem(const std::string& path, FileContents& contents)
   Update(reader.Get(), path, contents);
   auto* picture = vtkImageData::SafeDownCast(contents.DataSets.front());
   contents.Place.Known = true;
-  std::copy_n(picture->GetSpacing(), 2, contents.Place.Spacing);
+  contents.Place.Column[0] = picture->GetSpacing()[0];
+  contents.Place.Row[1] = picture->GetSpacing()[1];
   if (reader->GetGroundSystem() == 0)
   {
     // In arc-seconds: VTK takes each for as long as one on a sphere's equator, in both directions,
@@ -320,8 +329,8 @@ void ReadDem(const std::string& path, FileContents& contents)
     const double height = (bounds[3] - bounds[2]) / degree;
     double lengths[2];
     GetDegreeLengths(picture->GetOrigin()[1] / 3600.0 + 0.5 * height, lengths);
-    contents.Place.Spacing[0] *= lengths[0] / degree;
-    contents.Place.Spacing[1] *= lengths[1] / degree;
+    contents.Place.Column[0] *= lengths[0] / degree;
+    contents.Place.Row[1] *= lengths[1] / degree;
   }
 }
 

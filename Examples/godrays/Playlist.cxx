@@ -34,6 +34,7 @@ Scene MakeSceneOf(
       which + ": cannot be drawn (" + messages.GetErrors().front() + ")" + remedy, Failure::File);
   }
   notes.insert(notes.end(), messages.GetWarnings().begin(), messages.GetWarnings().end());
+  notes.insert(notes.end(), scene.Notes.begin(), scene.Notes.end());
   return scene;
 }
 }

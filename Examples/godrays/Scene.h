@@ -26,6 +26,7 @@ struct Scene
   vtkIdType NumberOfVoxels = 0; ///< drawn as volumes
   double ElevationScale = 1.0;
   std::vector<std::string> Arrays; ///< by which props are coloured
+  std::vector<std::string> Notes;  ///< sentences for the user, none for most data
   bool HasGround = false;          ///< elevations, or a surface that is seen once from above
 
   /// What is lower, as a fraction of its width, is low.

@@ -4,6 +4,7 @@
 
 #include "Coloring.h"
 #include "Failure.h"
+#include "Outliers.h"
 #include "UpAxis.h"
 #include "Volumes.h"
 
@@ -94,21 +95,21 @@ vtkSmartPointer<vtkPolyDataMapper> MakeSphereMapper(vtkPolyData* cloud)
 
 //------------------------------------------------------------------------------
 /**
- * Give voxels whose value is no number the lowest one, which is clear; infinite ones are kept as the
- * lowest or highest. False if there is no number at all.
+ * Give voxels whose value is no number the lowest one, which is clear; infinite ones and outliers are kept
+ * as the lowest or highest. False if there is no number at all.
  */
-bool LeaveOutNonNumbers(vtkImageData* image)
+bool LeaveOutNonNumbers(vtkImageData* image, bool& hasOutliers)
 {
   vtkDataArray* values = image->GetPointData()->GetScalars();
   double range[2];
-  values->GetFiniteRange(range, 0);
+  hasOutliers = FindUsualRange(values, 0, range);
   if (range[0] > range[1])
   {
     return false;
   }
   const auto isFinite = [](double value) { return std::isfinite(value); };
   auto all = vtk::DataArrayValueRange<1>(values);
-  if (!std::all_of(all.begin(), all.end(), isFinite))
+  if (hasOutliers || !std::all_of(all.begin(), all.end(), isFinite))
   {
     auto numbers = vtk::TakeSmartPointer(values->NewInstance());
     numbers->DeepCopy(values);
@@ -255,7 +256,12 @@ private:
     double spacing[3];
     picture->GetSpacing(spacing);
     const bool pictureHasLengths = spacing[0] != 1.0 || spacing[1] != 1.0;
-    const auto unscaled = MakeElevationSurface(picture, elevations, file.Place, 1.0);
+    bool hasOutliers = false;
+    const auto unscaled = MakeElevationSurface(picture, elevations, file.Place, 1.0, hasOutliers);
+    if (hasOutliers)
+    {
+      this->Result.Notes.push_back(file.Path + ": some heights cannot be, and are left out");
+    }
     double bounds[6];
     unscaled->GetCellsBounds(bounds);
     const double scale = this->Settings.ElevationScale.value_or(ChooseElevationScale(
@@ -263,8 +269,9 @@ private:
       file.Place.Known || pictureHasLengths));
     this->Result.ElevationScale = scale;
     this->HasElevation = true;
-    const auto surface =
-      scale == 1.0 ? unscaled : MakeElevationSurface(picture, elevations, file.Place, scale);
+    const auto surface = scale == 1.0
+      ? unscaled
+      : MakeElevationSurface(picture, elevations, file.Place, scale, hasOutliers);
     this->Colors.SetTerrain(
       surface->GetPointData()->GetScalars()->GetName(), !file.Place.Known && pictureHasLengths);
     this->AddPolyData(surface);
@@ -364,9 +371,14 @@ private:
       this->AddIsosurface(image, *this->Settings.Isosurface);
       return;
     }
-    if (!LeaveOutNonNumbers(image))
+    bool hasOutliers = false;
+    if (!LeaveOutNonNumbers(image, hasOutliers))
     {
       return;
+    }
+    if (hasOutliers)
+    {
+      this->TellOfOutliers(choice);
     }
     vtkNew<vtkSmartVolumeMapper> mapper;
     mapper->SetInputData(image);
@@ -424,10 +436,26 @@ private:
   //----------------------------------------------------------------------------
   void AddPart(const Part& part)
   {
-    this->Colors.AddToRange(part.Choice);
+    if (this->Colors.AddToRange(part.Choice))
+    {
+      this->TellOfOutliers(part.Choice);
+    }
     this->Parts.push_back(part);
     this->Result.Props.emplace_back(part.Actor ? static_cast<vtkProp3D*>(part.Actor) : part.Volume);
     this->Result.Props.back()->SetUserMatrix(this->Place);
+  }
+
+  //----------------------------------------------------------------------------
+  void TellOfOutliers(const ColorArray& choice)
+  {
+    const std::string note = choice.GetName() +
+      ": some values are far beyond all others, and have no part in the range of the colours; "
+      "--range gives another one";
+    auto& notes = this->Result.Notes;
+    if (!this->Settings.Range && std::find(notes.begin(), notes.end(), note) == notes.end())
+    {
+      notes.push_back(note);
+    }
   }
 
   //----------------------------------------------------------------------------

@@ -157,19 +157,24 @@ def write_dem(path):
     path.write_text(records)
 
 
-def write_geotiff(path, order="<", spacing=(0.001, 0.001), geographic=True, no_data=-9999.0):
-    """A picture of one strip of floats, from north to south, with the tags of a GeoTIFF."""
-    values = heights()[::-1].copy()
-    values[:4, :4] = no_data
+def write_geotiff(path, order="<", spacing=(0.001, 0.001), geographic=True, no_data="-9999.0", values=None,
+        matrix=None, keys=(), metadata=""):
+    """A picture of one strip of floats, from north to south, with the tags of a GeoTIFF. matrix: in place of the
+    spacing; keys: of units; metadata: of GDAL."""
+    if values is None:
+        values = heights()[::-1].copy()
+        values[:4, :4] = float(no_data)
     pixels = values.astype(order + "f4").tobytes()
-    text = f"{no_data}".encode() + b"\0"
-    keys = (1, 1, 0, 1, 1024, 0, 1, 2 if geographic else 1)
+    keys = {1024: 2 if geographic else 1, **dict(keys)}
     # Tag, type (2 text, 3 short, 4 long, 12 double), values
     tags = [
         (256, 3, (24,)), (257, 3, (24,)), (258, 3, (32,)), (259, 3, (1,)), (262, 3, (1,)),
         (273, 4, (8,)), (277, 3, (1,)), (278, 3, (24,)), (279, 4, (len(pixels),)), (339, 3, (3,)),
-        (33550, 12, (*spacing, 0.0)), (33922, 12, (0.0, 0.0, 0.0, -84.0, 60.0, 0.0)),
-        (34735, 3, keys), (42113, 2, text)]
+        (34264, 12, matrix) if matrix else (33550, 12, (*spacing, 0.0)),
+        (33922, 12, (0.0, 0.0, 0.0, -84.0, 60.0, 0.0)),
+        (34735, 3, (1, 1, 0, len(keys), *(n for key in keys.items() for n in (key[0], 0, 1, key[1])))),
+        *[(tag, 2, text.encode() + b"\0") for tag, text in ((42112, metadata), (42113, no_data)) if text]]
+    tags.sort()
     start = 8 + len(pixels)
     more_at = start + 2 + 12 * len(tags) + 4
     directory, more = struct.pack(order + "H", len(tags)), b""

@@ -209,6 +209,22 @@ class DamagedFiles(ProgramTest):
         nothing = self.write_volume("nothing.vti", numpy.full((4, 4, 4), numpy.nan))
         self.fails(nothing, "--output", "p.png", says=["nothing.vti", "nothing to draw"], codes=[3])
 
+    def test_broken_numbers_take_no_range(self):
+        arguments = [
+            "--no-rays", "--camera-position", "30,-50,25", "--focal-point", "6,6,6", "--sun", "300,20"]
+        values = numpy.random.default_rng(5).normal(20, 3, (12, 12, 12))
+        highest = numpy.unravel_index(values.argmax(), values.shape)
+        whole = self.draw(self.write_volume("whole.vti", values), *arguments)
+        for number in (1e299, 9.96921e36, 1e9):  # another array's, netCDF's for what is missing, and another unit's
+            broken = values.copy()
+            broken[highest] = number
+            path = self.write_volume("broken.vti", broken)
+            drawn = self.draw(path, *arguments, told=["values", "far beyond", "--range"])
+            self.assertLess(abs(drawn - whole).mean(), 2)
+        long = numpy.geomspace(1e-9, 1e3, values.size).reshape(values.shape)  # no gap: all have a part
+        self.draw(self.write_volume("long.vti", long), *arguments)
+        self.draw(path, "--range", "10,30", *arguments)
+
     def test_files_with_nothing_to_see(self):
         point = self.folder / "point.obj"
         point.write_text("v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n")

@@ -278,6 +278,87 @@ class MedicalImages(ProgramTest):
         self.fails(path, "--output", self.folder / "p.png", says=[path.name, "directions", "write it again"])
 
 
+class Elevations(ProgramTest):
+    ARGUMENTS = [
+        "--no-rays", "--sun", "300,20", "--elevation-scale", "1", "--camera-position", "3000,-2000,1500",
+        "--focal-point", "600,600,0", "--background", "#010203"]
+
+    def write(self, name, **tags):
+        path = self.folder / name
+        sample_files.write_geotiff(path, **{"spacing": (50, 50), "geographic": False, **tags})
+        return path
+
+    def test_one_ground_is_one_picture_in_every_storage(self):
+        foot, survey = 0.3048, 1200 / 3937
+        ground = sample_files.heights()[::-1].copy()  # from north to south
+        ground[:4, :4] = numpy.nan
+
+        def item(name, value):
+            return f'<Item name="{name}" sample="0" role="{name}">{value}</Item>'
+
+        def metadata(*items):
+            return "<GDALMetadata>" + "".join(items) + "</GDALMetadata>"
+
+        cases = (  # the heights that are stored, and the tags
+            ("minimum", numpy.where(numpy.isnan(ground), numpy.float32(-3.4e38), ground), {"no_data": "-3.4e38"}),
+            ("not told", numpy.where(numpy.isnan(ground), -3.4028235e38, ground), {"no_data": None}),
+            ("another", numpy.where(numpy.isnan(ground), 1e6, ground), {"no_data": "-9999"}),
+            ("rounded", numpy.where(numpy.isnan(ground), numpy.float32(0.1) - 9999, ground),
+             {"no_data": repr(0.1 - 9999)}),
+            ("feet up", ground / foot, {"keys": {4099: 9002}}),
+            ("feet, GDAL", ground / survey, {"metadata": metadata(item("unittype", "US survey foot"))}),
+            ("feet", ground, {"keys": {3076: 9002}, "spacing": (50 / foot, 50 / foot)}),
+            ("survey", ground, {"keys": {3076: 9003}, "spacing": (50 / survey, 50 / survey)}),
+            ("scaled", (ground - 100) / 0.25,
+             {"metadata": metadata(item("scale", 0.25), item("offset", 100))}),
+            ("matrix", ground, {"matrix": (50, 0, 0, 7, 0, -50, 0, 9, 0, 0, 0, 0, 0, 0, 0, 1)}),
+        )
+        files = [self.write("ground.tif", values=ground)]
+        for name, values, tags in cases:
+            files.append(self.write(f"{name}.tif", values=values, **tags))
+        done = godrays("--each", *files, *self.ARGUMENTS, "--size", "96x72", "--output", self.folder / "g-{n}.png",
+            timeout=120)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        told = done.stderr.splitlines()
+        self.assertEqual(len(told), 2, told)
+        for line, name in zip(told, ("not told", "another")):
+            self.assertIn(name + ".tif: some heights cannot be", line)
+        first, *others = [self.read(self.folder / f"g-{n + 1:04}.png", (96, 72)) for n in range(len(files))]
+        self.assertGreater((first != (1, 2, 3)).any(axis=2).mean(), 0.04)
+        for (name, *_), picture in zip(cases, others):
+            with self.subTest(name):
+                self.assertLess(abs(picture - first).mean(), 0.5)
+        control = self.write("control.tif", values=ground / foot)
+        self.assertGreater(abs(self.draw(control, *self.ARGUMENTS) - first).mean(), 1, "heights in feet")
+
+    def test_a_picture_is_as_high_in_every_type(self):
+        first, *others = self.draw_each(
+            [self.folder / name for name in ("a.png", "a.tiff", "a.pgm", "a.jpg")], "--no-rays", "--sun", "300,20",
+            "--camera-position", "40,-30,30", "--focal-point", "12,12,0")
+        for other in others:
+            self.assertLess(abs(other - first).mean(), 0.5)
+
+    def test_rows_northwards_and_turned_grids(self):
+        ground = sample_files.heights()[::-1].copy()
+        files = (  # and where their first sample lies in the picture of the first one
+            (self.write("north-up.tif", values=ground), (0, 0)),
+            (self.write("matrix-up.tif", values=ground[::-1], matrix=(
+                50, 0, 0, 0, 0, 50, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1)), (0, 1150)),
+            (self.write("negative.tif", values=ground[::-1], spacing=(50, -50)), (0, 1150)),
+            # Columns to the north and rows to the east
+            (self.write("turned.tif", values=ground[::-1].T, matrix=(
+                0, 50, 0, 0, 50, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1)), (1150, 0)))
+        pictures = []
+        for path, (x, y) in files:
+            pictures.append(self.draw(  # from above the south-east
+                path, *self.ARGUMENTS[:5], "--background", "#010203", "--focal-point", f"{575 - x},{575 - y},0",
+                "--camera-position", f"{1575 - x},{-1025 - y},3000"))
+        for (path, _), picture in zip(files, pictures):
+            with self.subTest(path.name):
+                self.assertLess(abs(picture - pictures[0]).mean(), 0.5)
+        self.assertGreater(abs(pictures[0][:, ::-1] - pictures[0]).mean(), 1, "the control")
+
+
 class Gltf(ProgramTest):
     def write(self, name, binary=False, **changes):
         """Write a.gltf or a.glb with other members of the document."""

@@ -20,8 +20,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Georeference place = ReadGeoTiffTags(WriteBytes(data, size));
   if (place.Known)
   {
-    Require(place.Spacing[0] > 0.0 && place.Spacing[1] > 0.0 && place.Spacing[0] < 1e21 &&
-        place.Spacing[1] < 1e21,
+    const double lengths[2] = { std::hypot(place.Column[0], place.Column[1]),
+      std::hypot(place.Row[0], place.Row[1]) };
+    Require(lengths[0] > 0.0 && lengths[1] > 0.0 && lengths[0] < 1e21 && lengths[1] < 1e21,
       "lengths are lengths");
   }
   vtkNew<vtkImageData> picture;
@@ -31,8 +32,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   {
     picture->GetPointData()->GetScalars()->SetTuple1(i, i < static_cast<int>(size) ? data[i] : i);
   }
+  bool hasOutliers = false;
   const auto surface =
-    MakeElevationSurface(picture, picture->GetPointData()->GetScalars(), place, 1.0);
+    MakeElevationSurface(picture, picture->GetPointData()->GetScalars(), place, 1.0, hasOutliers);
   Require(surface->GetNumberOfPoints() == 6, "each sample has a point");
   return 0;
 }
