@@ -26,7 +26,7 @@ paraview_panel=AUTO
 case $suite in
   bookworm) # Debian 12
     test_packages+=(libvtk9-qt-dev clang-format-14 clang-14 libclang-rt-14-dev g++-mingw-w64-x86-64-posix
-      invesalius-examples mricron-data pymol-data)
+      invesalius-examples mricron-data pymol-data chromium-driver python3-selenium)
     paraview_packages+=(libqt5svg5 qtbase5-dev python3-paraview-)
     paraview_panel=ON ;;
   trixie) # Debian 13

@@ -15,6 +15,7 @@ import sys
 
 sys.path.insert(0, os.path.dirname(__file__))
 import reference  # beside this file
+import scripts
 
 project = "vtkGodRays"
 author = copyright = "the vtkGodRays authors"
@@ -25,6 +26,8 @@ exclude_patterns = ["build*", "Testing", "Documentation/Paper"]
 myst_heading_anchors = 4
 html_theme = "sphinx_rtd_theme"
 html_theme_options = {"navigation_depth": 2, "collapse_navigation": False}
+html_static_path = ["site.css"]
+html_css_files = ["site.css"]
 html_show_sourcelink = False
 html_copy_source = False
 html_title = "vtkGodRays"
@@ -53,10 +56,17 @@ def link_sources(app, docname, source):
     source[0] = re.sub(r"(\]\()([^)\s]+)\)", replace, source[0])
 
 
-def add_reference(app, docname, source):
-    """The Python reference, from the docstrings of the module that was built."""
+def add_made(app, docname, source):
+    """Pages that end with what is made: the Python reference, from the docstrings of the module, and scripts."""
+    here = os.path.dirname(docname)
     if docname == "Documentation/PythonReference":
         source[0] += "\n" + reference.make()
+    elif docname == "Documentation/Gallery/Scripts":
+        source[0] += "\n" + scripts.make_gallery(here)
+    elif docname == "Documentation/Cookbook":
+        source[0] = scripts.link_recipes(source[0], here)
+    elif docname == "Documentation/index" and "GODRAYS_API" in os.environ:
+        source[0] = source[0].replace("`api/index.html`", '<a href="../api/index.html">the reference of C++</a>')
 
 
 def name_sources(app, pagename, templatename, context, doctree):
@@ -66,14 +76,15 @@ def name_sources(app, pagename, templatename, context, doctree):
 
 
 def write_entry(app, exception):
-    """An index.html at the top."""
+    """An index.html at the top, and the files to download."""
     if exception is None and app.builder.name == "html":
+        scripts.write(os.path.join(app.outdir, scripts.FOLDER))
         with open(os.path.join(app.outdir, "index.html"), "w", encoding="utf-8") as file:
             file.write('<!DOCTYPE html><meta http-equiv="refresh" content="0; url=Documentation/index.html">')
 
 
 def setup(app):
     app.connect("source-read", link_sources)
-    app.connect("source-read", add_reference)
+    app.connect("source-read", add_made)
     app.connect("html-page-context", name_sources)
     app.connect("build-finished", write_entry)
