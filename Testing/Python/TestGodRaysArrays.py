@@ -2,17 +2,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures and layers as arrays: render(), scatter(), the layers of a frame; the context manager; -m godrays."""
 
+import base64
 import importlib.util
 import os
 import pathlib
 import pickle
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
 import types
 import unittest
+import unittest.mock
 
+import browser_testing
 import godrays
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -310,6 +314,88 @@ class Render(unittest.TestCase):
         expected = godrays.render(source, SIZE, "low-sun", color="tan", sun_at=(0.4, 0.7))
         self.assertLess(numpy.abs(seen[0].astype(int) - expected).mean(), 1)
         self.assertGreater(expected.std(), 10)
+
+    def write_turntable(self, *arguments, **parameters):
+        folder = self.enterContext(tempfile.TemporaryDirectory())
+        path = pathlib.Path(folder, "turn.html")
+        self.assertIsNone(godrays.turntable(arguments[0], path, *arguments[1:], **parameters))
+        self.assertEqual([each.name for each in path.parent.iterdir()], ["turn.html"])
+        return path
+
+    def read_turntable(self, path):
+        pictures = []
+        for each in re.findall(r'src="data:image/jpeg;base64,([^"]+)"', path.read_text(encoding="utf-8")):
+            reader = vtkJPEGReader()
+            data = base64.b64decode(each, validate=True)
+            reader.SetMemoryBuffer(data)
+            reader.SetMemoryBufferLength(len(data))
+            reader.Update()
+            pictures.append(godrays.to_array(reader.GetOutput()).astype(int))
+        return pictures
+
+    def test_a_turntable_shows_views_all_around(self):
+        """Each is the picture of render() of its camera; the control is that of another camera."""
+        cone = vtkConeSource()
+        options = {"preset": "low-sun", "sun": (190, 8)}
+        path = self.write_turntable(cone, SIZE, views=5, **options)
+        pictures = self.read_turntable(path)
+        self.assertEqual(len(pictures), 5)
+        expected = [godrays.render(cone, SIZE, camera=(72 * i - 60, 15), **options).astype(int) for i in range(5)]
+        for i, picture in enumerate(pictures):
+            self.assertLess(abs(picture - expected[i]).mean(), 3)
+            self.assertGreater(abs(picture - expected[(i + 1) % 5]).mean(), 5)
+        self.assertNotRegex(path.read_text(encoding="utf-8"), r'(src|href)="(?!data:)|https?:')
+
+    def test_a_turntable_leaves_a_scene_as_it_was(self):
+        window, renderer = make_scene()
+        former = renderer.GetActiveCamera().GetPosition(), renderer.GetActiveCamera().GetClippingRange()
+        self.assertEqual(len(self.read_turntable(self.write_turntable(renderer, (80, 60), light=BEHIND))), 36)
+        camera = renderer.GetActiveCamera()
+        self.assertEqual((camera.GetPosition(), camera.GetClippingRange()), former)
+        self.assertIsNone(renderer.GetPass())
+        self.assertIs(renderer.GetRenderWindow(), window)
+
+    def test_a_turntable_has_at_most_5_megabytes(self):
+        noise = numpy.random.default_rng(5).integers(0, 256, (600, 800, 3), dtype=numpy.uint8)
+        limit = godrays._turntable._LARGEST
+        with unittest.mock.patch.object(godrays._turntable, "_draw", lambda *_: [noise] * 10):
+            size = self.write_turntable(None, (800, 600)).stat().st_size
+        self.assertGreater(size, limit / 2)
+        self.assertLessEqual(size, limit)
+        best = 10 * len(base64.b64encode(godrays._render.encode(noise, ".jpg", 90)))
+        self.assertGreater(best, limit)  # without another quality it would be larger
+        with unittest.mock.patch.object(godrays._turntable, "_draw", lambda *_: [noise] * 2), \
+                unittest.mock.patch.object(godrays._turntable, "_LARGEST", 100_000), \
+                self.assertRaisesRegex(ValueError, "MB: give a smaller size or fewer views"):
+            godrays.turntable(None, "turn.html")
+        self.assertFalse(os.path.exists("turn.html"))
+
+    def test_a_browser_turns_a_turntable(self):
+        """By the mouse, a finger and keys; a click does not."""
+        with browser_testing.open_phone() as phone:
+            from selenium.webdriver.common.action_chains import ActionChains
+            from selenium.webdriver.common.actions.action_builder import ActionBuilder
+            from selenium.webdriver.common.actions.pointer_input import PointerInput
+
+            path = self.write_turntable(vtkConeSource(), SIZE, views=12)
+            self.assertEqual(browser_testing.find_faults(phone, path), [])
+
+            def drag(kind, distance):
+                actions = ActionBuilder(phone, mouse=PointerInput(kind, kind))
+                actions.pointer_action.move_to_location(195, 400).pointer_down()
+                actions.pointer_action.move_to_location(195 + distance, 400).pointer_up()
+                actions.perform()
+                found = phone.execute_script("return [...document.images].filter(each => each.offsetWidth).map("
+                    "each => each.alt)")
+                self.assertEqual(len(found), 1)
+                return found[0]
+
+            self.assertEqual(drag("mouse", 0), "View 1 of 12")
+            self.assertEqual(drag("mouse", -130), "View 5 of 12")
+            self.assertEqual(drag("touch", 65), "View 3 of 12")
+            self.assertEqual(drag("touch", 130), "View 11 of 12")
+            ActionChains(phone).send_keys("\ue014" * 3).perform()  # arrow to the right
+            self.assertEqual(drag("mouse", 0), "View 2 of 12")
 
     def test_a_volume_of_data_is_seen_by_its_surface(self):
         self.assertGreater(godrays.render(vtkRTAnalyticSource(), SIZE).std(), 10)

@@ -320,6 +320,11 @@ class Mistakes(unittest.TestCase):
             (TypeError, "color is for data; a vtk.*Actor has its own", lambda: godrays.render(vtkActor(), color="red")),
             (TypeError, "opacity is for data; a scene", lambda: godrays.render(self.renderer, opacity=0.5)),
             (TypeError, "show.. has no parameter transparent", lambda: godrays.show(None, transparent=True)),
+            (TypeError, "turntable.. has no parameter transparent",
+                lambda: godrays.turntable(None, "a.html", transparent=True)),
+            (ValueError, "file='a.png' should end in .html", lambda: godrays.turntable(None, "a.png")),
+            (ValueError, "views=1 should be a whole number", lambda: godrays.turntable(None, "a.html", views=1)),
+            (ValueError, "views=2.5 should be a whole number", lambda: godrays.turntable(None, "a.html", views=2.5)),
             (godrays.Error, "it is a folder", lambda: godrays.render("/")),
         ):
             with self.subTest(words), self.assertRaisesRegex(error, words):

@@ -75,6 +75,7 @@ from ._targets import to_color as _to_color
 from ._targets import to_lights as _to_lights
 from ._targets import to_list as _to_list
 from ._targets import to_prop as _to_prop
+from ._turntable import turntable as turntable
 from ._version import __version__ as __version__
 
 if TYPE_CHECKING:
@@ -630,7 +631,7 @@ if not TYPE_CHECKING:
         "Error", "GodRaysWarning", "apply", "disable", "enable", "from_babylon", "from_blender",
         "from_good_godrays", "from_pmndrs", "from_threejs", "from_unity", "from_unreal", "measure", "presets",
         "raising", "render", "scatter", "shadows", "show", "sky", "sun", "tag", "to_array", "to_image",
-        "tone_map",
+        "tone_map", "turntable",
         *(each.__name__ for each in _classes),
     ]
 

@@ -402,10 +402,15 @@ def _read(window: Any, transparent: bool) -> Any:
     return _picture_class()(vtk_to_numpy(values).reshape(height, width, -1)[::-1])
 
 
-def encode(array: Any, suffix: str = ".png") -> bytes:
-    """The file of a picture, uint8 [row, column] or [row, column, channel], the top row first."""
+def encode(array: Any, suffix: str = ".png", quality: int = 95) -> bytes:
+    """The file of a picture, uint8 [row, column] or [row, column, channel], the top row first.
+
+    quality: of a JPEG. Valid range: [0, 100]. Default is 95, that of vtkJPEGWriter.
+    """
     writers = load("vtkIOImage")
     writer = writers.vtkPNGWriter() if suffix == ".png" else writers.vtkJPEGWriter()
+    if suffix != ".png":
+        writer.SetQuality(quality)
     writer.WriteToMemoryOn()
     writer.SetInputData(to_image(array))
     writer.Write()
