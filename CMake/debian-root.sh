@@ -34,8 +34,14 @@ made=$root/etc/godrays-root # written when debootstrap has finished
 other=$1
 shift
 
+# Commands share the root, and each holds the lock until it ends. Only one that is alone makes or mends the root.
 exec 9>"$folder/root.lock"
-flock --nonblock 9 || die "another run is using $root. Wait for its end."
+is_alone=true
+flock --nonblock 9 || is_alone=false
+$is_alone || flock --shared --nonblock 9 || {
+  echo "== Waiting for another run, which makes or mends $root"
+  flock --shared 9
+}
 
 # ---------------------------------------------------------------------------------------------
 # The root. One that debootstrap did not finish is made anew, and so is one whose packages were left
@@ -92,11 +98,15 @@ make_root()
 
 left_half_installed() { [ -n "$(chroot "$root" dpkg --audit 2>&1)" ]; }
 
-if [ -f "$made" ] && left_half_installed; then
-  chroot "$root" env DEBIAN_FRONTEND=noninteractive dpkg --configure -a </dev/null || true
-  ! left_half_installed || rm "$made"
+if $is_alone; then
+  if [ -f "$made" ] && left_half_installed; then
+    chroot "$root" env DEBIAN_FRONTEND=noninteractive dpkg --configure -a </dev/null || true
+    ! left_half_installed || rm "$made"
+  fi
+  [ -f "$made" ] || make_root
+  flock --shared 9
 fi
-[ -f "$made" ] || make_root
+[ -f "$made" ] || die "another run did not finish $root. Run this again."
 
 # ---------------------------------------------------------------------------------------------
 # The command

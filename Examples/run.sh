@@ -2,13 +2,16 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Usage: bash Examples/run.sh
+# Usage: bash Examples/run.sh [--on <suite>]
 #
 # Install what is missing (Debian 12, 13 or 14), build the program godrays and the examples in build/, and
 # make pictures of real data and of all examples in build/examples/, without a screen. Needs no ParaView.
 #
 # build/ is configured as Testing/run.sh and `cmake --preset dev` do it, or as it was. Of it, only what
 # makes pictures is built, and at first only what makes the first one.
+#
+#   --on <suite>   do all this in that Debian: bookworm, trixie or forky. Where this one is another, the pictures are
+#                  in build-<suite>/build/examples: see CMake/debian-root.sh
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -19,7 +22,18 @@ examples=(
   ColouredLights DustyHall Facade MinimalSun Outdoor Planet SkyImage Statue Sunrise TaggedOccluders
   TwoViewports)
 
+on=
+case $# in
+  0) ;;
+  2) [ "$1" = --on ] || die "unknown option $1; there is --on <suite>."
+     on=$2 ;;
+  *) die "there is one option, --on <suite>, such as: --on forky" ;;
+esac
+
 . CMake/packages.sh
+if [ -n "$on" ] && [ "$on" != "$suite" ]; then
+  exec bash CMake/debian-root.sh "$on" bash Examples/run.sh
+fi
 install_packages "${build_packages[@]}" "${configure_packages[@]}" "${example_packages[@]}"
 installed=$SECONDS
 
