@@ -73,3 +73,76 @@ std::string vtkGodRaysGrid::Read(
     : "data of a medium have no volume. Set the image's spacing to numbers that "
       "are not 0.";
 }
+
+vtkGodRays::Vec2 vtkGodRaysGrid::FindShadow(const Vec3& place, const Vec3& steps, double end,
+  const Vec3& light, bool directional, double margin) const
+{
+  using vtkGodRays::Vec2;
+  constexpr double begin = 0.0;
+  const Vec3 size(this->Points[0] - 1.0, this->Points[1] - 1.0, this->Points[2] - 1.0);
+  Vec3 corner, across;
+  Vec2 vertices[16];
+  int count = 0;
+  if (directional) // place = corner + x steps + y across
+  {
+    corner = place;
+    across = light;
+    const double reach = vtkGodRays::length(corner + begin * steps) +
+      vtkGodRays::length(corner + end * steps) + 2.0 * vtkGodRays::length(size) + 10.0;
+    const double most = reach / std::max(vtkGodRays::length(across), 1e-300);
+    for (const Vec2& each :
+      { Vec2(begin, 0.0), Vec2(end, 0.0), Vec2(end, most), Vec2(begin, most) })
+    {
+      vertices[count++] = each;
+    }
+  }
+  else // the same, with y the part of the way from the light, and x that of the ray times it
+  {
+    corner = light;
+    across = place - corner;
+    for (const Vec2& each : { Vec2(0.0, 0.0), Vec2(begin, 1.0), Vec2(end, 1.0) })
+    {
+      vertices[count++] = each;
+    }
+  }
+  for (int face = 0; face < 6; ++face)
+  {
+    const int axis = face / 2;
+    const auto inside = [&](const Vec2& v)
+    {
+      const double at = corner[axis] + v.x * steps[axis] + v.y * across[axis];
+      return face % 2 == 0 ? at + margin : size[axis] + margin - at;
+    };
+    Vec2 kept[16];
+    int number = 0;
+    for (int k = 0; k < count; ++k)
+    {
+      const Vec2& from = vertices[k];
+      const Vec2& to = vertices[(k + 1) % count];
+      const double before = inside(from);
+      const double after = inside(to);
+      if (before >= 0.0)
+      {
+        kept[number++] = from;
+      }
+      if ((before >= 0.0) != (after >= 0.0))
+      {
+        kept[number++] = from + before / (before - after) * (to - from);
+      }
+    }
+    count = number;
+    std::copy_n(kept, count, vertices);
+  }
+  Vec2 range(end, begin);
+  for (int k = 0; k < count; ++k)
+  {
+    const double part = directional ? 1.0 : vertices[k].y;
+    if (!(part > 1e-9)) // the light is in the grid
+    {
+      return Vec2(begin, end);
+    }
+    range.x = std::min(range.x, vertices[k].x / part);
+    range.y = std::max(range.y, vertices[k].x / part);
+  }
+  return Vec2(std::clamp(range.x, begin, end), std::clamp(range.y, begin, end));
+}

@@ -92,6 +92,15 @@ struct vtkGodRaysGrid
   }
 
   /**
+   * The part of a line, place + s steps from s = 0 to end, to which a light's way may go through the grid
+   * with so many points about it: a convex polygon of places of the line and of the way, clipped by the
+   * faces. The light is a place, or the steps to it. The second number is not above the first if there is no
+   * part.
+   */
+  vtkGodRays::Vec2 FindShadow(const Vec3& place, const Vec3& steps, double end, const Vec3& light,
+    bool directional, double margin = 0.0) const;
+
+  /**
    * Visit the cells of a line in their order: visit(first point, its place, begin, end) with what of the line
    * is in the cell.
    */

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysGridPicture.h"
 
-#include "vtkGodRaysGridSight.h"
+#include "vtkGodRaysGridMarch.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -13,14 +13,35 @@
 namespace
 {
 using vtkGodRays::Vec3;
-using Result = vtkGodRaysGridSight::Result;
+using Result = vtkGodRaysGridMarch::Result;
 
 const double Infinity = std::numeric_limits<double>::infinity();
 constexpr int TileSize = 64; // pixels
 constexpr int FirstGap = 8;  // between pixels
+
+struct Square // of pixels
+{
+  int X0, Y0, X1, Y1;
+
+  /// The bilinear mean at a pixel of values at the corners, x fastest.
+  template <typename T>
+  T GetMean(const T* corners, int x, int y) const
+  {
+    const double u = static_cast<double>(x - this->X0) / std::max(this->X1 - this->X0, 1);
+    const double v = static_cast<double>(y - this->Y0) / std::max(this->Y1 - this->Y0, 1);
+    return (1.0 - v) * ((1.0 - u) * corners[0] + u * corners[1]) +
+      v * ((1.0 - u) * corners[2] + u * corners[3]);
+  }
+};
+
+double GetDifference(const Vec3& a, const Vec3& b)
+{
+  const Vec3 difference = vtkGodRays::abs(a - b);
+  return std::max({ difference.x, difference.y, difference.z });
+}
 }
 
-class vtkGodRaysGridPicture::vtkInternals : public vtkGodRaysGridSight
+class vtkGodRaysGridPicture::vtkInternals : public vtkGodRaysGridMarch
 {
 };
 
@@ -56,7 +77,7 @@ void vtkGodRaysGridPicture::SetGrids(const std::vector<vtkGodRaysGrid>& grids, b
 
 void vtkGodRaysGridPicture::SetShadows(const vtkGodRaysShadowGrids* shadows)
 {
-  this->Internals->Shadows.Set(shadows);
+  this->Internals->Shadows = shadows;
 }
 
 void vtkGodRaysGridPicture::SetDiffuse(
@@ -85,7 +106,7 @@ void vtkGodRaysGridPicture::Draw(
   {
     const double depth =
       picture.Depths ? picture.Depths[static_cast<std::size_t>(y) * width + x] : Infinity;
-    return depth > 0.0 ? depth : Infinity;
+    return std::min(depth > 0.0 ? depth : Infinity, self.Medium.FarLimit);
   };
   const auto evaluate = [&](int x, int y)
   {
@@ -131,74 +152,51 @@ void vtkGodRaysGridPicture::Draw(
       }
       return values[i];
     };
-    const auto isFlat = [&](int x0, int y0, int x1, int y1)
+    const auto getCorners = [&](const Square& square, Vec3* light, Vec3* left3)
     {
-      // Depths end rays.
-      if (picture.Depths)
+      for (int i = 0; i < 4; ++i)
       {
-        const double corners[4] = { getDepth(left + x0, low + y0), getDepth(left + x1, low + y0),
-          getDepth(left + x0, low + y1), getDepth(left + x1, low + y1) };
-        for (int y = y0; y <= y1; ++y)
+        const Result& corner = get(i % 2 ? square.X1 : square.X0, i / 2 ? square.Y1 : square.Y0);
+        light[i] = corner.Radiance;
+        left3[i] = corner.Transmittance;
+      }
+    };
+    // Whether depths, which end rays, and what is seen are the means of the corners: in the middle, which may
+    // be so by chance, and in the middles of sides.
+    const auto isFlat = [&](const Square& square)
+    {
+      double depths[4];
+      for (int i = 0; i < 4; ++i)
+      {
+        depths[i] =
+          getDepth(left + (i % 2 ? square.X1 : square.X0), low + (i / 2 ? square.Y1 : square.Y0));
+      }
+      for (int y = square.Y0; y <= square.Y1 && picture.Depths; ++y)
+      {
+        for (int x = square.X0; x <= square.X1; ++x)
         {
-          const double v = static_cast<double>(y - y0) / (y1 - y0);
-          for (int x = x0; x <= x1; ++x)
+          const double expected = square.GetMean(depths, x, y);
+          if (std::abs(getDepth(left + x, low + y) - expected) > 0.02 * expected)
           {
-            const double u = static_cast<double>(x - x0) / (x1 - x0);
-            const double depth = std::min(getDepth(left + x, low + y), self.Medium.FarLimit);
-            double expected = 0.0;
-            for (int i = 0; i < 4; ++i)
-            {
-              expected += (i % 2 ? u : 1.0 - u) * (i / 2 ? v : 1.0 - v) *
-                std::min(corners[i], self.Medium.FarLimit);
-            }
-            if (std::abs(depth - expected) > 0.02 * expected)
-            {
-              return false;
-            }
+            return false;
           }
         }
       }
-      const Result& a = get(x0, y0);
-      const Result& b = get(x1, y0);
-      const Result& c = get(x0, y1);
-      const Result& d = get(x1, y1);
-      const Result& middle = get((x0 + x1) / 2, (y0 + y1) / 2);
-      const double u = static_cast<double>((x0 + x1) / 2 - x0) / (x1 - x0);
-      const double v = static_cast<double>((y0 + y1) / 2 - y0) / (y1 - y0);
-      const auto mean = [&](const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s)
-      { return (1.0 - v) * ((1.0 - u) * p + u * q) + v * ((1.0 - u) * r + u * s); };
-      const Vec3 light =
-        vtkGodRays::abs(middle.Radiance - mean(a.Radiance, b.Radiance, c.Radiance, d.Radiance));
-      const Vec3 left3 = vtkGodRays::abs(middle.Transmittance -
-        mean(a.Transmittance, b.Transmittance, c.Transmittance, d.Transmittance));
-      if (!(std::max({ light.x, light.y, light.z }) <= accepted) ||
-        !(std::max({ left3.x, left3.y, left3.z }) <= self.Tolerance))
-      {
-        return false;
-      }
-      // The middle may be the mean of the corners by chance: sides have middles, too.
-      const auto differ = [&](const Result& p, const Result& q)
-      {
-        const Vec3 difference = vtkGodRays::abs(p.Radiance - q.Radiance);
-        return std::max({ difference.x, difference.y, difference.z }) > accepted;
-      };
-      if (x1 - x0 < 2 || y1 - y0 < 2)
-      {
-        return true;
-      }
-      const auto between = [](const Result& p, const Result& q, double t) -> Result
-      {
-        return { (1.0 - t) * p.Radiance + t * q.Radiance,
-          (1.0 - t) * p.Transmittance + t * q.Transmittance };
-      };
-      const int x = (x0 + x1) / 2;
-      const int y = (y0 + y1) / 2;
-      return !differ(get(x, y0), between(a, b, u)) && !differ(get(x, y1), between(c, d, u)) &&
-        !differ(get(x0, y), between(a, c, v)) && !differ(get(x1, y), between(b, d, v));
-    };
-    struct Square
-    {
-      int X0, Y0, X1, Y1;
+      Vec3 light[4];
+      Vec3 left3[4];
+      getCorners(square, light, left3);
+      const int x = (square.X0 + square.X1) / 2;
+      const int y = (square.Y0 + square.Y1) / 2;
+      const int places[5][2] = { { x, y }, { x, square.Y0 }, { x, square.Y1 }, { square.X0, y },
+        { square.X1, y } };
+      return std::all_of(places, places + 5,
+        [&](const int* at)
+        {
+          const Result& result = get(at[0], at[1]);
+          return GetDifference(result.Radiance, square.GetMean(light, at[0], at[1])) <= accepted &&
+            GetDifference(result.Transmittance, square.GetMean(left3, at[0], at[1])) <=
+            self.Tolerance;
+        });
     };
     std::vector<Square> squares;
     for (int y = 0; y < std::max(rows, 1); y += FirstGap)
@@ -212,56 +210,37 @@ void vtkGodRaysGridPicture::Draw(
     {
       const Square square = squares.back();
       squares.pop_back();
-      const int w = square.X1 - square.X0;
-      const int h = square.Y1 - square.Y0;
-      if (w <= 1 && h <= 1)
+      const bool isPixels = square.X1 - square.X0 <= 1 && square.Y1 - square.Y0 <= 1;
+      if (!isPixels && !isFlat(square))
       {
-        for (int i = 0; i < 4; ++i)
+        const int xs[3] = { square.X0, (square.X0 + square.X1) / 2, square.X1 };
+        const int ys[3] = { square.Y0, (square.Y0 + square.Y1) / 2, square.Y1 };
+        for (int k = 0; k < 4; ++k)
         {
-          get(i % 2 ? square.X1 : square.X0, i / 2 ? square.Y1 : square.Y0);
-        }
-        continue;
-      }
-      if (w < 1 || h < 1 || !isFlat(square.X0, square.Y0, square.X1, square.Y1))
-      {
-        const int x = (square.X0 + square.X1) / 2;
-        const int y = (square.Y0 + square.Y1) / 2;
-        const int xs[3] = { square.X0, x, square.X1 };
-        const int ys[3] = { square.Y0, y, square.Y1 };
-        for (int j = 0; j < 2; ++j)
-        {
-          for (int i = 0; i < 2; ++i)
+          const int i = k % 2;
+          const int j = k / 2;
+          // A side of no length has no halves.
+          if ((xs[i] < xs[i + 1] || (xs[0] == xs[2] && i == 0)) &&
+            (ys[j] < ys[j + 1] || (ys[0] == ys[2] && j == 0)))
           {
-            // A side of no length has no halves.
-            if ((xs[i] < xs[i + 1] || (w < 1 && i == 0)) &&
-              (ys[j] < ys[j + 1] || (h < 1 && j == 0)))
-            {
-              squares.push_back({ xs[i], ys[j], xs[i + 1], ys[j + 1] });
-            }
+            squares.push_back({ xs[i], ys[j], xs[i + 1], ys[j + 1] });
           }
         }
         continue;
       }
-      const Result corners[4] = { get(square.X0, square.Y0), get(square.X1, square.Y0),
-        get(square.X0, square.Y1), get(square.X1, square.Y1) };
+      Vec3 light[4];
+      Vec3 left3[4];
+      getCorners(square, light, left3);
       for (int y = square.Y0; y <= square.Y1; ++y)
       {
-        const double v = static_cast<double>(y - square.Y0) / h;
         for (int x = square.X0; x <= square.X1; ++x)
         {
           const int i = y * side + x;
-          if (known[i])
+          if (!known[i])
           {
-            continue;
+            values[i] = { square.GetMean(light, x, y), square.GetMean(left3, x, y) };
+            known[i] = 2; // drawn, but not evaluated
           }
-          const double u = static_cast<double>(x - square.X0) / w;
-          const auto mean = [&](Vec3 Result::*part)
-          {
-            return (1.0 - v) * ((1.0 - u) * corners[0].*part + u * corners[1].*part) +
-              v * ((1.0 - u) * corners[2].*part + u * corners[3].*part);
-          };
-          values[i] = { mean(&Result::Radiance), mean(&Result::Transmittance) };
-          known[i] = 2; // drawn, but not evaluated
         }
       }
     }

@@ -6,30 +6,7 @@ namespace
 {
 const double Infinity = std::numeric_limits<double>::infinity();
 
-using vtkGodRays::Vec2;
 using vtkGodRays::Vec3;
-
-// The part of a convex polygon where a + b x + c y >= 0.
-void Cut(std::vector<Vec2>& polygon, double a, double b, double c)
-{
-  std::vector<Vec2> kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-  {
-    const Vec2& from = polygon[i];
-    const Vec2& to = polygon[(i + 1) % polygon.size()];
-    const double at = a + b * from.x + c * from.y;
-    const double next = a + b * to.x + c * to.y;
-    if (at >= 0.0)
-    {
-      kept.push_back(from);
-    }
-    if ((at >= 0.0) != (next >= 0.0))
-    {
-      kept.push_back(from + at / (at - next) * (to - from));
-    }
-  }
-  polygon.swap(kept);
-}
 }
 
 void vtkGodRaysGridRay::Cast(const std::vector<vtkGodRaysGrid>& grids, const Vec3& origin,
@@ -54,7 +31,10 @@ void vtkGodRaysGridRay::Cast(const std::vector<vtkGodRaysGrid>& grids, const Vec
     };
     grid.Walk(passage.Place, passage.Steps, 0.0, end, visit);
     this->Knots.push_back(passage.End);
-    this->FindShadow(passage, end);
+    const vtkGodRays::Vec2 shadow =
+      grid.FindShadow(passage.Place, passage.Steps, end, passage.Light, directional);
+    passage.Shadow[0] = shadow.x;
+    passage.Shadow[1] = shadow.y;
     const double fastest = std::max(
       { std::abs(passage.Steps.x), std::abs(passage.Steps.y), std::abs(passage.Steps.z), 1e-300 });
     passage.Cell = 1.0 / fastest;
@@ -71,45 +51,6 @@ void vtkGodRaysGridRay::Cast(const std::vector<vtkGodRaysGrid>& grids, const Vec
   }
   std::sort(this->Knots.begin(), this->Knots.end());
   std::sort(this->Ends.begin(), this->Ends.end());
-}
-
-// The ray and the light span a plane, of which the grid has a convex part. Places in it are (s, t) with
-// t >= 0 along a directional light's way, or, with a point light, (s (1 - t), t) with t = 1 at the light.
-void vtkGodRaysGridRay::FindShadow(Passage& passage, double end) const
-{
-  const Vec3 across = this->Directional ? passage.Light : passage.Light - passage.Place;
-  std::vector<Vec2> polygon = { Vec2(0.0, 0.0), Vec2(end, 0.0) };
-  if (this->Directional)
-  {
-    double size = 0.0;
-    for (int i = 0; i < 3; ++i)
-    {
-      size +=
-        passage.Grid->Points[i] + std::abs(passage.Place[i]) + end * std::abs(passage.Steps[i]);
-    }
-    const double reach = size / std::max(vtkGodRays::length(across), 1e-300);
-    polygon.push_back(Vec2(end, reach));
-    polygon.push_back(Vec2(0.0, reach));
-  }
-  else
-  {
-    polygon.push_back(Vec2(0.0, 1.0));
-  }
-  for (int i = 0; i < 3; ++i)
-  {
-    Cut(polygon, passage.Place[i], passage.Steps[i], across[i]);
-    Cut(polygon, passage.Grid->Points[i] - 1 - passage.Place[i], -passage.Steps[i], -across[i]);
-  }
-  passage.Shadow[0] = polygon.empty() ? 0.0 : end;
-  passage.Shadow[1] = 0.0;
-  for (const Vec2& corner : polygon)
-  {
-    const double left = this->Directional ? 1.0 : 1.0 - corner.y;
-    const double ends[2] = { left > 1e-9 ? corner.x / left : 0.0,
-      left > 1e-9 ? corner.x / left : end };
-    passage.Shadow[0] = std::min(passage.Shadow[0], std::max(ends[0], 0.0));
-    passage.Shadow[1] = std::max(passage.Shadow[1], std::min(ends[1], end));
-  }
 }
 
 void vtkGodRaysGridRay::Add(double s, double cosAngle, bool lit, Vec3& scattered, Vec3& depth) const

@@ -65,7 +65,6 @@ private:
     double Shadow[2]; // where the light comes through the grid
     double Cell;      // length of the ray in the shortest cell that it could cross
   };
-  void FindShadow(Passage& passage, double end) const;
 
   std::vector<Passage> Passages;
   std::vector<double> Knots;

@@ -62,6 +62,27 @@ vtkGodRaysMedium SeeFromOrigin(const vtkGodRaysSingleScattering::Parameters& wor
   return medium;
 }
 
+/// Returns what the layers of a map leave of its light at a place in view coordinates: at a height towards a
+/// directional light, or relative to a lamp.
+Vec3 GetVisibility(
+  const std::vector<vtkGodRaysShadowGrids>& layers, double height, const Vec3& place)
+{
+  Vec3 left(1.0);
+  for (std::size_t k = 0; k < layers.size(); ++k)
+  {
+    const vtkGodRaysShadowGrids& map = layers[k];
+    const double distance = map.Point ? std::max(vtkGodRays::length(place), 1e-300) : 1.0;
+    const double at[3] = { place.x / distance, place.y / distance, place.z / distance };
+    std::ptrdiff_t texel = 0;
+    if (map.Point ? map.GetDistance(at, &texel) < distance : map.GetHeight(at, &texel) > height)
+    {
+      const float* const* dark = map.NumberOfLayers > 0 ? map.Layers[k].Dark : nullptr;
+      left -= dark ? Vec3(dark[0][texel], dark[1][texel], dark[2][texel]) : Vec3(1.0);
+    }
+  }
+  return vtkGodRays::max(left, Vec3(0.0));
+}
+
 /// What triangles in a node's cell hide along each axis, as parts of its face: all of them, and less where
 /// they turn to both sides.
 struct Hidden
@@ -167,14 +188,18 @@ bool vtkGodRaysDiffuseLight::AddLight(const Request& request, const vtkGodRaysGr
     return false;
   }
   this->Changed = this->Changed || (own.Map.GetNumberOfFaces() > 0 && !own.Map.WasKept());
-  own.Shadows.Set(&own.Map.GetGrids());
+  const vtkGodRaysShadowGrids& map = own.Map.GetGrids();
+  own.Layers.clear();
+  for (int k = 0; map.Levels > 0 && k < std::max(map.NumberOfLayers, 1); ++k)
+  {
+    own.Layers.push_back(map.NumberOfLayers > 0 ? map.GetLayer(k) : map);
+  }
   const auto parameters = vtkGodRaysMediumRays::GetWorldParameters(request);
   const Vec3 axes[3] = { ToVector(parameters.Right), ToVector(parameters.Up),
     ToVector(parameters.Forward) };
   const bool directional = parameters.Light[3] == 0.0;
   Vec3 place = ToVector(parameters.Light);
   place = place / (directional ? vtkGodRays::length(place) : parameters.Light[3]);
-  own.Shadows.Place(ToVector(parameters.Position), axes, place, directional);
   vtkGodRaysTransportScene::Light light;
   light.Position = place;
   light.Directional = directional;
@@ -188,7 +213,15 @@ bool vtkGodRaysDiffuseLight::AddLight(const Request& request, const vtkGodRaysGr
       light.Spot.Axis[i] += parameters.Spot.Axis[k] * axes[k][i];
     }
   }
-  light.Visibility = [&own](const Vec3& at) { return own.Shadows.Get(at); };
+  const Vec3 origin = directional ? ToVector(parameters.Position) : place;
+  light.Visibility = [&own, place, origin, right = axes[0], up = axes[1], forward = axes[2]](
+                       const Vec3& at)
+  {
+    const Vec3 offset = at - origin;
+    return GetVisibility(own.Layers, vtkGodRays::dot(offset, place),
+      Vec3(vtkGodRays::dot(offset, right), vtkGodRays::dot(offset, up),
+        vtkGodRays::dot(offset, forward)));
+  };
   if (data)
   {
     light.Depths = data->GetLights();

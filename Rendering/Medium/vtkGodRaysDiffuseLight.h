@@ -16,7 +16,6 @@
 #define vtkGodRaysDiffuseLight_h
 
 #include "vtkGodRaysFroxels.h"
-#include "vtkGodRaysGridShadows.h"
 #include "vtkGodRaysMediumIntegrator.h" // For Request
 #include "vtkGodRaysMultipleScattering.h"
 #include "vtkGodRaysQuad.h"
@@ -102,7 +101,7 @@ private:
   struct Light
   {
     vtkGodRaysShadowMap Map;
-    vtkGodRaysGridShadows Shadows;
+    std::vector<vtkGodRaysShadowGrids> Layers; // of the map
   };
   std::deque<Light> Lights; // in the frame's order
   vtkGodRaysTransportScene Scene;

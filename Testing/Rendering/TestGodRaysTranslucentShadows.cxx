@@ -15,6 +15,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPlaneSource.h"
+#include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkTexture.h"
@@ -335,6 +336,29 @@ TEST_F(GodRaysTranslucentShadows, OfVolumes)
   EXPECT_NEAR(this->GetLeft(), 1.0, 1e-3);
   vtkGodRaysPass::SetRole(slab, vtkGodRaysPass::IGNORED);
   EXPECT_NEAR(this->GetLeft(), 1.0, 1e-4);
+}
+
+// The opacity is that of the last component, or, of independent ones, of the first.
+TEST_F(GodRaysTranslucentShadows, OfVolumesOfSeveralComponents)
+{
+  this->MeasureLit();
+  this->Rays->SetErrorTolerance(0.02);
+  auto slab = this->AddSlab({ -60.0, 12.0, -60.0 }, { 120.0, 2.0, 120.0 }, 0.1);
+  auto mapper = vtkVolumeMapper::SafeDownCast(slab->GetMapper());
+  vtkNew<vtkImageData> data;
+  data->CopyStructure(mapper->GetDataSetInput());
+  data->AllocateScalars(VTK_UNSIGNED_CHAR, 2);
+  data->GetPointData()->GetScalars()->FillComponent(0, 0.0);
+  data->GetPointData()->GetScalars()->FillComponent(1, 1.0);
+  mapper->SetInputDataObject(data);
+  vtkNew<vtkPiecewiseFunction> opacities;
+  opacities->AddPoint(0.0, 0.0);
+  opacities->AddPoint(1.0, 0.1);
+  slab->GetProperty()->SetScalarOpacity(opacities);
+  EXPECT_NEAR(this->GetLeft(), 1.0, 1e-3);
+  slab->GetProperty()->IndependentComponentsOff();
+  const double slant = std::sqrt(0.1 * 0.1 + 1.0 + 0.05 * 0.05);
+  EXPECT_NEAR(this->GetLeft(), std::pow(0.9, 2.0 * slant), 1e-3);
 }
 
 // Along a view ray in a slab that fills the picture's depths, against a sum of the two exponentials.
