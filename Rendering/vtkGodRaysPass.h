@@ -27,6 +27,10 @@
  * The pass belongs to one renderer at a time, and that renderer's window must be an OpenGL one;
  * with any other window the scene is drawn without rays, after one warning.
  *
+ * Many lamps and glass take their time. The window invokes its AbortCheckEvent between and within lights:
+ * vtkRenderWindow::SetAbortRender(1) ends the frame without rays. From 2 s on, the pass invokes
+ * vtkCommand::ProgressEvent after each light, with the fraction of the lights that are done, a double.
+ *
  * Numbers beyond a valid range are clamped to it. NaN, infinities, and modes that are none of those
  * listed are errors, and change nothing.
  *

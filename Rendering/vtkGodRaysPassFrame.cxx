@@ -22,6 +22,7 @@
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkTextureObject.h"
+#include "vtkTimerLog.h"
 
 #include <algorithm>
 #include <cmath>
@@ -176,6 +177,10 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
   if (self.IsOwnDelegate)
   {
     self.StagePlan = "rays: none, the delegate leads back to this pass\n";
+  }
+  else if (!done && self.Window->GetAbortRender())
+  {
+    self.StagePlan = "rays: none, the frame was aborted\n";
   }
   else if (!done)
   {
@@ -542,9 +547,21 @@ bool vtkGodRaysPass::DrawLights(
   self.Scattering.Begin(self.Window, width, height, frame.Format);
   self.Effect->Begin(frame);
   self.HasRays = true;
-  return std::all_of(lights.begin(), lights.end(),
-           [&](const vtkGodRaysLight& light) { return self.Effect->DrawLight(frame, light); }) &&
-    self.Scattering.Finish();
+  constexpr double patience = 2.0; // [s]
+  const double start = vtkTimerLog::GetUniversalTime();
+  for (std::size_t i = 0; i < lights.size(); ++i)
+  {
+    if (!self.Effect->DrawLight(frame, lights[i]) || self.Window->CheckAbortStatus())
+    {
+      return false;
+    }
+    double done = static_cast<double>(i + 1) / static_cast<double>(lights.size());
+    if (vtkTimerLog::GetUniversalTime() - start > patience)
+    {
+      this->InvokeEvent(vtkCommand::ProgressEvent, &done);
+    }
+  }
+  return self.Scattering.Finish();
 }
 
 unsigned int vtkGodRaysPass::GetLayerFormat() const

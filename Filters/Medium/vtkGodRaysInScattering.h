@@ -25,8 +25,9 @@
 #include "vtkGodRaysFiltersModule.h" // For export macro
 #include "vtkGodRaysMedium.h"        // For vtkGodRaysMedium
 
-#include <memory> // For std::unique_ptr
-#include <string> // For std::string
+#include <memory>  // For std::unique_ptr
+#include <string>  // For std::string
+#include <utility> // For std::swap
 
 struct vtkGodRaysShadowGrids;
 
@@ -58,6 +59,9 @@ public:
   /// Memory for the view depths at which view rays end: above 0 and at most Sky. It keeps its contents until
   /// the size changes.
   float* PrepareInput(int width, int height);
+
+  /// Exchanges memory, with what is in it.
+  void Swap(vtkGodRaysInScattering& other) { std::swap(this->Internals, other.Internals); }
 
   /// Returns false if there is no input.
   bool Execute(const Parameters& parameters);

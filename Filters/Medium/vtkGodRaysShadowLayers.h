@@ -49,7 +49,9 @@ public:
   void Make(const std::vector<float>& opaque, const std::vector<Surface>& surfaces,
     const Haze* haze, const vtkGodRaysShadowGrids& grids);
 
+  /// Forgets them, and frees their memory, or keeps that for the next ones.
   void Clear();
+  void Reset() { this->Layers.clear(); }
 
   int GetNumberOfLayers() const { return static_cast<int>(this->Layers.size()); }
 

@@ -3,6 +3,7 @@
 #include "vtkGodRaysProjection.h"
 
 #include "vtkBillboardTextActor3D.h"
+#include "vtkFrustumCoverageCuller.h"
 #include "vtkGodRaysView.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -83,6 +84,16 @@ vtkGodRaysProjection::vtkGodRaysProjection(vtkRenderer* renderer, const vtkGodRa
     renderer, [renderer](vtkBillboardTextActor3D* text) { Billboard::LayOut(text, renderer); });
   renderer->SetActiveCamera(standIn);
   ForBillboards(renderer, Billboard::Keep);
+}
+
+std::vector<vtkProp*> vtkGodRaysProjection::FindSeen(std::vector<vtkProp*> props) const
+{
+  vtkNew<vtkFrustumCoverageCuller> culler;
+  int count = static_cast<int>(props.size());
+  int initialized = 0;
+  static_cast<vtkCuller*>(culler)->Cull(this->Renderer, props.data(), count, initialized);
+  props.resize(count);
+  return props;
 }
 
 bool vtkGodRaysProjection::IsUndrawnBillboard(vtkProp* prop)

@@ -13,6 +13,8 @@
 
 #include "vtkSmartPointer.h"
 
+#include <vector> // For std::vector
+
 class vtkCamera;
 class vtkProp;
 class vtkRenderer;
@@ -30,6 +32,11 @@ public:
   ~vtkGodRaysProjection();
   vtkGodRaysProjection(const vtkGodRaysProjection&) = delete;
   void operator=(const vtkGodRaysProjection&) = delete;
+
+  /**
+   * Returns which props are in the projection, as far as their bounds tell, in their order.
+   */
+  std::vector<vtkProp*> FindSeen(std::vector<vtkProp*> props) const;
 
   /**
    * Whether a prop is a billboard that its renderer has not drawn yet. VTK takes it for a point and draws

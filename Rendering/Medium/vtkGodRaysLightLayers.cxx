@@ -109,7 +109,17 @@ bool vtkGodRaysLightLayers::Draw(vtkOpenGLRenderWindow* window, vtkRenderer* ren
     state->vtkglDepthMask(GL_TRUE);
     state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     this->First = layer == 0;
-    faces([&]() { this->Render(&translucent); });
+    drawn = faces(
+      [&](std::vector<vtkProp*>& seen)
+      {
+        vtkRenderState part(renderer);
+        part.SetPropArrayAndCount(seen.data(), static_cast<int>(seen.size()));
+        this->Render(&part);
+      });
+    if (!drawn)
+    {
+      break;
+    }
     Surface surface = { target.ReadDepth(), target.ReadColor() };
     if (distributed)
     {

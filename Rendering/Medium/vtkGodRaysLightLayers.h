@@ -40,12 +40,13 @@ public:
   /// What a surface of a colour and an opacity lets through of red, green and blue, as the shaders have it.
   static void GetThrough(const double color[3], double opacity, double through[3]);
 
-  /// Look through each part of the map in turn, and draw.
-  using DrawFaces = std::function<void(const std::function<void()>& draw)>;
+  /// Looks through each part of the map in turn, and draws the props that are in it. Returns false to stop.
+  using DrawFaces = std::function<bool(const std::function<void(std::vector<vtkProp*>&)>& draw)>;
 
   /**
    * Peel the props' translucent surfaces before the depths of a map, in the depths' size. On several
-   * processes, all call it, and get the surfaces of all. Returns false when the driver refuses.
+   * processes, all call it, and get the surfaces of all. Returns false when the driver refuses, or
+   * faces does.
    */
   bool Draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, std::vector<vtkProp*> props,
     vtkGodRaysTarget& opaque, vtkGodRaysCompositor* compositor, const DrawFaces& faces);

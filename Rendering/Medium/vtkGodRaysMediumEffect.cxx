@@ -194,6 +194,7 @@ vtkGodRaysMediumIntegrator::Request vtkGodRaysMediumEffect::MakeRequest(
   request.ErrorTolerance = frame.ErrorTolerance;
   request.Interactive = frame.Interactive;
   request.LastError = this->LastError;
+  request.WantsShadows = !this->Data.IsEmpty();
   request.Depths = &this->Depths;
   request.Result = frame.Light;
   return request;

@@ -53,7 +53,8 @@ public:
     double Focus = 0.0;
     double Nearest = 0.0; ///< distance from a lamp from which on its cube of maps must see things
     double Overlap = 0.0; ///< by which its faces reach into the next ones [of half a face]
-    bool WantsLayers = true; ///< of what lets light through; false where there is no picture
+    bool WantsLayers = true;   ///< of what lets light through; false where there is no picture
+    bool WantsShadows = false; ///< GetShadows() is called afterwards
     vtkGodRaysSum* Result = nullptr;     ///< the light scattered by all lights: add to it
     double ErrorTolerance = 1.0 / 255.0; ///< of this frame; see vtkGodRaysPass
     bool Interactive = false;            ///< the user drags the camera, or the like

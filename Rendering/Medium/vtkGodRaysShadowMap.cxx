@@ -30,11 +30,19 @@ vtkGodRaysShadowMap::~vtkGodRaysShadowMap() = default;
 bool vtkGodRaysShadowMap::Draw(const vtkGodRaysMediumIntegrator::Request& request, int size,
   int levels, vtkTextureObject* atlas, const int corner[2])
 {
+  this->Fit(request, size, levels, atlas, corner);
+  return this->Kept || this->Redraw(request, atlas);
+}
+
+void vtkGodRaysShadowMap::Fit(const vtkGodRaysMediumIntegrator::Request& request, int size,
+  int levels, vtkTextureObject* atlas, const int corner[2])
+{
   this->Kept = false;
+  this->NumberOfChanged = 0;
   this->Faces.Fit(request, size, levels);
   if (this->Faces.Count == 0)
   {
-    return true;
+    return;
   }
   vtkGodRaysTarget& map = this->Maps[this->Faces.Count / 6];
   const int part[4] = { corner ? corner[0] : 0, corner ? corner[1] : 0,
@@ -49,11 +57,17 @@ bool vtkGodRaysShadowMap::Draw(const vtkGodRaysMediumIntegrator::Request& reques
   }
   this->Asked.Find(request, this->Faces, map);
   this->Kept = !this->Asked.Objects.empty() && this->Asked.IsSame(this->Drawn);
-  this->NumberOfChanged = 0;
-  if (this->Kept)
+}
+
+bool vtkGodRaysShadowMap::Redraw(
+  const vtkGodRaysMediumIntegrator::Request& request, vtkTextureObject* atlas)
+{
+  this->Kept = false;
+  if (this->Faces.Count == 0)
   {
     return true;
   }
+  vtkGodRaysTarget& map = this->Maps[this->Faces.Count / 6];
   // One number for all maps, as a walk may be given those of one light after those of another.
   static std::atomic<unsigned int> version{ 0 };
   this->Faces.Grids.Version = ++version;
@@ -116,7 +130,11 @@ bool vtkGodRaysShadowMap::Render(
   {
     state->vtkglClearDepth(1.0);
     state->vtkglClear(GL_DEPTH_BUFFER_BIT);
-    this->RenderProps(request, (hasRest ? this->RestMap : map).GetOrigin(), true, !hasRest);
+    if (!this->RenderProps(request, (hasRest ? this->RestMap : map).GetOrigin(), true, !hasRest))
+    {
+      this->Rest.Clear();
+      return false;
+    }
   }
   if (hasRest)
   {
@@ -126,7 +144,7 @@ bool vtkGodRaysShadowMap::Render(
       return false;
     }
     rest.CopyTo(state, rectangle, GL_DEPTH_BUFFER_BIT, map.GetOrigin());
-    this->RenderProps(request, map.GetOrigin(), false, true);
+    return this->RenderProps(request, map.GetOrigin(), false, true);
   }
   else if (request.Compositor && request.Compositor->IsDistributed())
   {
@@ -137,32 +155,37 @@ bool vtkGodRaysShadowMap::Render(
   return true;
 }
 
-// Of those that rest, those that change, or both.
-void vtkGodRaysShadowMap::RenderProps(const vtkGodRaysMediumIntegrator::Request& request,
+// Draws the props that rest, those that change, or both. Returns false if the frame is to be aborted.
+bool vtkGodRaysShadowMap::RenderProps(const vtkGodRaysMediumIntegrator::Request& request,
   const int origin[2], bool resting, bool changed)
 {
   vtkOpenGLState* state = request.Window->GetState();
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
-  this->ForFaces(request, origin,
-    [&]()
+  std::vector<vtkProp*> props;
+  for (std::size_t i = 0; i < request.Occluders->size(); ++i)
+  {
+    const bool rests = i < this->IsAtRest.size() && this->IsAtRest[i];
+    if (rests ? resting : changed)
     {
-      std::size_t i = 0;
-      for (vtkProp* prop : *request.Occluders)
+      props.push_back((*request.Occluders)[i]);
+    }
+  }
+  return this->ForFaces(request, origin, props,
+    [&](const std::vector<vtkProp*>& seen)
+    {
+      for (vtkProp* prop : seen)
       {
-        const bool rests = i < this->IsAtRest.size() && this->IsAtRest[i];
-        if (rests ? resting : changed)
-        {
-          prop->RenderOpaqueGeometry(request.Renderer);
-        }
-        ++i;
+        prop->RenderOpaqueGeometry(request.Renderer);
       }
     });
 }
 
-// Look through each face in turn, and draw into it.
-void vtkGodRaysShadowMap::ForFaces(const vtkGodRaysMediumIntegrator::Request& request,
-  const int origin[2], const std::function<void()>& draw)
+// Looks through each face in turn, and draws the props that it sees. Returns false if the frame is to be
+// aborted.
+bool vtkGodRaysShadowMap::ForFaces(const vtkGodRaysMediumIntegrator::Request& request,
+  const int origin[2], const std::vector<vtkProp*>& props,
+  const std::function<void(std::vector<vtkProp*>&)>& draw)
 {
   vtkOpenGLState* state = request.Window->GetState();
   for (int face = 0; face < this->Faces.Count; ++face)
@@ -174,8 +197,14 @@ void vtkGodRaysShadowMap::ForFaces(const vtkGodRaysMediumIntegrator::Request& re
     state->vtkglScissor(corner[0], corner[1], this->Faces.Size, this->Faces.Size);
     const vtkGodRaysProjection projection(
       request.Renderer, *request.View, this->Faces.ViewToMap[face], this->Camera);
-    draw();
+    std::vector<vtkProp*> seen = projection.FindSeen(props);
+    draw(seen);
+    if (request.Window->CheckAbortStatus())
+    {
+      return false;
+    }
   }
+  return true;
 }
 
 bool vtkGodRaysShadowMap::RenderTranslucent(
@@ -200,7 +229,8 @@ bool vtkGodRaysShadowMap::RenderTranslucent(
   }
   const bool hasSurfaces = vtkGodRaysCompositor::Any(request.Compositor, !props.empty());
   const bool hasVolumes = vtkGodRaysCompositor::Any(request.Compositor, !volumes.empty());
-  this->Layers.Clear();
+  this->Layers.Reset();
+  this->NumberOfLayers = 0;
   if (!hasSurfaces && this->Peeler)
   {
     this->Peeler->ReleaseGraphicsResources(request.Window);
@@ -212,7 +242,8 @@ bool vtkGodRaysShadowMap::RenderTranslucent(
   }
   if (hasSurfaces &&
     !this->Peeler->Draw(request.Window, request.Renderer, props, map, request.Compositor,
-      [&](const std::function<void()>& draw) { this->ForFaces(request, map.GetOrigin(), draw); }))
+      [&](const std::function<void(std::vector<vtkProp*>&)>& draw)
+      { return this->ForFaces(request, map.GetOrigin(), props, draw); }))
   {
     return false;
   }
@@ -228,6 +259,12 @@ bool vtkGodRaysShadowMap::RenderTranslucent(
   {
     this->Depths = map.ReadDepth();
     this->Layers.Make(this->Depths, surfaces, hasVolumes ? &haze : nullptr, this->GetGrids());
+    this->NumberOfLayers = this->Layers.GetNumberOfLayers();
+    this->HasColoredLayers = this->GetGrids().Colored;
+  }
+  else
+  {
+    this->Layers.Clear();
   }
   if (hasSurfaces)
   {
@@ -243,10 +280,10 @@ std::string vtkGodRaysShadowMap::DescribeLayers() const
     return "";
   }
   std::string text;
-  if (this->Layers.GetNumberOfLayers() > 0)
+  if (this->NumberOfLayers > 0)
   {
-    text += "; " + std::to_string(this->Layers.GetNumberOfLayers()) +
-      " layers, as some props let light through";
+    text +=
+      "; " + std::to_string(this->NumberOfLayers) + " layers, as some props let light through";
   }
   if (this->Peeler && this->Peeler->WereMore())
   {
@@ -272,7 +309,7 @@ const vtkGodRaysShadowGrids& vtkGodRaysShadowMap::GetGrids()
     this->Faces.Grids.Colored = false;
     return this->Faces.Grids;
   }
-  if (this->Depths.empty())
+  if (this->Depths.empty() && this->HasNumbers())
   {
     this->Depths = this->Maps[this->Faces.Count / 6].ReadDepth();
   }
@@ -285,7 +322,27 @@ const vtkGodRaysShadowGrids& vtkGodRaysShadowMap::GetGrids()
     grid.Depths = this->Depths.data() + grid.First;
   }
   this->Layers.Set(this->Faces.Grids);
+  if (!this->HasNumbers())
+  {
+    this->Faces.Grids.NumberOfLayers = this->NumberOfLayers;
+    this->Faces.Grids.Colored = this->HasColoredLayers;
+  }
   return this->Faces.Grids;
+}
+
+void vtkGodRaysShadowMap::TakeMemory(vtkGodRaysShadowMap& other)
+{
+  this->Layers.Clear();
+  std::swap(this->Layers, other.Layers);
+  std::swap(this->Peeler, other.Peeler);
+  std::swap(this->Depths, other.Depths);
+}
+
+double vtkGodRaysShadowMap::GetMemory() const
+{
+  constexpr double each = 40.0; // depth, dark parts, and what a pyramid has of them
+  return each * this->Layers.GetNumberOfLayers() * this->Faces.Count * this->Faces.Size *
+    this->Faces.Size;
 }
 
 void vtkGodRaysShadowMap::Release(vtkWindow* window)
@@ -295,6 +352,7 @@ void vtkGodRaysShadowMap::Release(vtkWindow* window)
   this->RestMap.Release(window);
   this->Depths.clear();
   this->Layers.Clear();
+  this->NumberOfLayers = 0;
   if (this->Peeler)
   {
     this->Peeler->ReleaseGraphicsResources(window);

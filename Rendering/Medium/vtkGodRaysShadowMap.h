@@ -39,8 +39,13 @@ public:
   /**
    * Render the props that block into the faces that vtkGodRaysShadowFaces::Fit() places: into a texture of
    * its own, or, opaque ones alone, into an atlas, from a corner on. All processes of a compositor call it.
-   * Returns false when the driver refuses.
+   * Returns false when the driver refuses. Fit() only finds the faces, and whether Draw() has to Redraw(),
+   * unless it says WasKept().
    */
+  bool Redraw(
+    const vtkGodRaysMediumIntegrator::Request& request, vtkTextureObject* atlas = nullptr);
+  void Fit(const vtkGodRaysMediumIntegrator::Request& request, int size, int levels,
+    vtkTextureObject* atlas = nullptr, const int corner[2] = nullptr);
   bool Draw(const vtkGodRaysMediumIntegrator::Request& request, int size, int levels,
     vtkTextureObject* atlas = nullptr, const int corner[2] = nullptr);
 
@@ -58,7 +63,17 @@ public:
   /**
    * Returns whether something lets a part of the light through. Only the grids have how much.
    */
-  bool HasLayers() const { return this->Layers.GetNumberOfLayers() > 0; }
+  bool HasLayers() const { return this->NumberOfLayers > 0; }
+
+  ///@{
+  /**
+   * Layers take gigabytes: take them and their memory from another map, for the next Redraw(). From then on
+   * the other's grids lack their numbers, until it is redrawn.
+   */
+  void TakeMemory(vtkGodRaysShadowMap& other);
+  bool HasNumbers() const { return this->NumberOfLayers == this->Layers.GetNumberOfLayers(); }
+  double GetMemory() const; // estimate [bytes], with what a walk makes of them
+  ///@}
 
   /**
    * Whether the last Draw() took what was there.
@@ -85,10 +100,10 @@ private:
   bool Render(
     const vtkGodRaysMediumIntegrator::Request& request, vtkGodRaysTarget& map, bool hasRest);
   bool FindRest();
-  void RenderProps(const vtkGodRaysMediumIntegrator::Request& request, const int origin[2],
+  bool RenderProps(const vtkGodRaysMediumIntegrator::Request& request, const int origin[2],
     bool resting, bool changed);
-  void ForFaces(const vtkGodRaysMediumIntegrator::Request& request, const int origin[2],
-    const std::function<void()>& draw);
+  bool ForFaces(const vtkGodRaysMediumIntegrator::Request& request, const int origin[2],
+    const std::vector<vtkProp*>& props, const std::function<void(std::vector<vtkProp*>&)>& draw);
   bool RenderTranslucent(const vtkGodRaysMediumIntegrator::Request& request, vtkGodRaysTarget& map);
 
   vtkGodRaysTarget Maps[2]; // of one face or nested ones, and of six
@@ -105,6 +120,8 @@ private:
   int LeftOut = 0; // volumes that cast no shadow
   vtkSmartPointer<vtkGodRaysLightLayers> Peeler;
   vtkGodRaysShadowLayers Layers;
+  int NumberOfLayers = 0; // that were drawn, also if another map took them
+  bool HasColoredLayers = false;
   vtkSmartPointer<vtkCamera> Camera;
 };
 

@@ -17,12 +17,14 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
+#include "vtksys/SystemInformation.hxx"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <deque>
 #include <sstream>
+#include <vector>
 
 vtkStandardNewMacro(vtkGodRaysShadowMapIntegrator);
 
@@ -33,6 +35,15 @@ namespace
 // (3072).
 constexpr double OneMapTolerance = 0.009;
 constexpr int OneMapSize = 1024;
+
+// Returns how much the layers of several lights keep [bytes], a quarter of what the process may have. Beyond
+// it, lights take memory from each other, as a lamp's layers take two gigabytes.
+double GetMostMemory()
+{
+  static const double most =
+    256.0 * static_cast<double>(vtksys::SystemInformation().GetProcMemoryAvailable());
+  return most;
+}
 
 int ChooseMapSize(double tolerance)
 {
@@ -69,15 +80,20 @@ struct vtkGodRaysShadowMapIntegrator::Internals
   double Tolerance = 0.0;          // that was asked for last
   double Correction = 1.0;         // what it is times
   unsigned int CorrectedFrame = 0; // in which that was looked at
-  unsigned int EndsFrame = 0;      // whose ends of view rays the walk of its first light has
-  const float* Ends = nullptr;
-  vtkGodRaysTarget Computed; // light of the last request that compute shaders summed
+  unsigned int EndsFrame = 0;      // whose ends of view rays are read
+  unsigned int EndsVersion = 0;    // another one for other ends
+  std::vector<float> Ends;
+  std::vector<float> NewEnds;  // here to keep its memory
+  std::size_t MemoryOwner = 0; // the light whose layers were drawn last
+  vtkGodRaysTarget Computed;   // light of the last request that compute shaders summed
 
   Light& GetLight() { return this->Lights[this->Last]; }
   vtkGodRaysShadowMap& GetMap() { return this->GetLight().Map; }
   double GetCorrectedTolerance(const Request& request);
   void CountLight(const Request& request);
+  void MakeRoom();
   bool ReadEnds(const Request& request, const int size[2]);
+  bool Redraw(const Request& request);
   bool WalkOnProcessor(const Request& request);
   bool WalkInShaders(const Request& request, bool computes);
 };
@@ -121,17 +137,42 @@ void vtkGodRaysShadowMapIntegrator::Internals::CountLight(const Request& request
   this->LightsFrame = frame;
 }
 
-// They are read from the graphics card once a frame.
+// Has the light's layers drawn in the memory of another light where lights keep much already.
+void vtkGodRaysShadowMapIntegrator::Internals::MakeRoom()
+{
+  Light& light = this->GetLight();
+  if (this->MemoryOwner < this->Lights.size() && this->MemoryOwner != this->Last &&
+    light.Map.GetMemory() == 0.0)
+  {
+    double kept = 0.0;
+    for (const Light& each : this->Lights)
+    {
+      kept += each.Map.GetMemory();
+    }
+    if (kept > GetMostMemory())
+    {
+      Light& owner = this->Lights[this->MemoryOwner];
+      light.Map.TakeMemory(owner.Map);
+      light.Walked.Walk.Swap(owner.Walked.Walk);
+    }
+  }
+  this->MemoryOwner = this->Last;
+}
+
+// Reads them from the graphics card once a frame.
 bool vtkGodRaysShadowMapIntegrator::Internals::ReadEnds(const Request& request, const int size[2])
 {
-  float* const ends = this->GetLight().Walked.Walk.PrepareInput(size[0], size[1]);
   if (this->EndsFrame == request.Depths->GetFrame())
   {
-    std::copy_n(this->Ends, static_cast<std::size_t>(size[0]) * size[1], ends);
     return true;
   }
-  this->EndsFrame = request.Depths->ReadEnds(ends) ? request.Depths->GetFrame() : 0;
-  this->Ends = ends;
+  this->NewEnds.resize(static_cast<std::size_t>(size[0]) * size[1]);
+  this->EndsFrame = request.Depths->ReadEnds(this->NewEnds.data()) ? request.Depths->GetFrame() : 0;
+  if (this->NewEnds != this->Ends)
+  {
+    this->Ends.swap(this->NewEnds);
+    ++this->EndsVersion;
+  }
   return this->EndsFrame != 0;
 }
 
@@ -139,9 +180,31 @@ bool vtkGodRaysShadowMapIntegrator::Internals::WalkOnProcessor(const Request& re
 {
   int size[2];
   request.Depths->GetSize(size);
+  Light& light = this->GetLight();
   const auto parameters =
-    vtkGodRaysWalkedLight::GetParameters(request, size, &this->GetMap().GetGrids());
-  return this->ReadEnds(request, size) && this->GetLight().Walked.Add(request, parameters, size);
+    vtkGodRaysWalkedLight::GetParameters(request, size, &light.Map.GetGrids());
+  if (!this->ReadEnds(request, size))
+  {
+    return false;
+  }
+  if (!light.Walked.Has(parameters, size, this->EndsVersion))
+  {
+    if (!light.Map.HasNumbers() && !this->Redraw(request))
+    {
+      return false;
+    }
+    std::copy(
+      this->Ends.begin(), this->Ends.end(), light.Walked.Walk.PrepareInput(size[0], size[1]));
+  }
+  return light.Walked.Add(request,
+    vtkGodRaysWalkedLight::GetParameters(request, size, &light.Map.GetGrids()), size,
+    this->EndsVersion);
+}
+
+bool vtkGodRaysShadowMapIntegrator::Internals::Redraw(const Request& request)
+{
+  this->MakeRoom();
+  return this->GetMap().Redraw(request);
 }
 
 bool vtkGodRaysShadowMapIntegrator::Internals::WalkInShaders(const Request& request, bool computes)
@@ -240,7 +303,10 @@ bool vtkGodRaysShadowMapIntegrator::DrawMap(const Request& request)
 {
   Internals& self = *this->Internal;
   self.CountLight(request);
-  return self.GetMap().Draw(request, self.MapSize, self.NumberOfNestedMaps);
+  vtkGodRaysShadowMap& map = self.GetMap();
+  map.Fit(request, self.MapSize, self.NumberOfNestedMaps);
+  const bool serves = map.WasKept() && (map.HasNumbers() || !request.WantsShadows);
+  return serves || self.Redraw(request);
 }
 
 bool vtkGodRaysShadowMapIntegrator::Contribute(const Request& request)
@@ -272,7 +338,7 @@ std::string vtkGodRaysShadowMapIntegrator::Describe(vtkGodRaysModel*)
     text << "only " << map.GetNumberOfChanged() << " of " << map.GetNumberOfProps() << " props, ";
   }
   text << this->Internal->Done
-       << (this->Internal->OnProcessor ? this->Internal->GetLight().Walked.Walk.Describe() : "")
+       << (this->Internal->OnProcessor ? this->Internal->GetLight().Walked.Describe() : "")
        << map.DescribeLayers();
   return text.str();
 }

@@ -13,6 +13,9 @@
 #include "vtkGodRaysMediumIntegrator.h" // For Request
 #include "vtkGodRaysTarget.h"
 
+#include <string> // For std::string
+#include <vector> // For std::vector
+
 class vtkWindow;
 
 class vtkGodRaysWalkedLight
@@ -29,15 +32,32 @@ public:
     const vtkGodRaysShadowGrids* shadows = nullptr);
 
   /**
-   * Compute it, and add it to the request's result. Returns false, after an error, if that failed.
+   * Returns whether the last Walk served these parameters and ends of view rays, whose version says whether
+   * they are others.
+   */
+  bool Has(
+    const vtkGodRaysInScattering::Parameters& parameters, const int size[2], unsigned int ends);
+
+  /**
+   * Computes it, unless it is had already, and adds it to the request's result. Returns false, after an
+   * error, if that failed.
    */
   bool Add(const vtkGodRaysMediumIntegrator::Request& request,
-    const vtkGodRaysInScattering::Parameters& parameters, const int size[2]);
+    const vtkGodRaysInScattering::Parameters& parameters, const int size[2], unsigned int ends);
+
+  /**
+   * Returns what the last Add() did.
+   */
+  std::string Describe() const { return this->Description + (this->Unchanged ? ", kept" : ""); }
 
   void Release(vtkWindow* window);
 
 private:
-  vtkGodRaysTarget Rays[2]; // of one channel, and of three
+  vtkGodRaysTarget Rays[2];   // of one channel, and of three
+  std::vector<double> Walked; // all that the rays depend on
+  std::vector<double> Asked;  // here to keep its memory
+  std::string Description;
+  bool Unchanged = false; // in the last Add()
 };
 
 #endif

@@ -71,7 +71,8 @@ bool ClosedFormIntegrator::Integrate(const Request& request)
   int size[2];
   request.Depths->GetSize(size);
   return request.Depths->ReadEnds(this->Light.Walk.PrepareInput(size[0], size[1])) &&
-    this->Light.Add(request, vtkGodRaysWalkedLight::GetParameters(request, size), size);
+    this->Light.Add(request, vtkGodRaysWalkedLight::GetParameters(request, size), size,
+      request.Depths->GetFrame());
 }
 
 //------------------------------------------------------------------------------

@@ -11,8 +11,15 @@
 #include "vtkGodRaysHomogeneousModel.h"
 #include "vtkGodRaysShadowMapIntegrator.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
+#include "vtkCubeSource.h"
+#include "vtkLight.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLActor.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkSphereSource.h"
 
 #include <algorithm>
@@ -380,6 +387,121 @@ TEST(GodRaysStress, OfManyTrianglesTheSceneIsDrawnOnceMoreAtMost)
               << " with another camera, " << moved.Seconds << " with another sun; " << uploaded
               << " MB into buffers\n";
   }
+}
+
+namespace
+{
+/// An actor that counts how often it is drawn.
+class CountedActor : public vtkOpenGLActor
+{
+public:
+  static CountedActor* New();
+  vtkTypeMacro(CountedActor, vtkOpenGLActor);
+  int RenderOpaqueGeometry(vtkViewport* viewport) override
+  {
+    ++Drawn;
+    return this->Superclass::RenderOpaqueGeometry(viewport);
+  }
+  static int Drawn;
+};
+int CountedActor::Drawn = 0;
+vtkStandardNewMacro(CountedActor);
+
+/// Boxes all about lamps in fog, every fourth of glass.
+struct LampsAmongBoxes : Stage
+{
+  static constexpr int Boxes = 60;
+
+  explicit LampsAmongBoxes(int lamps)
+    : Stage(96, 72)
+  {
+    vtkMath::RandomSeed(7);
+    vtkNew<vtkCubeSource> cube;
+    const auto place = [](double range, double at[3])
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        at[i] = vtkMath::Random(-range, range);
+      }
+    };
+    double at[3];
+    for (int i = 0; i < Boxes; ++i)
+    {
+      vtkNew<vtkPolyDataMapper> mapper;
+      mapper->SetInputConnection(cube->GetOutputPort());
+      vtkNew<CountedActor> box;
+      box->SetMapper(mapper);
+      place(5.0, at);
+      box->SetPosition(at);
+      box->GetProperty()->SetColor(1.0, 0.5, 0.2);
+      box->GetProperty()->SetOpacity(i % 4 == 0 ? 0.5 : 1.0);
+      this->Renderer->AddActor(box);
+    }
+    AddFog(*this);
+    vtkNew<vtkGodRaysShadowMapIntegrator> integrator;
+    integrator->SetMapSize(256);
+    this->Rays->SetIntegrator(integrator);
+    for (int i = 0; i < lamps; ++i)
+    {
+      vtkNew<vtkLight> lamp;
+      lamp->SetPositional(true);
+      lamp->SetConeAngle(180.0);
+      place(3.0, at);
+      lamp->SetPosition(at);
+      this->Rays->AddLight(lamp);
+    }
+    this->Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, 18.0);
+    this->Renderer->GetActiveCamera()->SetClippingRange(1.0, 60.0);
+    this->Rays->Attach(this->Renderer);
+  }
+};
+}
+
+// Each of the six faces about a lamp draws what it sees. An unchanged scene draws and walks nothing anew, and
+// after the camera moved the picture is that of a new window.
+TEST(GodRaysStress, LampsAmongBoxesOfGlassAreDrawnOnceFaceByFace)
+{
+  LampsAmongBoxes scene(4);
+  CountedActor::Drawn = 0;
+  scene.Window->Render();
+  EXPECT_GE(CountedActor::Drawn, LampsAmongBoxes::Boxes * (1 + 4)); // the control
+  EXPECT_LT(CountedActor::Drawn, LampsAmongBoxes::Boxes * (1 + 4 * 3));
+  const Pixels first = GetPixels(scene.Window, false);
+
+  CountedActor::Drawn = 0;
+  scene.Window->Render();
+  EXPECT_EQ(CountedActor::Drawn, LampsAmongBoxes::Boxes);
+  EXPECT_TRUE(Says(scene.Rays->GetPlan(), "nodes, kept")) << scene.Rays->GetPlan();
+  EXPECT_EQ(GetPixels(scene.Window, false), first);
+
+  scene.Renderer->GetActiveCamera()->SetPosition(0.0, 2.0, 17.0);
+  scene.Window->Render();
+  EXPECT_FALSE(Says(scene.Rays->GetPlan(), "nodes, kept")) << scene.Rays->GetPlan();
+  LampsAmongBoxes fresh(4);
+  fresh.Renderer->GetActiveCamera()->SetPosition(0.0, 2.0, 17.0);
+  fresh.Window->Render();
+  EXPECT_EQ(
+    CountDifferentPixels(GetPixels(scene.Window, false), GetPixels(fresh.Window, false), 1), 0);
+}
+
+// A frame is aborted between lights and faces, as VTK asks for it, and the next one is whole.
+TEST(GodRaysStress, AFrameThatIsAbortedHasNoRays)
+{
+  Messages messages;
+  LampsAmongBoxes scene(2);
+  scene.Window->Render();
+  const Pixels whole = GetPixels(scene.Window, false);
+  LampsAmongBoxes aborted(2);
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback([](vtkObject* window, unsigned long, void*, void*)
+    { static_cast<vtkRenderWindow*>(window)->SetAbortRender(1); });
+  const unsigned long observer = aborted.Window->AddObserver(vtkCommand::AbortCheckEvent, abort);
+  aborted.Window->Render();
+  EXPECT_TRUE(Says(aborted.Rays->GetPlan(), "rays: none, the frame was aborted"))
+    << aborted.Rays->GetPlan();
+  aborted.Window->RemoveObserver(observer);
+  aborted.Window->Render();
+  EXPECT_EQ(GetPixels(aborted.Window, false), whole);
 }
 
 INSTANTIATE_TEST_SUITE_P(
