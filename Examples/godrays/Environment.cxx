@@ -3,11 +3,10 @@
 #include "Environment.h"
 
 #include "Failure.h"
-#include "FileChecks.h"
+#include "Files.h"
 
 #include "vtkActor.h"
 #include "vtkGodRaysPass.h"
-#include "vtkHDRReader.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -20,7 +19,6 @@
 #include "vtkTexture.h"
 
 #include <algorithm>
-#include <filesystem>
 
 namespace
 {
@@ -34,25 +32,13 @@ constexpr int TableSamples = 128;
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkTexture> ReadEnvironment(const std::string& path)
 {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
+  const auto image = ReadPicture("--hdri", path);
+  if (image->GetScalarType() != VTK_FLOAT)
   {
-    throw Failure(
-      "--hdri: " + path + ": there is no such file; check the name and the folder", Failure::File);
+    throw Failure("--hdri: " + path + " is no .hdr; give one", Failure::File);
   }
-  vtkNew<vtkHDRReader> reader;
-  try
-  {
-    CheckHdr(path);
-  }
-  catch (const Failure& failure)
-  {
-    throw Failure(std::string("--hdri: ") + failure.what(), Failure::File);
-  }
-  reader->SetFileName(path.c_str());
-  reader->Update();
   int size[3];
-  reader->GetOutput()->GetDimensions(size);
+  image->GetDimensions(size);
   if (size[0] != 2 * size[1])
   {
     throw Failure("--hdri: " + path + " has " + std::to_string(size[0]) + " x " +
@@ -61,7 +47,7 @@ vtkSmartPointer<vtkTexture> ReadEnvironment(const std::string& path)
       Failure::File);
   }
   auto texture = vtkSmartPointer<vtkTexture>::New();
-  texture->SetInputConnection(reader->GetOutputPort());
+  texture->SetInputData(image);
   texture->SetColorModeToDirectScalars();
   texture->MipmapOn();
   texture->InterpolateOn();

@@ -3,6 +3,11 @@
 #include "FileChecks.h"
 
 #include "Failure.h"
+#include "System.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkXMLDataElement.h"
+#include "vtkXMLUtilities.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -26,6 +31,82 @@ std::uint32_t ReadLittleEndian(const std::string& path, std::streamoff position)
   file.read(reinterpret_cast<char*>(bytes), 4);
   return bytes[0] | bytes[1] << 8 | bytes[2] << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
 }
+
+//------------------------------------------------------------------------------
+/**
+ * What to do about a file that is not there.
+ */
+std::string GetRemedy(const std::string& path)
+{
+  if (path.find("://") != std::string::npos)
+  {
+    return "; it is an address: name a file on this machine, without " +
+      path.substr(0, path.find("://") + 3);
+  }
+  return path[0] == '-' ? "; what follows -- is files: name options before it"
+                        : "; check the name and the folder";
+}
+
+//------------------------------------------------------------------------------
+void CheckParts(vtkXMLDataElement* element, const fs::path& folder)
+{
+  for (const char* name : { "Source", "file" })
+  {
+    if (const char* part = element->GetAttribute(name))
+    {
+      CheckRegular((folder / part).string());
+      CheckXmlParts((folder / part).string());
+    }
+  }
+  for (int i = 0; i < element->GetNumberOfNestedElements(); ++i)
+  {
+    CheckParts(element->GetNestedElement(i), folder);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void CheckRegular(const std::string& path)
+{
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found)
+  {
+    throw Failure(path + ": there is no such file" + GetRemedy(path));
+  }
+  if (fs::is_directory(status))
+  {
+    throw Failure(path + ": is a directory; name the files in it");
+  }
+  if (error || !System::Has(System::MayRead, path))
+  {
+    throw Failure(path + ": may not be read; change its permissions");
+  }
+  if (!fs::is_regular_file(status))
+  {
+    throw Failure(path + ": is no regular file; copy what it holds to one");
+  }
+  if (fs::file_size(path, error) == 0)
+  {
+    throw Failure(path + ": is empty; write or copy it again");
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckXmlParts(const std::string& path)
+{
+  const std::string type = fs::path(path).extension().string();
+  const bool namesFiles =
+    type.rfind(".p", 0) == 0 || type.rfind(".vtm", 0) == 0 || type == ".vtpd" || type == ".vtpc";
+  constexpr std::uintmax_t most = 1 << 24; // more is no list of files
+  if (namesFiles && fs::file_size(path) < most)
+  {
+    const auto root = vtk::TakeSmartPointer(vtkXMLUtilities::ReadElementFromFile(path.c_str()));
+    if (root)
+    {
+      CheckParts(root, fs::path(path).parent_path());
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -11,6 +11,15 @@
 #include <string> // For std::string
 
 /**
+ * Any file is regular, may be read, and has something in it. This holds for files that another file or an
+ * option names, too.
+ */
+void CheckRegular(const std::string& path);
+
+/// Checks the files that a file of VTK names: those of its pieces and blocks, and of theirs.
+void CheckXmlParts(const std::string& path);
+
+/**
  * VTK's XML readers give a name to each number of a tuple, and take hours for as many as a damaged file
  * may say.
  */

@@ -142,6 +142,7 @@ template <typename Reader>
 void ReadXml(const std::string& path, FileContents& contents)
 {
   CheckXml(path);
+  CheckXmlParts(path);
   vtkNew<Reader> reader;
   Update(reader.Get(), path, contents);
 }
@@ -264,7 +265,7 @@ void ReadObj(const std::string& path, FileContents& contents)
   auto* data = vtkPolyData::SafeDownCast(contents.DataSets.front());
   data->GetCellData()->RemoveArray("MaterialIds"); // numbers are nothing to colour by
   data->GetCellData()->RemoveArray("GroupIds");
-  const auto colors = ReadObjFaceColors(path);
+  const auto colors = ReadObjFaceColors(path, contents.Notes);
   if (colors->GetNumberOfTuples() > 0 && colors->GetNumberOfTuples() == data->GetNumberOfCells())
   {
     data->GetCellData()->SetScalars(colors);
@@ -341,6 +342,7 @@ void ReadDem(const std::string& path, FileContents& contents)
 template <typename Reader>
 void ReadImage(const std::string& path, FileContents& contents)
 {
+  CheckDataFiles(path);
   vtkNew<Reader> reader;
   Update(reader.Get(), path, contents);
   if (reader->GetOutput()->GetPointData()->GetScalars())
@@ -494,49 +496,13 @@ std::string GetExtension(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-/**
- * What to do about a file that is not there.
- */
-std::string GetRemedy(const std::string& path)
-{
-  if (path.find("://") != std::string::npos)
-  {
-    return "; it is an address: name a file on this machine, without " +
-      path.substr(0, path.find("://") + 3);
-  }
-  return path[0] == '-' ? "; what follows -- is files: name options before it"
-                        : "; check the name and the folder";
-}
-
-//------------------------------------------------------------------------------
 const ReadFunction& CheckFile(const std::string& path)
 {
   if (path.empty())
   {
     throw Failure("a file's name is empty; name the file, or leave it out");
   }
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found)
-  {
-    throw Failure(path + ": there is no such file" + GetRemedy(path));
-  }
-  if (fs::is_directory(status))
-  {
-    throw Failure(path + ": is a directory; name the files in it");
-  }
-  if (error || !System::Has(System::MayRead, path))
-  {
-    throw Failure(path + ": may not be read; change its permissions");
-  }
-  if (!fs::is_regular_file(status))
-  {
-    throw Failure(path + ": is no regular file; copy what it holds to one");
-  }
-  if (fs::file_size(path, error) == 0)
-  {
-    throw Failure(path + ": is empty; write or copy it again");
-  }
+  CheckRegular(path);
   const std::string extension = GetExtension(path);
   const auto type = Types().find(extension);
   if (extension == ".gz" || extension == ".bz2" || extension == ".xz" || extension == ".zip")
@@ -626,6 +592,26 @@ FileContents ReadFile(const std::string& path, std::optional<double> time)
     throw Failure(path + ": holds nothing to draw; give a file with points and cells");
   }
   return contents;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> ReadPicture(const std::string& option, const std::string& path)
+{
+  try
+  {
+    const FileContents contents = ReadFile(path, {});
+    if (auto* image = contents.DataSets.empty()
+        ? nullptr
+        : vtkImageData::SafeDownCast(contents.DataSets.front()))
+    {
+      return image;
+    }
+  }
+  catch (const Failure& failure)
+  {
+    throw Failure(option + ": " + failure.what(), Failure::File);
+  }
+  throw Failure(option + ": " + path + ": is no picture; give one", Failure::File);
 }
 
 //------------------------------------------------------------------------------

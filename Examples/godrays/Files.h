@@ -17,6 +17,7 @@
 
 class vtkActor;
 class vtkDataSet;
+class vtkImageData;
 
 struct FileContents
 {
@@ -37,6 +38,11 @@ struct FileContents
  * nothing to draw. Tells on the standard error output how far it is when that takes more than a second.
  */
 FileContents ReadFile(const std::string& path, std::optional<double> time);
+
+/**
+ * Read the picture that an option names. Throws Failure as ReadFile() does.
+ */
+vtkSmartPointer<vtkImageData> ReadPicture(const std::string& option, const std::string& path);
 
 /**
  * The extensions of the types that ReadFile() knows.

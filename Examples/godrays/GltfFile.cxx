@@ -3,6 +3,7 @@
 #include "GltfFile.h"
 
 #include "Failure.h"
+#include "FileChecks.h"
 #include "Json.h"
 #include "System.h"
 
@@ -195,6 +196,15 @@ void GltfFile::ReplaceUris()
       if (isMissing && !ofPictures)
       {
         throw Failure(this->Path + ": its buffer " + uri + " is missing; put it there");
+      }
+      if (!isMissing)
+      {
+        CheckRegular(file.string());
+        const std::string bytes(FindJson(SplitJson(each.Value), "byteLength"));
+        if (std::strtod(bytes.c_str(), nullptr) > static_cast<double>(fs::file_size(file)))
+        {
+          throw Failure(file.string() + ": is shorter than " + this->Path + " says; copy it again");
+        }
       }
       if (isMissing)
       {

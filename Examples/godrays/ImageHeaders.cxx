@@ -3,6 +3,7 @@
 #include "ImageHeaders.h"
 
 #include "Failure.h"
+#include "FileChecks.h"
 #include "Vectors.h"
 
 #include "vtkDataArray.h"
@@ -22,7 +23,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <sstream>
 #include <vector>
@@ -147,6 +150,33 @@ vtkSmartPointer<vtkImageData> Rescale(
     read->GetPointData()->GetScalars()->GetName());
   return filter->GetOutput();
 }
+}
+
+//------------------------------------------------------------------------------
+void CheckDataFiles(const std::string& path)
+{
+  auto fields = ReadFields(path, ": ", "data file");
+  const std::string known[] = { "", "raw", "ascii", "txt", "text", "gzip", "gz" };
+  std::string encoding;
+  std::istringstream(fields["encoding"]) >> encoding;
+  if (std::find(std::begin(known), std::end(known), encoding) == std::end(known))
+  {
+    throw Failure(path + ": has the encoding " + encoding +
+      ", which VTK cannot read; save it with the encoding gzip or raw");
+  }
+  fields.merge(ReadFields(path, "=", "ElementDataFile"));
+  for (const char* name : { "data file", "datafile", "ElementDataFile" })
+  {
+    std::istringstream words(fields[name]);
+    std::string file;
+    std::getline(words >> std::ws, file);
+    file.resize(file.find_last_not_of(" \r") + 1);
+    const bool isName = file.find('%') == std::string::npos && file.rfind("LIST", 0) != 0;
+    if (isName && !file.empty() && file != "LOCAL")
+    {
+      CheckRegular((std::filesystem::path(path).parent_path() / file).string());
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

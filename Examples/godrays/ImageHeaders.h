@@ -19,6 +19,9 @@ class vtkMetaImageReader;
 class vtkNIFTIImageReader;
 class vtkNrrdReader;
 
+/// Checks the file that has the data of a MetaImage or NRRD file, and that VTK can read their encoding.
+void CheckDataFiles(const std::string& path);
+
 /// Returns the image that a reader has read from a file, placed and scaled. Throws Failure if the header's
 /// axes do not span a volume, or if it says other numbers that cannot be.
 vtkSmartPointer<vtkImageData> ApplyHeader(const std::string& path, vtkMetaImageReader* reader);

@@ -105,6 +105,9 @@ vtkStandardNewMacro(Collector);
 Messages::Messages(bool catchStandardError, const std::string& onCrash, int exitCode)
   : Collector(vtkSmartPointer<::Collector>::New())
   , Former(vtkOutputWindow::GetInstance())
+  , FormerErrors(System::Errors)
+  , FormerCause(crashCause)
+  , FormerCode(crashCode)
 {
   vtkOutputWindow::SetInstance(this->Collector);
   if (!catchStandardError)
@@ -115,7 +118,11 @@ Messages::Messages(bool catchStandardError, const std::string& onCrash, int exit
   crashLine = onCrash + "\n";
   crashCode = exitCode;
   this->Printed = std::tmpfile();
-  userError = System::DivertErrors(this->Printed);
+  this->FormerErrors = System::DivertErrors(this->Printed);
+  if (userError == System::Errors)
+  {
+    userError = this->FormerErrors;
+  }
   System::CatchCrashes(EndAfterCrash);
 }
 
@@ -123,11 +130,17 @@ Messages::Messages(bool catchStandardError, const std::string& onCrash, int exit
 Messages::~Messages()
 {
   vtkOutputWindow::SetInstance(this->Former);
-  if (userError != System::Errors)
+  if (this->FormerErrors != System::Errors)
   {
-    System::RestoreErrors(userError);
-    userError = System::Errors;
-    System::CatchCrashes(nullptr);
+    System::RestoreErrors(this->FormerErrors);
+    crashCause = this->FormerCause;
+    crashLine = crashCause + "\n";
+    crashCode = this->FormerCode;
+    if (userError == this->FormerErrors)
+    {
+      userError = System::Errors;
+      System::CatchCrashes(nullptr);
+    }
   }
   if (this->Printed)
   {

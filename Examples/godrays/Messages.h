@@ -22,7 +22,7 @@ public:
   /**
    * Collect messages while this object lives. With catchStandardError, also what libraries print
    * without asking VTK, and if one of them crashes, the program ends with the exit code and
-   * the line onCrash.
+   * the line onCrash. Objects may nest.
    */
   Messages(bool catchStandardError, const std::string& onCrash, int exitCode);
   ~Messages();
@@ -55,6 +55,9 @@ private:
   vtkSmartPointer<vtkOutputWindow> Collector;
   vtkSmartPointer<vtkOutputWindow> Former;
   std::FILE* Printed = nullptr; ///< a file without a name
+  int FormerErrors;             ///< where errors went before they were caught here
+  std::string FormerCause;      ///< of a crash; empty if this object is the first that catches any
+  int FormerCode;
 };
 
 #endif

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ObjMaterials.h"
 
+#include "Failure.h"
+#include "FileChecks.h"
+
 #include "vtkColor.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -19,7 +22,7 @@ namespace fs = std::filesystem;
 using Materials = std::map<std::string, vtkColor3ub>;
 
 /**
- * Add the diffuse colours of the materials in a .mtl file, if it is there.
+ * Add the diffuse colours of the materials in a .mtl file.
  */
 void ReadMaterials(const fs::path& path, Materials& materials)
 {
@@ -46,7 +49,8 @@ void ReadMaterials(const fs::path& path, Materials& materials)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkUnsignedCharArray> ReadObjFaceColors(const std::string& path)
+vtkSmartPointer<vtkUnsignedCharArray> ReadObjFaceColors(
+  const std::string& path, std::vector<std::string>& notes)
 {
   const vtkColor3ub none(210, 210, 210);
   auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
@@ -65,7 +69,16 @@ vtkSmartPointer<vtkUnsignedCharArray> ReadObjFaceColors(const std::string& path)
     {
       while (words >> name)
       {
-        ReadMaterials(fs::path(path).parent_path() / name, materials);
+        const fs::path library = fs::path(path).parent_path() / name;
+        try
+        {
+          CheckRegular(library.string());
+          ReadMaterials(library, materials);
+        }
+        catch (const Failure& failure)
+        {
+          notes.push_back(failure.what() + std::string("; there is a plain colour"));
+        }
       }
     }
     else if (word == "usemtl" && words >> name)

@@ -10,6 +10,7 @@
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
 #include <string> // For std::string
+#include <vector> // For std::vector
 
 class vtkUnsignedCharArray;
 
@@ -17,6 +18,7 @@ class vtkUnsignedCharArray;
  * The colours of the faces of a .obj file, in its order, by their materials; no values when it has
  * no materials. (The numbers of materials that vtkOBJReader gives do not always fit their names.)
  */
-vtkSmartPointer<vtkUnsignedCharArray> ReadObjFaceColors(const std::string& path);
+vtkSmartPointer<vtkUnsignedCharArray> ReadObjFaceColors(
+  const std::string& path, std::vector<std::string>& notes);
 
 #endif

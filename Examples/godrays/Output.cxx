@@ -3,6 +3,7 @@
 #include "Output.h"
 
 #include "Failure.h"
+#include "Files.h"
 #include "LinearPicture.h"
 #include "System.h"
 #include "Temporary.h"
@@ -13,10 +14,8 @@
 #include "vtkImageData.h"
 #include "vtkImageDifference.h"
 #include "vtkImageExtractComponents.h"
-#include "vtkJPEGReader.h"
 #include "vtkJPEGWriter.h"
 #include "vtkNew.h"
-#include "vtkPNGReader.h"
 #include "vtkPNGWriter.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderingOpenGLConfigure.h"
@@ -312,30 +311,13 @@ void WriteNumbers(
 //------------------------------------------------------------------------------
 double CompareWithReference(vtkRenderWindow* window, const std::string& path)
 {
-  vtkSmartPointer<vtkImageReader2> reader;
-  if (GetExtension(path) == ".png")
-  {
-    reader = vtkSmartPointer<vtkPNGReader>::New();
-  }
-  else
-  {
-    reader = vtkSmartPointer<vtkJPEGReader>::New();
-  }
-  if (!reader->CanReadFile(path.c_str()))
-  {
-    throw Failure(
-      "--reference: " + path + " is no PNG or JPEG picture that can be read", Failure::File);
-  }
-  vtkNew<vtkImageExtractComponents> colors; // without opacity
-  reader->SetFileName(path.c_str());
-  reader->Update();
+  const auto reference = ReadPicture("--reference", path);
   const auto picture = TakePicture(window, false);
   int sizes[2][3];
-  reader->GetOutput()->GetDimensions(sizes[0]);
+  reference->GetDimensions(sizes[0]);
   picture->GetDimensions(sizes[1]);
   if (!std::equal(sizes[0], sizes[0] + 3, sizes[1]) ||
-    reader->GetOutput()->GetScalarType() != VTK_UNSIGNED_CHAR ||
-    reader->GetOutput()->GetNumberOfScalarComponents() < 3)
+    reference->GetScalarType() != VTK_UNSIGNED_CHAR || reference->GetNumberOfScalarComponents() < 3)
   {
     throw Failure("--reference: " + path + " has " + std::to_string(sizes[0][0]) + " x " +
         std::to_string(sizes[0][1]) + " pixels, the picture " + std::to_string(sizes[1][0]) +
@@ -343,7 +325,8 @@ double CompareWithReference(vtkRenderWindow* window, const std::string& path)
         " of three colours in bytes; give --size, or another file",
       Failure::Difference);
   }
-  colors->SetInputConnection(reader->GetOutputPort());
+  vtkNew<vtkImageExtractComponents> colors; // without opacity
+  colors->SetInputData(reference);
   colors->SetComponents(0, 1, 2);
   colors->Update();
   vtkNew<vtkImageDifference> difference;

@@ -17,7 +17,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-from program_testing import ProgramTest
+from program_testing import ProgramTest, godrays
 
 
 class DamagedFiles(ProgramTest):
@@ -61,6 +61,53 @@ class DamagedFiles(ProgramTest):
                 path = self.folder / name
                 path.write_text(text)
                 self.fails(path, "--output", self.folder / "p.png", says=[name, "not there"])
+
+    def test_files_that_others_name(self):
+        """A pipe hangs a reader, and an empty or missing file is told by its own name."""
+        folder = self.folder / "named"
+        folder.mkdir()
+        pipe, empty = folder / "pipe", folder / "empty"
+        os.mkfifo(pipe)
+        empty.touch()
+        texts = {
+            "a.mhd": (self.folder / "a.mhd").read_text().replace("a.raw", "{}"),
+            "a.nhdr": (self.folder / "a.nhdr").read_text().replace("values.raw", "{}"),
+            "a.vtm": re.sub('file="[^"]*"', 'file="{}"', (self.folder / "a.vtm").read_text(), 1),
+            "a.pvtu": re.sub('Source="[^"]*"', 'Source="{}"', (self.folder / "a.pvtu").read_text(), 1),
+            "a.gltf": (self.folder / "a.gltf").read_text().replace("triangles.bin", "{}"),
+        }
+        for name, text in texts.items():
+            for part, words in (("pipe", "no regular file"), ("empty", "is empty"), ("none", "")):
+                with self.subTest(name, part=part):
+                    self.assertIn("{}", text)
+                    (folder / name).write_text(text.replace("{}", part))
+                    self.fails(folder / name, "--output", folder / "p.png", says=[part, words], timeout=20)
+        (folder / "a.obj").write_text("mtllib pipe empty none\nv 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 3\n")
+        done = godrays(folder / "a.obj", "--size", "64x48", "--output", folder / "p.png", timeout=20)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        lines = done.stderr.splitlines()
+        self.assertEqual(len(lines), 3, lines)
+        for line, part in zip(lines, ("pipe", "empty", "none")):
+            self.assertIn(f"{part}: ", line)
+            self.assertIn("plain colour", line)
+        (folder / "short.gltf").write_text(texts["a.gltf"].replace("{}", "short.bin"))
+        (folder / "short.bin").write_bytes(bytes(30))
+        self.fails(folder / "short.gltf", "--output", folder / "p.png", says=["short.bin: is shorter"])
+
+        light = folder / "cut.hdr"
+        light.write_bytes((self.folder / "a.hdr").read_bytes()[:20000])
+        picture = folder / "cut.png"
+        self.draw(self.mesh)
+        picture.write_bytes((self.folder / "picture.png").read_bytes()[:1500])
+        for option, files in ("--hdri", (light, pipe, empty)), ("--reference", (picture, pipe, empty)):
+            for file in files:
+                with self.subTest(option, file=file.name):
+                    self.fails(self.mesh, option, file, "--size", "96x72", "--output", folder / "p.png",
+                        says=[file.name], codes=[3], timeout=20)
+
+        packed = folder / "packed.nrrd"
+        packed.write_bytes((self.folder / "a.nrrd").read_bytes().replace(b"encoding: raw", b"encoding: bzip2"))
+        self.fails(packed, "--output", folder / "p.png", says=["encoding bzip2, which VTK cannot read", "gzip"])
 
     def test_headers_that_do_not_end(self):
         for text in ("P5\n# a comment without an end", "P2\n3", "P6 3 2 many", "P7\n3 2 255\n", "P"):

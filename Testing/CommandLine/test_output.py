@@ -440,7 +440,7 @@ class Output(OutputTest):
         self.assertGreater(right, 1.5 * left)
         square = self.folder / "a.hdr"
         self.fails(*bare, "--hdri", square, "--output", "x.png", says=["twice as wide"], codes=[3])
-        self.fails(*bare, "--hdri", self.mesh, "--output", "x.png", says=["--hdri", "size of a picture"], codes=[3])
+        self.fails(*bare, "--hdri", self.mesh, "--output", "x.png", says=["--hdri", "is no picture"], codes=[3])
         self.fails(*bare, "--hdri", "none.hdr", "--output", "x.png", says=["no such file"], codes=[3])
         self.fails(*bare, "--hdri", path, "--background", "red", says=["leave out"], codes=[2])
 

@@ -23,13 +23,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string& path = WriteBytes(data + 1, size - 1);
   try
   {
+    std::vector<std::string> notes;
     switch (data[0] % 3)
     {
       case 0:
         ReadPlyStrips(path);
         break;
       case 1:
-        ReadObjFaceColors(path);
+        ReadObjFaceColors(path, notes);
         break;
       default:
         const GltfFile file(path);
