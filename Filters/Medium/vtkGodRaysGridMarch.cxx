@@ -209,7 +209,6 @@ void vtkGodRaysGridMarch::March(const Ray& ray, double end, Sums& sums) const
       segment.End = edge > ahead ? std::min(segment.End, edge) : segment.End;
     }
     const double left = std::exp(-std::min({ sums.Depth.x, sums.Depth.y, sums.Depth.z }));
-    double density = 0.0; // of parts [1/scene unit]
     double fastest = 0.0;
     for (int i = 0; i < count; ++i)
     {
@@ -219,25 +218,53 @@ void vtkGodRaysGridMarch::March(const Ray& ray, double end, Sums& sums) const
         segment.End = ahead < passage.Begin ? std::min(segment.End, passage.Begin) : segment.End;
         continue;
       }
-      double exit;
-      const Vec2 range = this->AllBlocks[i].Get(
-        passage.Place + ahead * passage.Steps, passage.Place, passage.Steps, ahead, exit);
-      segment.End = std::min({ segment.End, std::max(exit, ahead), passage.End });
+      segment.End = std::min(segment.End, passage.End);
       segment.Inside |= std::uint32_t(1) << i;
-      segment.HasData = segment.HasData || range.y > 0.0;
-      // A quarter of the parts with which the midpoint rule would keep the tolerance, of two places each.
-      const double length = vtkGodRaysGridBlocks::BlockSize / passage.Speed;
-      const double change = (range.y - range.x + 0.5 * range.y * range.y * length) * length * left;
-      density = std::max(density, 0.12 * std::sqrt(change / this->Tolerance) / length);
       fastest = std::max(fastest, passage.Speed);
+    }
+    // Blocks are joined while they hold data, or none, and one part is enough for all of them.
+    double parts = 0.0;
+    double block = ahead;
+    for (bool isLast = segment.Inside == 0; !isLast;)
+    {
+      double exit = segment.End;
+      double density = 0.0; // of parts [1/scene unit]
+      bool holdsData = false;
+      for (int i = 0; i < count; ++i)
+      {
+        if ((segment.Inside >> i & 1) != 0)
+        {
+          const Passage& passage = ray.Passages[i];
+          double own;
+          const Vec2 range = this->AllBlocks[i].Get(
+            passage.Place + block * passage.Steps, passage.Place, passage.Steps, block, own);
+          exit = std::min(exit, std::max(own, block));
+          // A quarter of the parts with which the midpoint rule would keep the tolerance, of two places each.
+          const double length = vtkGodRaysGridBlocks::BlockSize / passage.Speed;
+          const double change =
+            (range.y - range.x + 0.5 * range.y * range.y * length) * length * left;
+          density = std::max(density, 0.12 * std::sqrt(change / this->Tolerance) / length);
+          holdsData = holdsData || range.y > 0.0;
+        }
+      }
+      const double more = density * (exit - block);
+      if (block > ahead && (holdsData != segment.HasData || parts + more > 1.0))
+      {
+        segment.End = block;
+        break;
+      }
+      segment.HasData = holdsData;
+      parts += more;
+      isLast = exit >= segment.End;
+      block = exit + 1e-9 * (cell + exit);
     }
     const bool isShadowed = ahead >= shadow.x && ahead < shadow.y;
     const double length = segment.End - s;
     if (segment.HasData)
     {
       segment.Finest = 0.5 / fastest;
-      segment.Parts = static_cast<int>(
-        std::ceil(std::min(density * length, length / (2.0 * segment.Finest)) - 1e-6));
+      segment.Parts =
+        static_cast<int>(std::ceil(std::min(parts, length / (2.0 * segment.Finest)) - 1e-6));
     }
     else
     {
