@@ -480,10 +480,9 @@ vtkGodRaysBlendPass::Surround vtkGodRaysLightMeter::FindSurround(
         exposure * vtkGodRays::Luminance(ToVector(sample.Rays)));
     }
   }
-  // Fits the rings' 97th percentiles by least squares. A ring counts by its samples and by its light: the
-  // faint edge of a shadow tells nothing, and would lead the fit.
-  glm::dmat3 squares(0.0);
-  Vec3 sums(0.0);
+  // Fits the rings' 97th percentiles by least squares, each as often as it has samples. Those below 1 % of
+  // the brightest ring are the faint edge of a shadow, which tells nothing and would lead the fit.
+  std::array<double, NumberOfRings> lit = {};
   for (int k = 0; k < NumberOfRings; ++k)
   {
     std::vector<double>& ring = this->Rings[k];
@@ -491,11 +490,21 @@ vtkGodRaysBlendPass::Surround vtkGodRaysLightMeter::FindSurround(
     if (rank != ring.end())
     {
       std::nth_element(ring.begin(), rank, ring.end());
+      lit[k] = *rank;
+    }
+  }
+  const double least = 0.01 * *std::max_element(lit.begin(), lit.end());
+  glm::dmat3 squares(0.0);
+  Vec3 sums(0.0);
+  for (int k = 0; k < NumberOfRings; ++k)
+  {
+    if (lit[k] > least)
+    {
       const double u = std::log((k + 0.5) / RingsInHeight + 0.05);
       const Vec3 terms(1.0, u, u * u);
-      const double weight = *rank * static_cast<double>(ring.size());
+      const double weight = static_cast<double>(this->Rings[k].size());
       squares += weight * glm::outerProduct(terms, terms);
-      sums += weight * std::log(std::max(*rank, 1e-30)) * terms;
+      sums += weight * std::log(lit[k]) * terms;
     }
   }
   if (squares[0][0] > 0.0)

@@ -391,6 +391,7 @@ TEST(LightBackground, IsDarkerInShadows)
   auto* model = vtkGodRaysRadialModel::SafeDownCast(stage.Rays->GetModel());
   ASSERT_NE(model, nullptr);
   model->SetStreaks(0.0);
+  model->SetReach(0.75);
   const auto with = GetPixels(stage.Window);
   vtkNew<vtkImageData> light;
   ASSERT_TRUE(stage.Rays->GetScatteringImage(light));
@@ -416,7 +417,7 @@ TEST(LightBackground, IsDarkerInShadows)
     }
   }
   const auto getTerm = [](double distance) { return std::log(distance + 0.05); };
-  // Fits a parabola to the logarithms of the rings' 97th percentiles, by least squares over all light.
+  // Fits a parabola to the logarithms of the rings' 97th percentiles, by least squares over all pixels.
   double squares[3][3] = {};
   double sums[3] = {};
   double fit[3];
@@ -429,7 +430,7 @@ TEST(LightBackground, IsDarkerInShadows)
     for (int j = 0; j < 9 && ring >= 0; ++j)
     {
       const double u = getTerm((ring + 0.5) / 12.0);
-      const double weight = lit * static_cast<double>(values.size()) * std::pow(u, j / 3);
+      const double weight = static_cast<double>(values.size()) * std::pow(u, j / 3);
       squares[j / 3][j % 3] += weight * std::pow(u, j % 3);
       sums[j / 3] += j % 3 == 0 ? weight * std::log(lit) : 0.0;
     }
@@ -437,10 +438,12 @@ TEST(LightBackground, IsDarkerInShadows)
   vtkMath::LinearSolve3x3(squares, sums, fit);
   // Lit places stay white, and full shadow becomes a cool grey, sRGB's (178, 189, 208), near the light, and
   // fades with distance.
+  double mean = 0.0;
   const auto getWorst = [&](const std::function<double(double)>& getLit)
   {
     const double parts[3] = { 0.555, 0.491, 0.369 };
     double worst = 0.0;
+    mean = 0.0;
     for (int i = 0; i < Width * Height; ++i)
     {
       const double distance = getDistance(i);
@@ -450,6 +453,7 @@ TEST(LightBackground, IsDarkerInShadows)
       {
         const double expected = 255.0 * vtkGodRays::EncodeDisplay(1.0 - parts[c] * shadow);
         worst = std::max(worst, std::abs(expected - with[4 * i + c]));
+        mean += std::abs(expected - with[4 * i + c]) / (3 * Width * Height);
       }
     }
     return worst;
@@ -460,10 +464,14 @@ TEST(LightBackground, IsDarkerInShadows)
       const double u = getTerm(distance);
       return std::exp(fit[0] + u * (fit[1] + u * fit[2]));
     });
+  const double meanOfRings = mean;
   const double worstOfAll = getWorst([&](double) { return percentile; });
-  std::cout << worst << " levels at most from what rings say, " << worstOfAll
-            << " from what the percentile of all pixels says\n";
-  EXPECT_LE(worst, 2.0); // the pass fits to some of the pixels
+  std::cout << worst << " levels at most from what rings say, " << meanOfRings << " on average, "
+            << worstOfAll << " from what the percentile of all pixels says\n";
+  // The pass fits to some of the pixels; places that are nearly lit are the most sensitive to that.
+  EXPECT_LE(worst, 8.0);
+  EXPECT_LE(meanOfRings, 1.0);
+  EXPECT_GT(mean, 5.0) << "a control";
   EXPECT_GT(worstOfAll, 30.0) << "a control";
   EXPECT_GT(darker, Width * Height / 20);
   EXPECT_TRUE(Says(stage.Rays->GetPlan(), "darken the background"));

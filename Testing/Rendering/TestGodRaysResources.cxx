@@ -519,7 +519,9 @@ TEST(GodRaysResources, AreNeitherReadNorUploadedInShaders)
         const Counts counts = Draw(scene);
         const bool processor = backend == vtkGodRaysIntegrator::PROCESSOR;
         EXPECT_EQ(counts.Reads > 0, processor) << counts.Reads << " in frame " << frame;
-        EXPECT_EQ(counts.Uploads > 0, processor) << counts.Uploads << " in frame " << frame;
+        const bool moved = frame > 1; // else the last walk is kept
+        EXPECT_EQ(counts.Uploads > 0, processor && moved)
+          << counts.Uploads << " in frame " << frame;
         EXPECT_TRUE(
           Says(scene.Rays->GetPlan(), processor ? "on the processor" : "in compute shaders"));
         scene.Renderer->GetActiveCamera()->Azimuth(frame < 1 ? 0.0 : 2.0);
