@@ -447,7 +447,7 @@ TEST(LightBackground, IsDarkerInShadows)
     for (int i = 0; i < Width * Height; ++i)
     {
       const double distance = getDistance(i);
-      const double shadow = std::exp(-distance / (3.0 * model->GetReach())) *
+      const double shadow = std::exp(-distance / (4.0 * model->GetReach())) *
         std::pow(1.0 - std::min(luminance[i] / getLit(distance), 1.0), 0.75);
       for (int c = 0; c < 3 && !stage.IsData(i); ++c)
       {
