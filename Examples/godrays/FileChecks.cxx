@@ -34,7 +34,7 @@ std::uint32_t ReadLittleEndian(const std::string& path, std::streamoff position)
 
 //------------------------------------------------------------------------------
 /**
- * What to do about a file that is not there.
+ * Returns the remedy for a file that is not there.
  */
 std::string GetRemedy(const std::string& path)
 {

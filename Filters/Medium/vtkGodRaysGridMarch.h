@@ -57,7 +57,7 @@ public:
   std::atomic<std::size_t> Rays{ 0 };
   std::atomic<std::size_t> Steps{ 0 }; // places where media were evaluated
 
-  // Of a picture.
+  // These belong to a picture.
   Vec3 LightColor;
   vtkGodRaysMedium Medium;
   double Tolerance = 1.0 / 255.0;

@@ -161,8 +161,8 @@ void vtkGodRaysGridPicture::Draw(
         left3[i] = corner.Transmittance;
       }
     };
-    // Whether depths, which end rays, and what is seen are the means of the corners: in the middle, which may
-    // be so by chance, and in the middles of sides.
+    // Returns whether depths, which end rays, and light are the means of the corners: in the middle, which
+    // may be so by chance, and in the middles of sides.
     const auto isFlat = [&](const Square& square)
     {
       double depths[4];

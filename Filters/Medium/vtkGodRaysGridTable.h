@@ -67,8 +67,8 @@ public:
   bool SetValues(vtkDataArray* values);
 
   ///@{
-  /// What is made of numbers from First to Last, evenly: extinction and, of 0, 1 or 3 bands, scattering, side
-  /// by side. [1/scene unit]
+  /// Holds what numbers from First to Last, evenly, stand for: extinction and, of 0, 1 or 3 bands,
+  /// scattering, side by side. [1/scene unit]
   double First = 0.0;
   double Last = 1.0;
   int Entries = 0;

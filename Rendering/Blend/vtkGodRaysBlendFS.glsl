@@ -189,7 +189,7 @@ void main()
     {
       vec2 offset = (uv - responsePlace.xy) * responsePlace.zw;
       light *= RadialResponse(offset, responseNumbers.x, responseNumbers.y, responseNumbers.z);
-      shade = RadialResponse(offset, responseNumbers.x, 4.0 * responseNumbers.y, responseNumbers.z);
+      shade = RadialResponse(offset, responseNumbers.x, 6.0 * responseNumbers.y, responseNumbers.z);
     }
   }
   if (showRays)

@@ -480,13 +480,13 @@ vtkGodRaysBlendPass::Surround vtkGodRaysLightMeter::FindSurround(
         exposure * vtkGodRays::Luminance(ToVector(sample.Rays)));
     }
   }
-  // Fits the rings' 97th percentiles by least squares, each as often as it has samples. Those below 1 % of
+  // Fits the rings' 95th percentiles by least squares, each as often as it has samples. Those below 1 % of
   // the brightest ring are the faint edge of a shadow, which tells nothing and would lead the fit.
   std::array<double, NumberOfRings> lit = {};
   for (int k = 0; k < NumberOfRings; ++k)
   {
     std::vector<double>& ring = this->Rings[k];
-    const auto rank = ring.begin() + static_cast<std::ptrdiff_t>(0.97 * ring.size());
+    const auto rank = ring.begin() + static_cast<std::ptrdiff_t>(0.95 * ring.size());
     if (rank != ring.end())
     {
       std::nth_element(ring.begin(), rank, ring.end());

@@ -45,7 +45,7 @@ public:
     double Whole = 0.0; // what they are fractions of [1/scene unit]
   };
 
-  /// What cropping and clipping planes cut off of a volume, in coordinates of its data.
+  /// Cropping and clipping planes cut this off a volume, in coordinates of its data.
   class Cut
   {
   public:

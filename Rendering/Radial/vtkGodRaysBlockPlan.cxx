@@ -76,7 +76,7 @@ double CountTapsPerPixel(const vtkGodRaysMarch& march, double tolerance)
   return std::min(std::max(1.0, std::sqrt(taps)), 16.0);
 }
 
-// Whether lines through the light keep any tolerance, faster than taps.
+// Returns whether lines through the light keep any tolerance, faster than taps.
 bool CanHaveLines(const vtkGodRaysMarch& march)
 {
   if (march.IsSmall() || march.GetLongest() < vtkGodRaysMarch::ShortestSweep ||

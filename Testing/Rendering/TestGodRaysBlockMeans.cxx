@@ -142,7 +142,7 @@ protected:
     return request;
   }
 
-  /// Whether the last Integrate() took lines, not taps alone.
+  /// Returns whether the last Integrate() took lines, not taps alone.
   bool TookLines() const { return this->Blocks.Describe().rfind("block means", 0) == 0; }
 
   vtkSmartPointer<vtkImageData> Integrate(

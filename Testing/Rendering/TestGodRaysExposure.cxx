@@ -417,7 +417,7 @@ TEST(LightBackground, IsDarkerInShadows)
     }
   }
   const auto getTerm = [](double distance) { return std::log(distance + 0.05); };
-  // Fits a parabola to the logarithms of the rings' 97th percentiles, by least squares over all pixels.
+  // Fits a parabola to the logarithms of the rings' 95th percentiles, by least squares over all pixels.
   double squares[3][3] = {};
   double sums[3] = {};
   double fit[3];
@@ -425,7 +425,7 @@ TEST(LightBackground, IsDarkerInShadows)
   for (auto& [ring, values] : rings)
   {
     std::sort(values.begin(), values.end());
-    const double lit = values[values.size() * 97 / 100];
+    const double lit = values[values.size() * 95 / 100];
     percentile = ring < 0 ? lit : percentile;
     for (int j = 0; j < 9 && ring >= 0; ++j)
     {
@@ -438,22 +438,25 @@ TEST(LightBackground, IsDarkerInShadows)
   vtkMath::LinearSolve3x3(squares, sums, fit);
   // Lit places stay white, and full shadow becomes a cool grey, sRGB's (178, 189, 208), near the light, and
   // fades with distance.
-  double mean = 0.0;
+  // Compares the part that a place lacks of its light, before the formula's exponent, which magnifies noise
+  // where that is next to nothing.
   const auto getWorst = [&](const std::function<double(double)>& getLit)
   {
     const double parts[3] = { 0.555, 0.491, 0.369 };
     double worst = 0.0;
-    mean = 0.0;
     for (int i = 0; i < Width * Height; ++i)
     {
       const double distance = getDistance(i);
-      const double shadow = std::exp(-distance / (4.0 * model->GetReach())) *
-        std::pow(1.0 - std::min(luminance[i] / getLit(distance), 1.0), 0.75);
+      const double lacks = 1.0 - std::min(luminance[i] / getLit(distance), 1.0);
+      const double fade = std::exp(-distance / (6.0 * model->GetReach()));
       for (int c = 0; c < 3 && !stage.IsData(i); ++c)
       {
-        const double expected = 255.0 * vtkGodRays::EncodeDisplay(1.0 - parts[c] * shadow);
-        worst = std::max(worst, std::abs(expected - with[4 * i + c]));
-        mean += std::abs(expected - with[4 * i + c]) / (3 * Width * Height);
+        const double dark = 1.0 - vtkGodRays::DecodeDisplay(with[4 * i + c] / 255.0);
+        const double shown = std::pow(std::min(dark / (parts[c] * fade), 1.0), 4.0 / 3.0);
+        worst = std::max(worst,
+          255.0 *
+            std::abs(vtkGodRays::EncodeDisplay(1.0 - parts[c] * lacks) -
+              vtkGodRays::EncodeDisplay(1.0 - parts[c] * shown)));
       }
     }
     return worst;
@@ -464,14 +467,10 @@ TEST(LightBackground, IsDarkerInShadows)
       const double u = getTerm(distance);
       return std::exp(fit[0] + u * (fit[1] + u * fit[2]));
     });
-  const double meanOfRings = mean;
   const double worstOfAll = getWorst([&](double) { return percentile; });
-  std::cout << worst << " levels at most from what rings say, " << meanOfRings << " on average, "
-            << worstOfAll << " from what the percentile of all pixels says\n";
-  // The pass fits to some of the pixels; places that are nearly lit are the most sensitive to that.
-  EXPECT_LE(worst, 8.0);
-  EXPECT_LE(meanOfRings, 1.0);
-  EXPECT_GT(mean, 5.0) << "a control";
+  std::cout << worst << " levels at most from what rings say, " << worstOfAll
+            << " from what the percentile of all pixels says\n";
+  EXPECT_LE(worst, 2.0); // the pass fits to some of the pixels
   EXPECT_GT(worstOfAll, 30.0) << "a control";
   EXPECT_GT(darker, Width * Height / 20);
   EXPECT_TRUE(Says(stage.Rays->GetPlan(), "darken the background"));
