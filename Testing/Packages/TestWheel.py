@@ -106,7 +106,8 @@ class Wheel(unittest.TestCase):
         cls.wheels = {}
         for distribution, root in (("vtk", "vtkmodules"), ("cvista", "cvista")):
             shutil.rmtree(TREE, ignore_errors=True)
-            python, packages = make_environment(f"build-{distribution}")
+            shutil.rmtree(FOLDER / "build", ignore_errors=True)  # one path for both: the compiler's cache has the first's
+            python, packages = make_environment("build")
             make_sdk(packages, distribution, root)
             dist = FOLDER / distribution
             log = run(python, "-m", "pip", "wheel", "--no-index", "--no-deps", "--no-build-isolation", "-w", dist, ROOT, "-v",
@@ -173,7 +174,7 @@ class Wheel(unittest.TestCase):
                 self.assertNotIn("During handling", "".join(told))
 
     def test_the_source_distribution_is_whole(self):
-        name = run(FOLDER / "build-vtk/bin/python", "-c", f"import os; os.chdir({str(ROOT)!r})\n"
+        name = run(FOLDER / "build/bin/python", "-c", f"import os; os.chdir({str(ROOT)!r})\n"
             f"import scikit_build_core.build as build; print(build.build_sdist({str(FOLDER)!r}))").splitlines()[-1]
         with tarfile.open(FOLDER / name) as held:
             held.extractall(FOLDER, filter="data")
