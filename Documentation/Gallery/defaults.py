@@ -518,7 +518,7 @@ This page shows {count} data sets with god rays and measures them. Nothing is se
 camera, light or background. One command draws, measures and writes all of it:
 
     PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \\
-      /usr/bin/python3 Documentation/Gallery/defaults.py Documentation/Gallery build/bin/godrays
+      /usr/bin/python3 Documentation/Gallery/defaults.py Documentation/Evidence build/bin/godrays
 
 ## Promises
 

@@ -58,7 +58,7 @@ No default was chosen for these data sets: they were collected when the defaults
 [Defaults.md](Defaults.md), whose promises are not made for these data sets. One command measures all of it:
 
     PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \\
-      /usr/bin/python3 Documentation/Gallery/unseen.py Documentation/Gallery build/bin/godrays
+      /usr/bin/python3 Documentation/Gallery/unseen.py Documentation/Evidence build/bin/godrays
 
 ## Summary
 

@@ -22,7 +22,7 @@
  * Errors: RMSE against the reference below the tolerance for data whose structures are some four points wide.
  * The light's depths, known at every other point, are what remains: for narrower ones the error may be
  * twice as large, whatever the tolerance. Data that are narrower than 8 pixels in the picture, and shadows
- * that are, may be missed between pixels. Cost: Documentation/Accuracy.md.
+ * that are, may be missed between pixels. Cost: Documentation/Evidence/Accuracy.md.
  *
  * @sa vtkGodRaysSingleScatteringReference
  */

@@ -29,7 +29,7 @@ constexpr float ScaleOfFloats = 1.0f / 1048576.0f;
 
 // What each effort attains on black and white noise from pixel to pixel: root mean square error
 // [fraction of the peak] times the root of the number of pixels that are summed. Measured; see
-// Documentation/Accuracy.md.
+// Documentation/Evidence/Accuracy.md.
 struct EffortRow
 {
   double Error;

@@ -21,7 +21,7 @@
  * t, whose integral with the exponential has a closed form. So there is no step and no quadrature
  * error, and since no terms cancel, rounding alone remains: below 1e-12 of the largest possible
  * result (G times the brightest value) always, and below 1e-12 of each result that is at least a
- * thousandth of that. Documentation/Accuracy.md has measured figures.
+ * thousandth of that. Documentation/Evidence/Accuracy.md has measured figures.
  *
  * Input: a 2-D vtkImageData (any extent in x and y, one slice) with 1 to 4 components of type
  * unsigned char, float or double. Bytes count as value/255. Components are independent, alpha
@@ -38,7 +38,7 @@
  * times, on the calling thread.
  *
  * Cost: some 30 ns for each line of pixel centres that a march crosses, half of that for Decay 1;
- * see Documentation/Accuracy.md. Memory: a copy of the input's scalars.
+ * see Documentation/Evidence/Accuracy.md. Memory: a copy of the input's scalars.
  *
  * @sa vtkGodRaysRadialModel
  */

@@ -34,7 +34,7 @@
  * the meeting point. The rows are smoothed by that much, [c, 1 - 2 c, c] with c = (h slope)^2/12,
  * which has the same variance, before they are read. Without it, thin features would leave noise.
  *
- * Figures: Documentation/Accuracy.md.
+ * Figures: Documentation/Evidence/Accuracy.md.
  */
 
 #ifndef vtkGodRaysSectorSweep_h

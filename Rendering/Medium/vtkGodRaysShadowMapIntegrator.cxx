@@ -30,9 +30,9 @@ vtkStandardNewMacro(vtkGodRaysShadowMapIntegrator);
 
 namespace
 {
-// Measured: on the twelve scenes of Documentation/ModelError.md, 95 of 100 cases are within 0.0093 with one
-// map of 1024 pixels; with four nested ones within 0.0057 (half of 512 pixels), 0.0030 (1536) and 0.0017
-// (3072).
+// Measured: on the twelve scenes of Documentation/Evidence/ModelError.md, 95 of 100 cases are within 0.0093
+// with one map of 1024 pixels; with four nested ones within 0.0057 (half of 512 pixels), 0.0030 (1536) and
+// 0.0017 (3072).
 constexpr double OneMapTolerance = 0.009;
 constexpr int OneMapSize = 1024;
 

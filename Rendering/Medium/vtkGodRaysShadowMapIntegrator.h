@@ -54,8 +54,8 @@ public:
   /**
    * Set/Get how wide and high a map is [pixels]; the driver may allow fewer. 0: as vtkGodRaysPass's error
    * tolerance asks for, or a fraction of it where VerifyPixels has found a larger error, until the tolerance
-   * changes. Documentation/ModelError.md has errors and costs. Valid range: [0, 8192]; others are at least
-   * 64. Default is 0.
+   * changes. Documentation/Evidence/ModelError.md has errors and costs. Valid range: [0, 8192]; others are
+   * at least 64. Default is 0.
    */
   vtkSetClampMacro(MapSize, int, 0, 8192);
   vtkGetMacro(MapSize, int);

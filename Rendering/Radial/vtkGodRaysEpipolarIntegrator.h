@@ -6,8 +6,8 @@
  *
  * The default. Evaluates the limit that the sum of a vtkGodRaysRadialModel has for ever more taps,
  * along the lines through the light (epipolar lines), to the pass's ErrorTolerance:
- * root mean square error over the picture, as a fraction of the brightest ray. Documentation/Accuracy.md
- * has its derivation and what was measured. Two back ends give the same numbers within the tolerance:
+ * root mean square error over the picture, as a fraction of the brightest ray. Derivation and errors:
+ * Documentation/Evidence/Accuracy.md. Two back ends give the same numbers within the tolerance:
  *
  * - PROCESSOR: running sums along the lines (vtkGodRaysScatteringFilter), on all threads of
  *   vtkSMPTools. The layer is read back and the result uploaded: for software OpenGL, where both are

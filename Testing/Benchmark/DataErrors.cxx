@@ -347,10 +347,10 @@ void DataErrors::WritePicture() const
       }
     }
   }
-  std::filesystem::create_directories(this->Settings.Folder + "/Gallery");
+  std::filesystem::create_directories(this->Settings.Folder + "/Pictures");
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(image);
-  writer->SetFileName((this->Settings.Folder + "/Gallery/data-error.png").c_str());
+  writer->SetFileName((this->Settings.Folder + "/Pictures/data-error.png").c_str());
   writer->Write();
 }
 
@@ -405,7 +405,7 @@ void DataErrors::WritePage() const
        "counted.\n\n![Data error against cost](Charts/data-error.png)\n\n"
     << this->MakeTable()
     << "\nOurs, froxels of 64 slices, and VTK's mapper where this VTK scatters:\n\n"
-       "![Smoke](Gallery/data-error.png)\n";
+       "![Smoke](Pictures/data-error.png)\n";
   page.close();
   SealPage(folder + "/DataError.md");
 }

@@ -43,8 +43,8 @@ Prints tables, and each figure that is asked for as met or missed.
   --csv FILE             write all that was measured as comma-separated values
   --documentation FOLDER write FOLDER/Performance.md and the charts in FOLDER/Charts/
   --model-error          measure something else: how far models are from single scattering, on twelve
-                         scenes; FOLDER/ModelError.md, its chart and pictures. Names for --filter:
-                         SCENE/LIGHT. Some 4 minutes
+                         scenes; FOLDER/ModelError.md, its table, chart and pictures. Names for
+                         --filter: SCENE/LIGHT. Some 4 minutes
   --data-error           measure something else: media of data; FOLDER/DataError.md, its chart and picture
   --list                 list pictures, lights and integrators, and measure nothing
   --help                 this text

@@ -147,12 +147,14 @@ void ModelErrors::MeasureCase(const Scene& scene, const NamedLight& light)
         }
       }
       row << " | " << ToText(ofCase);
+      this->Results.Cases << scene.Name << "," << light.Name << "," << asymmetry << ",\""
+                          << method.Name << "\"," << ToText(ofCase.GetRms()) << ","
+                          << ToText(ofCase.Worst) << "\n";
       pictures.push_back(std::move(picture));
     }
     row << " |\n";
     std::printf("%s", row.str().c_str());
     std::fflush(stdout);
-    this->Results.Cases << row.str();
     if (front && asymmetry == Asymmetries[0])
     {
       this->WritePictures(scene, truth.Light, pictures);
@@ -184,9 +186,9 @@ void ModelErrors::WritePictures(
   }
   std::string name = scene.Name;
   std::replace(name.begin(), name.end(), ' ', '-');
-  std::filesystem::create_directories(this->Settings.Folder + "/Gallery");
+  std::filesystem::create_directories(this->Settings.Folder + "/Pictures");
   WriteRow({ truth, pictures[0], ours, differences[0], differences[1] }, white, this->Results.Width,
-    this->Results.Height, this->Settings.Folder + "/Gallery/model-error-" + name + ".png");
+    this->Results.Height, this->Settings.Folder + "/Pictures/model-error-" + name + ".png");
 }
 
 //------------------------------------------------------------------------------

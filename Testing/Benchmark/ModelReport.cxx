@@ -18,20 +18,20 @@ namespace
 {
 const double LeastShare = 0.95; // of the cases that a tolerance must hold for
 
-std::string ToText(double number)
-{
-  char text[32];
-  std::snprintf(text, sizeof(text), number < 0.1 ? "%.4f" : "%.3f", number);
-  return text;
-}
-
-//------------------------------------------------------------------------------
 template <typename Map>
 Summary Find(const Map& map, const std::string& a, const std::string& b)
 {
   const auto found = map.find({ a, b });
   return found == map.end() ? Summary() : found->second;
 }
+}
+
+//------------------------------------------------------------------------------
+std::string ToText(double number)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), number < 0.1 ? "%.4f" : "%.3f", number);
+  return text;
 }
 
 //------------------------------------------------------------------------------
@@ -212,11 +212,9 @@ std::vector<Figure> ModelReport::MakeFigures() const
 std::string ModelReport::MakeTables() const
 {
   return this->MakeErrorTable() + this->MakeToleranceTable() +
-    "\nWhat is asked of the defaults, and of the automatic choice: to keep its tolerance in 95 of "
-    "100 "
-    "cases, and to\ncost at most 1.3 times the cheapest method of the table that does, which is "
-    "named. "
-    "Ratios are taken in each\nround, and the median is shown.\n\n" +
+    "\nThe defaults are asked to keep their tolerance in 95 of 100 cases, and to cost at most 1.3 "
+    "times the cheapest\nother method of the table that keeps it, which is named. Ratios are taken "
+    "in each round; the table has medians.\n\n" +
     MakeFigureTable(this->MakeFigures()) + this->MakeMediumTable();
 }
 
@@ -246,68 +244,67 @@ void ModelReport::WritePage(const std::string& folder) const
   std::filesystem::create_directories(folder + "/Charts");
   this->WriteErrorChart(folder + "/Charts/model-error.png");
   std::ofstream page(folder + "/ModelError.md");
-  page
-    << "# Model error\n\nWritten by `" << this->Command << "`.\n\n"
-    << "How far pictures are from single scattering, and what they cost. The truth is\n"
-       "`vtkGodRaysSingleScatteringReference`; errors are root mean squares over a picture of "
-    << this->Width << " x " << this->Height
-    << ",\nas fractions of its peak, shown as *root mean square / worst* of the cases: twelve "
-       "scenes, three media with\nscattering coefficients of 0.02, 0.1 and 0.3 to a far limit of "
-       "20 (optical depths 0.4, 2 and 6), nothing absorbed,\nHenyey-Greenstein with g 0.6 unless "
-       "said otherwise. The radial sum, which has no scale of its own, is times what\nmakes its "
-       "error least, for each picture and medium; the others are as they come. The cost is what "
-       "the rays add to a frame\nof the scene *city* at 1920 x 1080, dimming it included, in "
-       "full-screen copies: in a medium that is grey,\nthat against the radial sum with 100 taps, "
-       "and "
-       "in one that has three colours; medians of five rounds. OpenGL: "
-    << this->Renderer << ".\n\nWhere an edge is within 1/256 of a pixel from its centre, in up to "
-    << this->PixelsOnEdges
-    << " pixels of a picture, what is seen\nthere is one thing or the other, and the "
-       "nearer truth counts.\n\nWhat is left of the errors of shadow maps is edges of less than a "
-       "pixel, and of the map's.\n*In shaders*, "
-       "as on a graphics card, every pixel's ray is walked, whatever the tolerance.\n\n"
-       "- *closed form*: light without any shadow, what the library does where no occluder "
-       "reaches.\n"
-       "- *froxels*: what games do, made for this comparison, on the processor: a grid of the "
-       "view's "
-       "cells. Each has one\n  look-up of its middle in the library's shadow map of 1024 x 1024, "
-       "which is kept, as that of walks is. Light is\n  summed along depth, and pixels are "
-       "interpolated. It is a plain loop in double precision, without vector "
-       "instructions.\n"
-       "- *epipolar lines, min/max trees*: what is published as 1-D min/max mipmaps [Chen2011], "
-       "made for "
-       "this comparison as\n  froxels are: lines that meet the picture's border two pixels apart, "
-       "with a tree of "
-       "the same map's least and\n  greatest heights each. Every pixel's view ray walks its line's "
-       "tree, and has "
-       "the closed form of what is lit.\n\n"
-       "Peters' prefiltered moment shadow maps were not measured.\n\n![Model error against "
-       "cost](Charts/model-error.png)\n\n"
-    << this->MakeTables() << "\n## Pictures\n\n"
-    << "Truth, the radial sum, " << BestModel
-    << ", and four times the differences of both from the truth; light in front, "
-       "coefficient 0.1.\n\n";
+  page << "# Model error\n\nWritten by `" << this->Command
+       << "`.\n\n"
+          "How far pictures are from single scattering, and what they cost. The truth is "
+          "`vtkGodRaysSingleScatteringReference`.\n"
+          "\n"
+          "Errors are root mean squares over a picture of "
+       << this->Width << " x " << this->Height
+       << " pixels, as fractions of its peak. Tables show *root mean\n"
+          "square / worst* of the cases. The cases are twelve scenes with three media: scattering "
+          "coefficients of 0.02, 0.1 and 0.3\n"
+          "to a far limit of 20 (optical depths 0.4, 2 and 6), no absorption, Henyey-Greenstein "
+          "with g 0.6 unless another is named.\n"
+          "The radial sum has no scale of its own, so it is multiplied by the factor that makes "
+          "its error least.\n"
+          "\n"
+          "The cost is the time that rays add to a frame of the scene *city* at 1920 x 1080, in "
+          "full-screen copies: in a grey medium,\n"
+          "the same as a fraction of the radial sum with 100 taps, and in a medium of three "
+          "colours; medians of five rounds. OpenGL:\n"
+       << this->Renderer
+       << ".\n"
+          "\n"
+          "Where an edge is within 1/256 of a pixel from its centre, in up to "
+       << this->PixelsOnEdges
+       << " pixels of a picture, the nearer truth counts.\n"
+          "The remaining errors of shadow maps are at edges narrower than a pixel or a texel of "
+          "the map.\n"
+          "\n"
+          "- *shadow map, walked*: the number and size of nested maps; *in shaders* walks every "
+          "pixel's ray, at any tolerance.\n"
+          "- *automatic*: the default of the library, by tolerance.\n"
+          "- *closed form*: light without any shadow.\n"
+          "- *froxels*: a grid of view cells as in games, written for this comparison in plain "
+          "double precision, on the processor.\n"
+          "  Each cell has one look-up in the library's shadow map of 1024 x 1024, which is kept. "
+          "Pixels are interpolated.\n"
+          "- *epipolar lines, min/max trees*: 1-D min/max mipmaps [Chen2011], written for this "
+          "comparison: lines that meet the\n"
+          "  picture's border two pixels apart, each with a tree of the same map's least and "
+          "greatest heights.\n"
+          "\n"
+          "![Model error against cost](Charts/model-error.png)\n"
+          "\n"
+       << this->MakeTables() << "\n## Pictures\n\n"
+       << "The truth, the radial sum, " << BestModel
+       << ", and four times the differences of both from the truth; the light is in front, the "
+          "coefficient 0.1.\n\n";
   for (const Scene& scene : MakeMediumScenes(4))
   {
     std::string name = scene.Name;
     std::replace(name.begin(), name.end(), ' ', '-');
-    if (std::filesystem::exists(folder + "/Gallery/model-error-" + name + ".png"))
+    if (std::filesystem::exists(folder + "/Pictures/model-error-" + name + ".png"))
     {
-      page << "**" << scene.Name << "**\n\n![" << scene.Name << "](Gallery/model-error-" << name
+      page << "**" << scene.Name << "**\n\n![" << scene.Name << "](Pictures/model-error-" << name
            << ".png)\n\n";
     }
   }
-  page << "## Every case\n\n| scene | light | g";
-  for (const ModelMethod& method : this->Methods)
-  {
-    page << " | " << method.Name;
-  }
-  page << " |\n|---|---|---";
-  for (std::size_t i = 0; i < this->Methods.size(); ++i)
-  {
-    page << "|---";
-  }
-  page << "|\n" << this->Cases.str();
+  page << "## Every case\n\n[ModelError.csv](ModelError.csv) has the errors of each case.\n";
+  std::ofstream cases(folder + "/ModelError.csv");
+  cases << "scene,light,g,method,root mean square,worst\n" << this->Cases.str();
+  cases.close();
   page.close();
   SealPage(folder + "/ModelError.md");
 }

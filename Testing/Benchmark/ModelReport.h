@@ -39,6 +39,8 @@ struct Summary
   double GetRms() const { return std::sqrt(this->Squares / std::max(this->Count, 1)); }
 };
 
+std::string ToText(double number);
+
 /// As root mean square / worst.
 std::string ToText(const Summary& summary);
 
@@ -52,7 +54,7 @@ public:
   int Width = 0;        // of the pictures
   int Height = 0;
   int PixelsOnEdges = 0;                                              // of the picture with most
-  std::ostringstream Cases;                                           // rows of the long table
+  std::ostringstream Cases;                                           // rows of ModelError.csv
   std::map<std::pair<std::string, std::string>, Summary> ByLight;     // method, light; g 0.6
   std::map<std::pair<std::string, std::string>, Summary> ByAsymmetry; // method, g; before the light
   std::map<std::pair<std::string, std::string>, Summary> ByMedium;    // method, scattering; g 0.6

@@ -115,16 +115,15 @@ void SealPage(const std::string& file)
   const std::string page = read(file);
   std::string all = page;
   const std::string begin = "](";
-  const std::string end = ".png)";
   for (auto at = page.find(begin); at != std::string::npos; at = page.find(begin, at + 1))
   {
     const auto close = page.find(')', at);
     const std::string name = page.substr(at + begin.size(), close - at - begin.size());
-    const std::filesystem::path picture = std::filesystem::path(file).parent_path() / name;
-    if (page.compare(close + 1 - end.size(), end.size(), end) == 0 &&
-      std::filesystem::exists(picture))
+    const std::filesystem::path beside = std::filesystem::path(file).parent_path() / name;
+    if ((beside.extension() == ".png" || beside.extension() == ".csv") &&
+      std::filesystem::exists(beside))
     {
-      all += read(picture);
+      all += read(beside);
     }
   }
   vtksysMD5* digest = vtksysMD5_New();

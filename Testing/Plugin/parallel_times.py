@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Write Documentation/Parallel.md: times and differences of parallel rendering.
+"""Write Documentation/Evidence/Parallel.md: times and differences of parallel rendering.
 
 Usage: ninja -C build-paraview parallel_times, which runs parallel_times.py <file.md>
 """

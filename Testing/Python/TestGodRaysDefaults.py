@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""With defaults alone, scenes of many kinds keep their colours and have shafts, as Gallery/Defaults.md promises."""
+"""With defaults alone, scenes of many kinds keep their colours and have shafts, as Evidence/Defaults.md promises."""
 
 import math
 import pathlib
