@@ -107,10 +107,10 @@ public:
 
   ///@{
   /**
-   * Set/Get whether light that is scattered more than once is added, after [Hillaire2020]: an
-   * approximation in which it comes from everywhere alike. The forward peak of the aerosol is left in the
-   * light instead, after [Joseph1976], also in that of the single scattering. See Documentation/Sky.md for
-   * the error. The first time it takes a second for a table. Not with the method STEPS. Default is off.
+   * Set/Get whether light that is scattered more than once is added, after [Hillaire2020]: it is taken to be
+   * isotropic. The forward peak of the aerosol is left in the light instead, after [Joseph1976], also in that
+   * of the single scattering. See Documentation/Evidence/Sky.md for the error. The first time it takes a
+   * second for a table. Not with the method STEPS. Default is off.
    */
   vtkSetMacro(MultipleScattering, bool);
   vtkGetMacro(MultipleScattering, bool);
@@ -202,10 +202,10 @@ public:
   /**
    * The irradiance of a surface with this normal (x east, y north, z up; of any length but 0) by the light of
    * the sky and of the ground, without the sun, from the harmonics of radiance to the second order
-   * [Ramamoorthi2001]; Documentation/Sky.md has the error. Forms are all of it: for red, green and blue a
-   * symmetric matrix of 4 x 4 each, with which irradiance is (n, 1)^T matrix (n, 1) for a normal n of length
-   * 1, or 0 where that is less. They are kept while only the sun's azimuth changes. The ground has light of
-   * the sky, too. Returns false after an error, with 0.
+   * [Ramamoorthi2001]; the error is in Documentation/Evidence/Sky.md. Forms are all of it: for red, green and
+   * blue a symmetric matrix of 4 x 4 each, with which irradiance is (n, 1)^T matrix (n, 1) for a normal n of
+   * length 1, or 0 where that is less. They are kept while only the sun's azimuth changes. The ground has
+   * light of the sky, too. Returns false after an error, with 0.
    */
   bool GetIrradiance(const double normal[3], double irradiance[3]);
   bool GetIrradianceForms(double forms[48]);

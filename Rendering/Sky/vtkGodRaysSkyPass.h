@@ -7,7 +7,7 @@
  * Draws the light that a vtkGodRaysAtmosphere scatters on its way from the sun to the eye, wherever
  * nothing else is seen: the sky from the ground, the planet and its limb from space. It is the sky of
  * vtkGodRaysSkySource, looked up in a table of directions; the aureole about the sun is exact for each
- * pixel. See Documentation/Sky.md for what it costs and how right it is.
+ * pixel. See Documentation/Evidence/Sky.md for what it costs and how right it is.
  *
  * @code
  * vtkGodRaysSkyPass* sky = vtkGodRaysSkyPass::Attach(renderer);
