@@ -8,7 +8,7 @@
  * the same on every thread and in any order.
  *
  * vtkPerlinNoise is not used: it has no seed, its gradient is always 0, and its cubic weights leave
- * creases, which are seen in normals. Documentation/Sources.md has figures.
+ * creases, which are seen in normals. Documentation/Evidence/Sources.md has figures.
  */
 
 #ifndef vtkGodRaysNoise_h

@@ -58,7 +58,7 @@ class Reference(unittest.TestCase):
         self.assertRegex(sections["vtkGodRaysPass"], r'(?m)^- `output`: .* By name: .*`"occlusion"`')
 
     def test_the_tests_of_the_viewers_table_are_there(self):
-        page = (ROOT / "Documentation/Viewer.md").read_text(encoding="utf-8")
+        page = (ROOT / "Documentation/Evidence/Viewer.md").read_text(encoding="utf-8")
         names = 0
         place = None
         for file, case, name in re.findall(r"`(?:(test_[a-z]+)\.([A-Z]\w+)\.)?(test_\w+)`", page):
