@@ -31,10 +31,10 @@ namespace
 constexpr double RadiusOfDiagonal = 0.05;
 constexpr double BiasOfDiagonal = 0.002;
 constexpr unsigned int Samples = 32;
-// With 0.9 plain surfaces change by a mean CIELAB difference of 10. On colours half of it keeps that below 4,
+// With 0.9 plain surfaces change by a mean CIELAB difference of 10. On colours 0.35 keeps that below 4,
 // with the rim light.
 constexpr double StrengthOnPlain = 0.6;
-constexpr double StrengthOnColors = 0.5;
+constexpr double StrengthOnColors = 0.35;
 
 // OpenGL's names
 constexpr unsigned int Zero = 0;

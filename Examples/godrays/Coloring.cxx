@@ -151,6 +151,15 @@ bool Coloring::AddToRange(const ColorArray& choice)
 }
 
 //------------------------------------------------------------------------------
+bool Coloring::TellsNothing(const ColorArray& choice) const
+{
+  const Options& options = this->Settings;
+  const auto found = this->Ranges.find(choice.GetName());
+  return found != this->Ranges.end() && found->second[0] == found->second[1] && !options.Range &&
+    options.Scalars.empty() && options.Colormap.empty();
+}
+
+//------------------------------------------------------------------------------
 void Coloring::SetTerrain(const std::string& name, bool onlyIfNamed)
 {
   if (!onlyIfNamed || NamesElevation(name))

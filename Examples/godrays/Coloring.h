@@ -53,6 +53,12 @@ public:
   bool AddToRange(const ColorArray& choice);
 
   /**
+   * Returns true if all values of an array are one, such as those of an isosurface, and no option asks for
+   * their colours: such data are drawn plain. All parts have to be in the range by then.
+   */
+  bool TellsNothing(const ColorArray& choice) const;
+
+  /**
    * Let an array have the colours of terrain, if the user chose none; with onlyIfNamed, if its name
    * says that it holds elevations.
    */

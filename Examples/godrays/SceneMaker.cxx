@@ -167,10 +167,11 @@ public:
     {
       throw Failure("--isosurface: no file holds a 3-D image with values; leave it out");
     }
-    for (const Part& part : this->Parts)
+    for (Part& part : this->Parts)
     {
       if (part.Actor)
       {
+        part.Choice = this->Colors.TellsNothing(part.Choice) ? ColorArray() : part.Choice;
         this->Colors.Apply(part.Choice, part.Actor);
       }
       else

@@ -166,11 +166,14 @@ private:
   //----------------------------------------------------------------------------
   /**
    * Takes the view with the most shafts among some of a thing; not one that shows little of it, as of a
-   * plate from its edge.
+   * plate from its edge. Views from behind have to be better: letters are read from the front, and so are
+   * plots and faces.
    */
   void ChooseSide()
   {
     constexpr double enough = 0.6; // of the largest part of the picture that a view covers
+    constexpr double fromBehind = 0.85;
+    constexpr double front = 60.0; // to each side [degrees]
     struct View
     {
       vtkSmartPointer<vtkCamera> Camera;
@@ -189,7 +192,9 @@ private:
         }
         auto camera = this->Cameras.Make(this->GetLookAzimuth() + turn, this->GetPitch() + tilt);
         vtkGodRaysSunPlacer* placer = this->FindSun(camera, this->FindLowest(camera));
-        views.push_back({ camera, placer->GetScore(), placer->GetCoverage() });
+        const double behind = std::max(std::abs(turn) - front, 0.0) / (180.0 - front);
+        const double score = placer->GetScore() * (1.0 + (fromBehind - 1.0) * behind);
+        views.push_back({ camera, score, placer->GetCoverage() });
         largest = std::max(largest, placer->GetCoverage());
       }
     }

@@ -67,6 +67,18 @@ class Data(OutputTest):
         y = light @ (0.2126, 0.7152, 0.0722)
         return numpy.where(y > 216 / 24389, 116 * numpy.cbrt(y) - 16, y * 24389 / 27)
 
+    def test_values_that_are_one_are_no_colours(self):
+        ball = sample_files.surface(scalars=False)
+        values = numpy_to_vtk(numpy.full(ball.GetNumberOfPoints(), 7.0), deep=True)
+        values.SetName("One")
+        ball.GetPointData().SetScalars(values)
+        path = self.folder / "one.vtp"
+        sample_files.write(vtkXMLPolyDataWriter(), ball, path)
+        plain = self.draw(path, "--scalars", "none")
+        self.assertEqual(abs(self.draw(path) - plain).max(), 0)
+        for asked in ["--scalars", "One"], ["--range", "0,10"], ["--colormap", "viridis"]:
+            self.assertGreater(abs(self.draw(path, *asked) - plain).max(), 50, asked)
+
     def test_data_first_changes_their_lightness_alone_and_little(self):
         white = ["--no-rays", "--background", "#010203", "--color", "white"]
         covered = (self.draw(self.mesh, *white) != (1, 2, 3)).all(axis=2)

@@ -8,9 +8,12 @@ import sys
 import unittest
 
 import numpy
+from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
-from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
+from vtkmodules.vtkFiltersGeneral import vtkTransformFilter, vtkVertexGlyphFilter
+from vtkmodules.vtkFiltersModeling import vtkLinearExtrusionFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource, vtkSuperquadricSource
+from vtkmodules.vtkRenderingFreeType import vtkVectorText
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import sample_files
@@ -245,6 +248,25 @@ class Composition(ProgramTest):
         done = godrays(self.folder / "balls.vtp", "--sun", "340,12", "--stats", "--output", self.folder / "sun.png")
         position = re.search(r"--camera-position (\S+)", done.stdout)[1].split(",")
         self.assertGreater(float(position[2]), 0)  # a sun that is given does not have them seen from below
+
+    def test_letters_are_seen_from_the_front(self):
+        for text in "VTK", "LFJ", "RPE":
+            letters = vtkVectorText()
+            letters.SetText(text)
+            solid = vtkLinearExtrusionFilter()
+            solid.SetInputConnection(letters.GetOutputPort())
+            solid.SetVector(0, 0, 0.3)
+            solid.SetExtrusionTypeToVectorExtrusion()
+            place = vtkTransform()
+            place.RotateX(90)  # upright, to be read from where y is least
+            upright = vtkTransformFilter()
+            upright.SetInputConnection(solid.GetOutputPort())
+            upright.SetTransform(place)
+            upright.Update()
+            sample_files.write(sample_files.vtkXMLPolyDataWriter(), upright.GetOutput(), self.folder / "text.vtp")
+            done = godrays(self.folder / "text.vtp", "--stats", "--output", self.folder / "text.png")
+            position = re.search(r"--camera-position (\S+)", done.stdout)[1].split(",")
+            self.assertLess(float(position[1]), -0.3, text)
 
     def test_the_sun_is_in_the_picture_beside_the_data(self):
         size = 300, 200
