@@ -172,8 +172,7 @@ private:
   void ChooseSide()
   {
     constexpr double enough = 0.6; // of the largest part of the picture that a view covers
-    constexpr double fromBehind = 0.85;
-    constexpr double front = 60.0; // to each side [degrees]
+    constexpr double fromBehind = 0.92;
     struct View
     {
       vtkSmartPointer<vtkCamera> Camera;
@@ -192,8 +191,9 @@ private:
         }
         auto camera = this->Cameras.Make(this->GetLookAzimuth() + turn, this->GetPitch() + tilt);
         vtkGodRaysSunPlacer* placer = this->FindSun(camera, this->FindLowest(camera));
-        const double behind = std::max(std::abs(turn) - front, 0.0) / (180.0 - front);
-        const double score = placer->GetScore() * (1.0 + (fromBehind - 1.0) * behind);
+        const bool isBehind =
+          std::cos(vtkMath::RadiansFromDegrees(this->GetLookAzimuth() + turn)) < 0.0;
+        const double score = placer->GetScore() * (isBehind ? fromBehind : 1.0);
         views.push_back({ camera, score, placer->GetCoverage() });
         largest = std::max(largest, placer->GetCoverage());
       }
