@@ -15,6 +15,7 @@
 #include "vtkPBRLUTTexture.h"
 #include "vtkPBRPrefilterTexture.h"
 #include "vtkProperty.h"
+#include "vtkShaderProperty.h"
 #include "vtkSkybox.h"
 #include "vtkTexture.h"
 
@@ -80,11 +81,23 @@ void AddEnvironment(vtkRenderer* renderer, const Scene& scene, const std::string
   }
   for (const auto& prop : scene.Props)
   {
-    if (auto* actor = vtkActor::SafeDownCast(prop))
+    auto* actor = vtkActor::SafeDownCast(prop);
+    if (!actor || !actor->GetProperty()->GetLighting())
     {
-      actor->GetProperty()->SetInterpolationToPBR();
-      actor->GetProperty()->SetMetallic(0.0);
-      actor->GetProperty()->SetRoughness(Roughness);
+      continue;
+    }
+    actor->GetProperty()->SetInterpolationToPBR();
+    actor->GetProperty()->SetMetallic(0.0);
+    actor->GetProperty()->SetRoughness(Roughness);
+    // VTK takes colours for linear light there, raises the sum to 1 / 2.2, and leaves out actors' textures.
+    actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Color::Impl", true,
+      "//VTK::Color::Impl\n  diffuseColor = pow(max(diffuseColor, vec3(0.0)), vec3(2.2));\n",
+      false);
+    if (vtkTexture* picture = actor->GetTexture())
+    {
+      picture->UseSRGBColorSpaceOn();
+      actor->GetProperty()->SetBaseColorTexture(picture);
+      actor->SetTexture(nullptr);
     }
   }
   vtkNew<vtkSkybox> box;

@@ -6,6 +6,7 @@
 #include "Failure.h"
 #include "FileChecks.h"
 #include "GltfFile.h"
+#include "GltfImporter.h"
 #include "ImageHeaders.h"
 #include "Messages.h"
 #include "ObjMaterials.h"
@@ -27,7 +28,6 @@
 #include "vtkDEMReader.h"
 #include "vtkDataSet.h"
 #include "vtkExodusIIReader.h"
-#include "vtkGLTFImporter.h"
 #include "vtkGenericDataObjectReader.h"
 #include "vtkHDRReader.h"
 #include "vtkImageData.h"
@@ -164,7 +164,8 @@ bool ChangesColors(vtkTexture* texture)
   texture->Update();
   vtkImageData* image = texture->GetInput();
   return image && image->GetNumberOfPoints() > 0 &&
-    (image->GetNumberOfPoints() > 1 || image->GetScalarRange()[0] < 255.0);
+    (image->GetNumberOfPoints() > 1 || image->GetScalarRange()[0] < 255.0 ||
+      image->GetNumberOfScalarComponents() % 2 == 0); // with opacity
 }
 
 //------------------------------------------------------------------------------
@@ -229,7 +230,7 @@ void ReadGltf(const std::string& path, FileContents& contents)
     contents.Notes.push_back(path + ": its picture " + name +
       " is missing, so there is a plain colour; put the picture where the file looks for it");
   }
-  Import<vtkGLTFImporter>(file.GetPathToRead(), contents);
+  Import<GltfImporter>(file.GetPathToRead(), contents);
   contents.Up = 'Y';
 }
 

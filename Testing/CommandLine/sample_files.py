@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Small files of every type that the program godrays reads."""
 
+import base64
 import json
 import os
 import struct
+import zlib
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk
@@ -235,6 +237,76 @@ def write_glb_parts(path, document, buffer):
 
 def write_glb(path):
     write_glb_parts(path, *gltf(embed=True))
+
+
+def png(pixels):
+    """The file of a picture, uint8 [row, column, channel]."""
+    height, width, channels = pixels.shape
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    head = struct.pack(">2I5B", width, height, 8, (0, 4, 2, 6)[channels - 1], 0, 0, 0)
+    rows = b"".join(b"\0" + row.tobytes() for row in pixels)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+
+
+def write_plates(path, *plates):
+    """Write a .gltf or .glb of rectangles that face +z: each has corners, (left, right, bottom, top, z), and maybe a
+    factor, colors of its four corners, the pixels of a texture, and other members of its material."""
+    buffer, views, accessors, images, materials, meshes = b"", [], [], [], [], []
+
+    def add(data):
+        nonlocal buffer
+        buffer += b"\0" * (-len(buffer) % 4)
+        views.append({"buffer": 0, "byteOffset": len(buffer), "byteLength": len(data)})
+        buffer += data
+        return len(views) - 1
+
+    def add_array(values, kind, **more):
+        component = {"f4": 5126, "u1": 5121, "u2": 5123}[values.dtype.str[1:]]
+        accessors.append({
+            "bufferView": add(values.tobytes()), "componentType": component, "count": len(values), "type": kind,
+            "normalized": component != 5126, **more})
+        return len(accessors) - 1
+
+    for plate in plates:
+        plate = dict(plate)
+        left, right, bottom, top, z = plate.pop("corners")
+        points = numpy.array(
+            [(left, bottom, z), (right, bottom, z), (left, top, z), (right, top, z)], "f4")
+        attributes = {
+            "POSITION": add_array(points, "VEC3", min=points.min(axis=0).tolist(), max=points.max(axis=0).tolist()),
+            "NORMAL": add_array(numpy.array([(0, 0, 1)] * 4, "f4"), "VEC3"),
+            "TEXCOORD_0": add_array(numpy.array([(0, 1), (1, 1), (0, 0), (1, 0)], "f4"), "VEC2")}
+        colors = plate.pop("colors", None)
+        if colors is not None:
+            attributes["COLOR_0"] = add_array(colors, f"VEC{colors.shape[1]}")
+        surface = {"metallicFactor": 0, "baseColorFactor": list(plate.pop("factor", (1, 1, 1, 1)))}
+        texture = plate.pop("texture", None)
+        if texture is not None:
+            surface["baseColorTexture"] = {"index": len(images), "texCoord": 0}
+            data = png(texture)
+            images.append(
+                {"bufferView": add(data), "mimeType": "image/png"} if path.suffix == ".glb" else
+                {"uri": "data:image/png;base64," + base64.b64encode(data).decode()})
+        materials.append({"pbrMetallicRoughness": surface, "doubleSided": True, **plate})
+        indices = numpy.array([0, 1, 2, 2, 1, 3], "u2")
+        meshes.append({"primitives": [{
+            "attributes": attributes, "indices": add_array(indices, "SCALAR", normalized=False),
+            "material": len(meshes)}]})
+    count = range(len(meshes))
+    document = {
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": list(count)}],
+        "nodes": [{"mesh": i} for i in count], "meshes": meshes, "materials": materials, "accessors": accessors,
+        "bufferViews": views, "buffers": [{"byteLength": len(buffer)}], "images": images,
+        "samplers": [{"magFilter": 9728, "minFilter": 9728}],
+        "textures": [{"source": i, "sampler": 0} for i in range(len(images))]}
+    if path.suffix == ".glb":
+        write_glb_parts(path, json.dumps(document).encode(), buffer + b"\0" * (-len(buffer) % 4))
+    else:
+        document["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64.b64encode(buffer).decode()
+        path.write_text(json.dumps(document))
 
 
 def write_3ds(path):

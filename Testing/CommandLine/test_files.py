@@ -18,7 +18,7 @@ from vtkmodules.vtkFiltersSources import (
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import image_files
 import sample_files
-from program_testing import ProgramTest, godrays
+from program_testing import HEIGHT, WIDTH, ProgramTest, godrays
 
 
 class Files(ProgramTest):
@@ -404,6 +404,130 @@ class Gltf(ProgramTest):
     def test_a_missing_buffer(self):
         path = self.write("buffer.gltf", buffers=[{"byteLength": 44, "uri": "none.bin"}])
         self.fails(path, "--output", "p.png", says=["buffer.gltf", "none.bin", "missing"])
+
+    FACING = [
+        "--no-rays", "--fill", "1", "--no-ambient-occlusion", "--background", "#010203", "--focal-point", "0,0,0", "--view-angle", "40", "--sun", "180,20"]
+    WHOLE = (-1, 1, -1, 1, 0)
+
+    def plates(self, name, *plates):
+        path = self.folder / name
+        sample_files.write_plates(path, *plates)
+        return path
+
+    def write_surroundings(self):
+        path = self.folder / "grey.hdr"
+        path.write_bytes(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16 +X 32\n" + 512 * b"\x80\x80\x80\x80")
+        return path
+
+    def test_one_grey_is_shown_as_one(self):
+        """Factors and colours of vertices are linear, and pictures are encoded."""
+        def to_linear(value):
+            return ((value / 255 + 0.055) / 1.055) ** 2.4
+
+        grey = to_linear(170)
+
+        def corners(number, channels, kind):
+            values = numpy.full((4, channels), number)
+            values[:, 3:] = 1
+            return (values * (numpy.iinfo(kind).max if kind[0] == "u" else 1) + 0.5 * (kind[0] == "u")).astype(kind)
+
+        def texture(value, channels):
+            pixels = numpy.full((4, 4, channels), value, "u1")
+            pixels[..., 1 if channels == 2 else 3:] = 255
+            return pixels
+
+        contents = {
+            "factor": {"factor": (grey, grey, grey, 1)},
+            **{f"colors-{kind}-{channels}": {"colors": corners(grey, channels, kind)}
+               for kind in ("f4", "u2") for channels in (3, 4)},
+            "colors-u1-4": {"colors": corners(grey, 4, "u1")},
+            "factor-colors": {"factor": (0.8, 0.8, 0.8, 1), "colors": corners(grey / 0.8, 4, "f4")},
+            **{f"texture-{channels}": {"texture": texture(170, channels)} for channels in (1, 2, 3, 4)},
+            "factor-texture": {"factor": [grey / to_linear(220)] * 3 + [1], "texture": texture(220, 3)},
+            "colors-texture": {"colors": corners(grey / to_linear(220), 3, "f4"), "texture": texture(220, 3)},
+        }
+        surroundings = ["--hdri", self.write_surroundings()]
+        for mode, members, place, *more in (
+            ("unlit", {"extensions": {"KHR_materials_unlit": {}}}, "0,0,4"),
+            ("lit", {}, "3,0,3"),  # where there is no highlight
+            ("surrounded", {}, "3,0,3", *surroundings),
+        ):
+            files = [
+                self.plates(f"{name}-{mode}{suffix}", {"corners": self.WHOLE, **content, **members})
+                for name, content in [*contents.items(), ("control", {"texture": texture(90, 3)})]
+                for suffix in (".gltf", ".glb")]
+            arguments = [*(each for each in self.FACING if not more or each not in ("--background", "#010203")), *more]
+            seen = [
+                picture[HEIGHT // 2, WIDTH // 2]
+                for picture in self.draw_each(files, *arguments, "--camera-position", place)]
+            for file, color in zip(files, seen):
+                with self.subTest(file.name):
+                    if "control" in file.name:
+                        self.assertGreater(abs(color - seen[0]).max(), 30)
+                    elif mode == "unlit":
+                        self.assertLessEqual(abs(color - 170).max(), 1, color)
+                    else:
+                        self.assertLessEqual(abs(color - seen[0]).max(), 5 if more else 1, color)
+
+    def test_alpha_is_as_the_material_says(self):
+        """A texture, factor or colours with an opacity: OPAQUE has none of it, and MASK cuts, from shadows, too."""
+        grey = numpy.full((8, 8, 4), 180, "u1")
+        halves = grey.copy()
+        halves[:, :4, 3] = 100
+        halves[:, 4:, 3] = 200
+        right = (0, 1, -1, 1, 0)
+        pale = numpy.array([(1, 1, 1, 0.2)] * 4, "f4")
+        cut, whole = {"alphaMode": "MASK"}, {"corners": self.WHOLE, "texture": grey[..., :3]}
+        nothing = {"corners": right, "texture": grey[..., :3], "factor": (1, 1, 1, 0.3), **cut}
+        behind = {"corners": (-3, 3, -3, 3, -1.5), "factor": (0.5, 0.1, 0.1, 1)}
+        frame = [  # which gives all scenes one size, and a light for data with pictures
+            {"corners": (x, x + 0.2, y, y + 0.2, z), "texture": grey[..., :3], "factor": (0.1, 0.5, 0.1, 1)}
+            for x, y, z in ((-2.2, -1.2, 0), (2, 1, -1))]
+        half = {**whole, "corners": right}
+        cases = {
+            "whole": (whole, whole), "half": (half, half), "none": (nothing, None),
+            "opaque-texture": ({**whole, "texture": halves}, whole),
+            "opaque-factor": ({**whole, "factor": (1, 1, 1, 0.3)}, whole),
+            "opaque-colors": ({**whole, "colors": pale}, whole),
+            "mask": ({**whole, "texture": halves, **cut}, half),
+            "mask-cutoff": ({**whole, "texture": halves, **cut, "alphaCutoff": 0.2}, whole),
+            "mask-factor": ({**whole, "texture": halves, "factor": (1, 1, 1, 0.7), **cut}, half),
+            "mask-colors": ({**whole, "colors": pale, **cut, "alphaCutoff": 0.1}, whole),
+            "mask-all": ({**whole, "texture": halves, **cut, "alphaCutoff": 0.9}, None),
+        }
+        for name, arguments in (
+            ("plain", [*self.FACING]),
+            ("shadows", ["--preset", "fog", "--shadows", *self.FACING]),
+            ("surrounded", ["--hdri", self.write_surroundings(), *self.FACING[:4], *self.FACING[6:]]),
+            ("rays", ["--preset", "fog", "--tolerance", "0.01", "--light", "-1.2,0.4,-3", *self.FACING[1:-2]]),
+        ):
+            arguments += ["--camera-position", "0,0,4"]
+            files, expected = [], []
+            for case, (plate, as_is) in cases.items():
+                for drawn, first in (files, plate), (expected, as_is):
+                    drawn.append(self.plates(
+                        f"{name}-{case}-{drawn is files}.glb", *([first] if first else []),
+                        *([] if name == "rays" else [behind]), *frame))
+            pictures = self.draw_each(files, *arguments)
+            others = self.draw_each(expected, *arguments)
+            self.assertGreater(abs(pictures[0] - pictures[1]).mean(), 1, "the control")
+            for case, picture, other in zip(cases, pictures, others):
+                with self.subTest(name, case=case):
+                    self.assertLess(abs(picture - other).mean(), 0.15)
+
+    def test_opacity_is_one_however_it_is_told(self):
+        """BLEND has that of a factor, of vertices or of a texture."""
+        half = numpy.full((4, 4, 4), 255, "u1")
+        half[..., 3] = 102
+        blend = {"corners": self.WHOLE, "alphaMode": "BLEND", "extensions": {"KHR_materials_unlit": {}}}
+        files = [self.plates(f"blend-{i}.glb", {**blend, **members}) for i, members in enumerate((
+            {"factor": (1, 1, 1, 0.4)}, {"colors": numpy.array([(1, 1, 1, 0.4)] * 4, "f4")}, {"texture": half},
+            {"texture": half, "factor": (1, 1, 1, 0.5)}))]
+        *seen, control = [picture[HEIGHT // 2, WIDTH // 2] for picture in self.draw_each(
+            files, *self.FACING, "--camera-position", "0,0,4")]
+        for color in seen:
+            self.assertLessEqual(abs(color - (0.4 * 255 + 0.6 * numpy.array((1, 2, 3)))).max(), 2)
+        self.assertGreater(abs(control - seen[0]).max(), 30, "the control")
 
     def test_what_cannot_be_read_has_its_name(self):
         for binary in (False, True):

@@ -443,6 +443,10 @@ class Output(OutputTest):
             seen = picture[HEIGHT // 2 - 8 : HEIGHT // 2, WIDTH // 2 - 8 : WIDTH // 2].mean(axis=(0, 1))
             self.assertEqual(seen.argmax(), numpy.argmax(color))
             self.assertGreater(seen.max(), 2 * seen.min())
+        grey = self.write_environment("grey.hdr", numpy.full((64, 128, 3), 0.5))
+        dark, light = (self.draw(*bare, "--sun", "180,20", "--hdri", grey, "--color", color)[HEIGHT // 2, WIDTH // 2, 0]
+            for color in ("#505050", "white"))
+        self.assertAlmostEqual(dark / light, 0x50 / 255, delta=0.1)  # as much light as the colour says
         light = numpy.full((64, 128, 3), 0.05)
         light[:, 64:] = 0.6  # to the east
         picture = self.draw(*bare, "--hdri", self.write_environment("east.hdr", light))
