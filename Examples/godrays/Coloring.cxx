@@ -184,6 +184,19 @@ vtkSmartPointer<vtkColorTransferFunction> Coloring::MakeColors(const std::string
 {
   double range[2];
   this->GetRange(name, range);
+  const auto& own = this->Settings.Colors;
+  if (!own.empty())
+  {
+    auto colors = vtkSmartPointer<vtkColorTransferFunction>::New();
+    const double step =
+      (range[1] - range[0]) / std::max(static_cast<double>(own.size()) - 1.0, 1.0);
+    for (std::size_t i = 0; i < own.size(); ++i)
+    {
+      colors->AddRGBPoint(
+        range[0] + step * static_cast<double>(i), own[i][0], own[i][1], own[i][2]);
+    }
+    return colors;
+  }
   const bool terrain = this->Terrain.count(name) > 0;
   const std::string map = !this->Settings.Colormap.empty() ? this->Settings.Colormap
     : terrain                                              ? "terrain"

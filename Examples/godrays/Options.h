@@ -52,6 +52,7 @@ struct Options
   std::string Hdri; ///< an environment picture instead; empty for none
   std::string Scalars;
   std::string Colormap;
+  std::vector<Vector3> Colors; ///< evenly spaced, instead of a map's; the command line has none
   std::optional<std::array<double, 2>> Range;
   std::optional<Vector3> Color;
   double Opacity = 1.0;

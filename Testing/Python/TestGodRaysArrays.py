@@ -34,6 +34,10 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderWindowInteractor,
 )
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "CommandLine"))
+import image_files
+import sample_files
+
 SIZE = (120, 90)
 BEHIND = (0.1, 0.15, -1)
 
@@ -149,6 +153,38 @@ class Layers(unittest.TestCase):
 
 
 class Render(unittest.TestCase):
+    def test_files_are_read_as_the_program_reads_them(self):
+        """Files of every type that its tests have, and one body in the storages of medical images."""
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            files = sample_files.write_all(folder)
+            self.assertGreater(len(files), 35)
+            for file in files:
+                with self.subTest(file.name):
+                    picture = godrays.render(file, SIZE, background="#010203", rays=False).astype(int)
+                    self.assertGreater((picture != (1, 2, 3)).any(axis=2).mean(), 0.02)
+            body = numpy.zeros((14, 12, 10), "i2")
+            body[2:12, 3:9, 4:6] = 1000
+            body[3:6, 3:9, 2:5] = 700
+            place = numpy.array([[1.5, 0, 0, -30], [0, 1.0, 0, 20], [0, 0, 2.0, 10]])
+            pictures = []
+            for write, end in (
+                (image_files.write_vti, ".vti"), (image_files.write_mha, ".mha"), (image_files.write_nii, ".nii.gz"),
+                (image_files.write_nrrd, ".nrrd"),
+            ):
+                write(folder / ("body" + end), body, place)
+                pictures.append(godrays.render(folder / ("body" + end), SIZE, rays=False).astype(int))
+            for other in pictures[1:]:
+                self.assertLess(abs(other - pictures[0]).mean(), 0.2)
+            self.assertGreater(abs(godrays.render(folder / "a.vti", SIZE, rays=False) - pictures[0]).mean(), 1)
+            colors = [godrays.render(folder / "body.vti", SIZE, rays=False, cmap=each).astype(int)
+                for each in ("viridis", "gray")]
+            self.assertLess(abs(colors[0] - pictures[0]).mean(), 0.5)  # the program's
+            self.assertGreater(abs(colors[1] - pictures[0]).mean(), 0.5)
+            self.assertLess(numpy.ptp(colors[1][40:50, 55:65] - [[(6, 10, 20)]], axis=2).max(), 25)
+            one, both = (godrays.render(each, SIZE, rays=False) for each in (files[0], files[:2]))
+            self.assertGreater(abs(one.astype(int) - both).max(), 20)
+
     def test_data_of_each_kind(self):
         source = vtkSphereSource()
         source.Update()
@@ -165,10 +201,18 @@ class Render(unittest.TestCase):
                 godrays.render(os.path.join(folder, "nonesuch.ply"))
             broken = pathlib.Path(folder) / "broken.ply"
             broken.write_text("none")
-            with self.assertRaisesRegex(godrays.Error, "broken.ply: it cannot be read as ply"):
+            with self.assertRaisesRegex(godrays.Error, "broken.ply: cannot be read"):
                 godrays.render(broken)
-            with self.assertRaisesRegex(godrays.Error, "data.xyz: render.. reads .*[.]ply"):
-                godrays.render("data.xyz")
+            with self.assertRaisesRegex(godrays.Error, "data.xyz: is of an unknown type; give one of .*[.]ply"):
+                godrays.render(broken.rename(pathlib.Path(folder) / "data.xyz"))
+            with self.assertRaisesRegex(godrays.Error, "is a directory"):
+                godrays.render(folder)
+            with self.assertRaisesRegex(ValueError, "scalars: there is no array 'none such'"):
+                godrays.render(file, scalars="none such")
+            with self.assertRaisesRegex(TypeError, "scalars of numbers are for data sets"):
+                godrays.render(file, scalars=[1, 2])
+            with self.assertRaisesRegex(ValueError, "cmap is for scalars"):
+                godrays.render(file, cmap="viridis")
         for picture in pictures:
             self.assertEqual((picture.dtype, picture.shape), (numpy.uint8, (90, 120, 3)))
         for other in (pictures[1], pictures[4]):

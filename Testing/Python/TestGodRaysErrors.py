@@ -325,7 +325,7 @@ class Mistakes(unittest.TestCase):
             (ValueError, "file='a.png' should end in .html", lambda: godrays.turntable(None, "a.png")),
             (ValueError, "views=1 should be a whole number", lambda: godrays.turntable(None, "a.html", views=1)),
             (ValueError, "views=2.5 should be a whole number", lambda: godrays.turntable(None, "a.html", views=2.5)),
-            (godrays.Error, "it is a folder", lambda: godrays.render("/")),
+            (godrays.Error, "is a directory", lambda: godrays.render("/")),
         ):
             with self.subTest(words), self.assertRaisesRegex(error, words):
                 call()

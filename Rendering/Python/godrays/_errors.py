@@ -93,20 +93,6 @@ class raising:
             raise Error("\n".join(errors))
 
 
-class hushed(raising):
-    """Keep all that VTK says in `said`, for somebody else's classes; nothing is raised."""
-
-    said = ""
-
-    def _tell(self, said: str, may_raise: bool) -> None:
-        self.said = said
-
-    def get_reason(self) -> str:
-        """The last line of the first message."""
-        found = _MESSAGE.search(self.said)
-        return found["text"].strip().splitlines()[-1] if found and found["text"].strip() else ""
-
-
 def watch(rays: Any) -> None:
     """Have the warnings of a pass given to the module warnings, also while a window renders."""
 

@@ -13,7 +13,7 @@ import warnings
 from typing import TYPE_CHECKING, Any
 
 from ._arrays import to_image
-from ._errors import Error, GodRaysWarning, hushed, tell_names, to_numbers
+from ._errors import Error, GodRaysWarning, tell_names, to_numbers
 from ._targets import find_direction, to_color, write_whole
 from ._vtk import (
     load,
@@ -38,15 +38,6 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
 _LARGEST = 16384  # [pixels] of a side; X ends the program of larger windows
-_XML = {"vti": "ImageData", "vtp": "PolyData", "vtr": "RectilinearGrid", "vts": "StructuredGrid",
-    "vtu": "UnstructuredGrid", "vtm": "MultiBlockData"}
-_READERS = {
-    "ply": ("vtkIOPLY", "vtkPLYReader"),
-    "stl": ("vtkIOGeometry", "vtkSTLReader"),
-    "obj": ("vtkIOGeometry", "vtkOBJReader"),
-    "vtk": ("vtkIOLegacy", "vtkDataSetReader"),
-    **{suffix: ("vtkIOXML", f"vtkXML{name}Reader") for suffix, name in _XML.items()},
-}
 
 
 def render(
@@ -68,10 +59,10 @@ def render(
 ) -> Any:
     """Draw data with god rays, without a window, and return the picture.
 
-    data: a data set of VTK or PyVista; a vtkAlgorithm that makes one; a file (.vtk, .vtp, .vtu, .vti, .vtr,
-        .vts, .vtm, .ply, .stl, .obj); a vtkProp; a list of these; or a vtkRenderer, or a plotter, whose scene
-        is drawn with its own camera, lights and background, and is left as it was; rays that it has
-        keep what they are given here.
+    data: a data set of VTK or PyVista; a vtkAlgorithm that makes one; a file of any type that the program
+        godrays reads, such as .vti, .nii, .tif or .glb, as it shows it: 3-D images are volumes; a vtkProp; a
+        list of these; or a vtkRenderer, or a plotter, whose scene is drawn with its own camera, lights and
+        background, and is left as it was; rays that it has keep what they are given here.
     size: width and height [pixels], from 1 to 16384.
     preset: as of enable(); see presets().
     camera: from where the data are seen, (azimuth, elevation) [degrees]. All data are in the picture. Or a
@@ -84,8 +75,8 @@ def render(
     rays: off, the same picture is drawn without them.
     color: of the data, in the place of their scalars; as background.
     opacity: of the data. Valid range: [0, 1]. Default is 1.
-    scalars: what colours the data: the name of an array of their points or cells, or an array of one number
-        each. Default is the array that they have for it.
+    scalars: what colours the data: the name of an array of their points or cells, or for data sets an array
+        of one number each. Default is the array that they have for it.
     cmap: the colour map of the scalars: a name of Matplotlib's, such as "viridis", or a vtkScalarsToColors.
     parameters: all that enable() takes, such as light, sun_at, intensity. sun=(azimuth, elevation) is counted
         as of the program: clockwise from north, which is +y where z is up, -z where y is, +z where x is.
@@ -205,16 +196,22 @@ def _scene(data: Any) -> Any:
     return found if isinstance(found, vtkRenderer) else None
 
 
+def _is_file(data: Any) -> bool:
+    return isinstance(data, (str, os.PathLike))
+
+
 def _props(data: Any, look: dict[str, Any]) -> list[Any]:
+    if _is_file(data):
+        data = [data]
     if isinstance(data, (list, tuple)):
-        return [prop for each in data for prop in _props(each, look)]
+        files = [each for each in data if _is_file(each)]  # which share the ranges of their colours
+        others = [prop for each in data if not _is_file(each) for prop in _props(each, look)]
+        return [*(_read_files(files, **look) if files else []), *others]
     if isinstance(data, vtkProp):
         if look:
             raise TypeError(f"{next(iter(look))} is for data; a {data.GetClassName()} has its own")
         return [data]
     mapper = vtkDataSetMapper()
-    if isinstance(data, (str, os.PathLike)):
-        data = _read_file(pathlib.Path(data))
     if isinstance(data, vtkAlgorithm):
         data.Update()
         data = data.GetOutputDataObject(0)
@@ -243,18 +240,24 @@ def _props(data: Any, look: dict[str, Any]) -> list[Any]:
     return [actor]
 
 
+def _check_color(color: Any, opacity: Any, scalars: Any, cmap: Any) -> tuple[Any, float]:
+    """The numbers of a colour, None if there is none, and of an opacity."""
+    if color is not None and (scalars is not None or cmap is not None):
+        raise ValueError("color is in the place of scalars and cmap; give one of them")
+    alpha = to_numbers("opacity", [1 if opacity is None else opacity], (1,), "in [0, 1]", (0, 1))[0]
+    return None if color is None else tuple(to_color("color", color)), alpha
+
+
 def _color(
     actor: Any, mapper: Any, data: Any, color: Any = None, opacity: Any = None, scalars: Any = None,
     cmap: Any = None
 ) -> None:
     """Give the data of an actor the looks that render() is asked for."""
-    if color is not None:
-        if scalars is not None or cmap is not None:
-            raise ValueError("color is in the place of scalars and cmap; give one of them")
-        actor.GetProperty().SetColor(to_color("color", color))
+    rgb, alpha = _check_color(color, opacity, scalars, cmap)
+    if rgb:
+        actor.GetProperty().SetColor(rgb)
         mapper.ScalarVisibilityOff()
-    if opacity is not None:
-        actor.GetProperty().SetOpacity(to_numbers("opacity", [opacity], (1,), "in [0, 1]", (0, 1))[0])
+    actor.GetProperty().SetOpacity(alpha)
     points, cells = data.GetPointData(), data.GetCellData()
     if scalars is not None and not isinstance(scalars, str):
         import numpy
@@ -312,27 +315,31 @@ def _table(cmap: Any) -> vtkScalarsToColors:
     return table
 
 
-def _read_file(path: pathlib.Path) -> Any:
-    if path.is_dir():
-        raise Error(f"{path}: it is a folder; name a file in it")
-    suffix = path.suffix.lower().lstrip(".")
-    if suffix not in _READERS:
-        raise Error(f"{path}: render() reads {', '.join('.' + each for each in sorted(_READERS))}; the "
-            "program godrays reads more, see python3 -m godrays --help")
-    if not path.is_file():
-        raise Error(f"{path}: there is no such file")
-    module, name = _READERS[suffix]
-    reader = getattr(load(module), name)()
-    reader.SetFileName(str(path))
-    with hushed() as messages:
-        reader.Update()
-    data = reader.GetOutputDataObject(0)
-    reason = messages.get_reason()
-    if data is None or (isinstance(data, vtkDataSet) and data.GetNumberOfPoints() == 0):
-        raise Error(f"{path}: it cannot be read as {suffix}: {reason or 'it has no points'}")
-    if reason:
-        warnings.warn(f"{path}: {reason}", GodRaysWarning, stacklevel=4)
-    return data
+def _read_files(
+    files: list[Any], color: Any = None, opacity: Any = None, scalars: Any = None, cmap: Any = None
+) -> list[Any]:
+    """The props that the program makes of files."""
+    rgb, alpha = _check_color(color, opacity, scalars, cmap)
+    if not (scalars is None or isinstance(scalars, str)):
+        raise TypeError("scalars of numbers are for data sets; those of a file are the name of an array")
+    colors = [[0.0] * 3 for _ in range(0 if cmap is None else 256)]
+    table = vtkScalarsToColors() if cmap is None else _table(cmap)
+    low, high = table.GetRange()
+    for i, each in enumerate(colors):
+        table.GetColor(low + (high - low) * i / 255, each)
+    try:
+        from . import _files  # type: ignore[attr-defined]
+
+        names = [os.fsencode(each) for each in files]
+        props, notes = _files.make_props(names, scalars or "", rgb, alpha, [*map(tuple, colors)])
+    except ImportError as error:
+        raise Error(f"{files[0]}: no reader was built; use one of VTK in its place ({error})") from error
+    except RuntimeError as error:
+        kind, words = (ValueError, str(error)[2:]) if str(error).startswith("--") else (Error, str(error))
+        raise kind(words) from None  # of an option of the program, which is named as the parameter
+    for note in notes:
+        warnings.warn(note, GodRaysWarning, stacklevel=5)
+    return list(props)
 
 
 def _look(scene: Any, camera: Any, up: str, zoom: float, aspect: float) -> None:
