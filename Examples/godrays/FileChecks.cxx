@@ -230,6 +230,33 @@ void CheckByu(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
+void CheckPng(const std::string& path)
+{
+  const std::string signature = "\x89PNG\r\n\x1a\n";
+  std::ifstream file(path, std::ios::binary);
+  std::string start(signature.size(), ' ');
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  if (start != signature)
+  {
+    return;
+  }
+  // A chunk is its length, its name, its data and a sum of 4 bytes; the last one is IEND.
+  const std::uintmax_t size = fs::file_size(path);
+  unsigned char head[8] = {};
+  for (std::uintmax_t at = start.size(); at + 12 <= size;)
+  {
+    file.seekg(static_cast<std::streamoff>(at));
+    file.read(reinterpret_cast<char*>(head), sizeof(head));
+    if (std::equal(head + 4, head + 8, "IEND"))
+    {
+      return;
+    }
+    at += 12 + (static_cast<std::uint32_t>(head[0]) << 24 | head[1] << 16 | head[2] << 8 | head[3]);
+  }
+  throw Failure(path + ": is shorter than it says; copy it again");
+}
+
+//------------------------------------------------------------------------------
 void CheckPnm(const std::string& path)
 {
   // VTK reads for ever in a header that ends.

@@ -14,6 +14,7 @@
 #include "Progress.h"
 #include "Series.h"
 #include "System.h"
+#include "TiffPicture.h"
 #include "UpAxis.h"
 
 #include "vtk3DSImporter.h"
@@ -297,6 +298,11 @@ void ReadTiff(const std::string& path, FileContents& contents)
   {
     contents.Notes.push_back(path + ": " + contents.Place.Unread);
   }
+  if (const auto picture = ReadCompressedTiff(path))
+  {
+    AddDataObject(picture, contents);
+    return;
+  }
   vtkNew<vtkTIFFReader> reader;
   // VTK takes the first row, which is at the top, for the lowest one, but not if it is told the reverse.
   reader->SetOrientationType(ORIENTATION_BOTLEFT);
@@ -371,6 +377,13 @@ void ReadByu(const std::string& path, FileContents& contents)
 {
   CheckByu(path);
   ReadData<vtkBYUReader>(path, contents);
+}
+
+//------------------------------------------------------------------------------
+void ReadPng(const std::string& path, FileContents& contents)
+{
+  CheckPng(path);
+  ReadData<vtkPNGReader>(path, contents);
 }
 
 //------------------------------------------------------------------------------
@@ -460,7 +473,7 @@ const std::map<std::string, ReadFunction>& Types()
     { ".obj", ReadObj },
     { ".pgm", ReadPnm },
     { ".ply", ReadPly },
-    { ".png", ReadData<vtkPNGReader> },
+    { ".png", ReadPng },
     { ".ppm", ReadPnm },
     { ".pvd", ReadSeries },
     { ".pvti", ReadXml<vtkXMLPImageDataReader> },

@@ -200,6 +200,7 @@ void GltfFile::ReplaceUris()
       if (!isMissing)
       {
         CheckRegular(file.string());
+        CheckPng(file.string());
         const std::string bytes(FindJson(SplitJson(each.Value), "byteLength"));
         if (std::strtod(bytes.c_str(), nullptr) > static_cast<double>(fs::file_size(file)))
         {

@@ -80,6 +80,59 @@ std::vector<double> ReadNumbers(std::string text)
 }
 
 //------------------------------------------------------------------------------
+/// Returns the names below the line of a header that says LIST, one a line.
+std::vector<std::string> ReadList(const std::string& path, const std::string& field)
+{
+  std::vector<std::string> names;
+  std::ifstream file(path, std::ios::binary);
+  bool isListed = false;
+  for (std::string line; std::getline(file, line);)
+  {
+    line.resize(line.find_last_not_of(" \r") + 1);
+    if (isListed)
+    {
+      names.push_back(line);
+    }
+    isListed = isListed || line.rfind(field, 0) == 0;
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+/// Returns the names that a pattern such as slice%03d.raw stands for, with the first number, the last one and
+/// the step behind it; or the one name that is no such pattern.
+std::vector<std::string> ExpandPattern(const std::string& path, const std::string& text)
+{
+  const auto percent = text.find('%');
+  const auto letter = text.find_first_not_of("0123456789", percent + 1);
+  int range[3] = { 1, 1, 1 };
+  if (percent == std::string::npos || letter == std::string::npos || text[letter] != 'd')
+  {
+    return { text };
+  }
+  const auto end = text.find(' ', letter);
+  std::istringstream(end < text.size() ? text.substr(end) : "") >> range[0] >> range[1] >> range[2];
+  constexpr int most = 100000;
+  constexpr int largest = 1000000000;
+  const std::string digits = text.substr(percent + 1, letter - percent - 1);
+  const auto width = static_cast<std::size_t>(std::strtol(digits.c_str(), nullptr, 10));
+  if (range[0] < 0 || range[1] > largest || range[2] < 1 || range[2] > largest ||
+    range[1] / range[2] > most || width > most)
+  {
+    throw Failure(path + ": says a number of files that cannot be; write it again");
+  }
+  std::vector<std::string> names;
+  for (int i = range[0]; i <= range[1]; i += range[2])
+  {
+    std::string number = std::to_string(i);
+    const std::size_t missing = width - std::min(width, number.size());
+    number.insert(0, missing, digits[0] == '0' ? '0' : ' ');
+    names.push_back(text.substr(0, percent) + number + text.substr(letter + 1, end - letter - 1));
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
 /// Places an image of at least two samples along each axis.
 vtkSmartPointer<vtkImageData> Place(
   const std::string& path, vtkImageData* read, Axes axes, Vector3 origin)
@@ -171,10 +224,13 @@ void CheckDataFiles(const std::string& path)
     std::string file;
     std::getline(words >> std::ws, file);
     file.resize(file.find_last_not_of(" \r") + 1);
-    const bool isName = file.find('%') == std::string::npos && file.rfind("LIST", 0) != 0;
-    if (isName && !file.empty() && file != "LOCAL")
+    const bool isList = file.rfind("LIST", 0) == 0;
+    for (const std::string& part : isList ? ReadList(path, name) : ExpandPattern(path, file))
     {
-      CheckRegular((std::filesystem::path(path).parent_path() / file).string());
+      if (!part.empty() && part != "LOCAL")
+      {
+        CheckRegular((std::filesystem::path(path).parent_path() / part).string());
+      }
     }
   }
 }

@@ -33,6 +33,7 @@ if(VTK_FOUND AND NOT TARGET godrays_reading)
     Series.cxx
     System.cxx
     Temporary.cxx
+    TiffPicture.cxx
     UpAxis.cxx
     Values.cxx
     Volumes.cxx)

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes images of one body in the storages of medical images: axes in any order, values times a slope."""
 
+import ctypes
+import ctypes.util
 import gzip
 import struct
 
@@ -91,3 +93,28 @@ def write_nrrd(path, values, matrix, space="left-posterior-superior", encoding="
         f"space directions: {' '.join(vectors[:3])}\nspace origin: {vectors[3]}\nendian: little\n"
         f"encoding: {encoding}\n")
     path.write_bytes(head.encode() + b"\n" + (gzip.compress(data) if encoding == "gzip" else data))
+
+
+def write_tiff(path, pixels, compression, tiled=False, rows=16):
+    """Write uint8 [row, column, channel], whose sides are multiples of 16, with the library that has all compressions."""
+    library = ctypes.CDLL(ctypes.util.find_library("tiff") or "libtiff.so.6")
+    library.TIFFOpen.restype = ctypes.c_void_p
+    height, width, channels = pixels.shape
+    file = ctypes.c_void_p(library.TIFFOpen(str(path).encode(), b"w"))
+    tags = {
+        256: width, 257: height, 258: 8, 259: compression, 262: 2 if channels > 2 else 1, 277: channels, 284: 1,
+        **({322: 16, 323: 16} if tiled else {278: rows})}
+    if compression == 7 and channels == 3:
+        tags[262] = 6  # YCbCr, which the library makes of colours (65538)
+        tags[65538] = 1
+    for tag, value in tags.items():
+        library.TIFFSetField(file, ctypes.c_uint32(tag), ctypes.c_int(value))
+    if tiled:
+        parts = [pixels[y : y + 16, x : x + 16] for y in range(0, height, 16) for x in range(0, width, 16)]
+    else:
+        parts = [pixels[y : y + rows] for y in range(0, height, rows)]
+    write = library.TIFFWriteEncodedTile if tiled else library.TIFFWriteEncodedStrip
+    for i, part in enumerate(parts):
+        data = part.tobytes()
+        write(file, ctypes.c_uint32(i), data, ctypes.c_ssize_t(len(data)))
+    library.TIFFClose(file)

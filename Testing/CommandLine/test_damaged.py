@@ -103,7 +103,7 @@ class DamagedFiles(ProgramTest):
             for file in files:
                 with self.subTest(option, file=file.name):
                     self.fails(self.mesh, option, file, "--size", "96x72", "--output", folder / "p.png",
-                        says=[file.name], codes=[3], timeout=20)
+                        says=[f"{option}: ", file.name], codes=[3], timeout=20)
 
         packed = folder / "packed.nrrd"
         packed.write_bytes((self.folder / "a.nrrd").read_bytes().replace(b"encoding: raw", b"encoding: bzip2"))

@@ -3,6 +3,7 @@
 """The program godrays with files of every type."""
 
 import json
+import os
 import pathlib
 import re
 import shutil
@@ -278,6 +279,72 @@ class MedicalImages(ProgramTest):
         self.fails(path, "--output", self.folder / "p.png", says=[path.name, "directions", "write it again"])
 
 
+class Pictures(ProgramTest):
+    def test_one_picture_in_every_storage_of_tiff(self):
+        """Of colours and of heights, in strips and tiles, by each compression that the library has."""
+        x, y = numpy.meshgrid(numpy.arange(48), numpy.arange(32))
+        colors = numpy.stack([5 * x, 7 * y, 128 + 60 * numpy.sin(x / 9)], 2).astype("u1")
+        names = {1: "none", 5: "lzw", 7: "jpeg", 8: "deflate", 32773: "packbits"}
+        for channels, pixels in (3, colors), (1, colors[..., 2:]):
+            cases = [(1, False), (1, True)] + [(each, tiled) for each in names if each > 1 for tiled in (False, True)]
+            files = []
+            for compression, tiled in cases:
+                files.append(self.folder / f"{names[compression]}-{channels}-{'tiles' if tiled else 'strips'}.tif")
+                image_files.write_tiff(files[-1], pixels, compression, tiled)
+            mirrored = self.folder / "mirrored.tif"
+            image_files.write_tiff(mirrored, pixels[:, ::-1], 1)
+            first, *others, control = self.draw_each(
+                [*files, mirrored], "--flat", "--no-rays", "--camera-position", "24,16,80", "--focal-point", "24,16,0",
+                "--fill", "1", "--sun", "180,60")
+            self.assertGreater(abs(control - first).mean(), 3, "the control")
+            for file, picture in zip(files[1:], others):
+                with self.subTest(file.name):
+                    self.assertLess(abs(picture - first).mean(), 1.5)
+        data = bytearray(files[0].read_bytes())
+        at = data.index(struct.pack("<HHIH", 259, 3, 1, 1))
+        data[at + 8 : at + 10] = struct.pack("<H", 34712)  # JPEG 2000
+        path = self.folder / "unknown.tif"
+        path.write_bytes(data)
+        self.fails(path, "--output", self.folder / "p.png", says=[path.name, "compression 34712", "deflate"])
+
+    def test_images_of_several_files(self):
+        """A list of names, or a pattern of them, in MetaImage and NRRD."""
+        values = numpy.random.default_rng(3).integers(0, 200, (8, 10, 12)).astype("i2")
+        place = numpy.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]])
+        folder = self.folder / "slices"
+        folder.mkdir()
+        names = [f"slice{k:03}.raw" for k in range(5, 5 + 8)]
+        for name, slice_ in zip(names, values):
+            (folder / name).write_bytes(slice_.tobytes())
+        listed, pattern = "LIST\n" + "\n".join(names) + "\n", "slice%03d.raw 5 12 1\n"
+        image_files.write_mha(folder / "whole.mha", values, place)
+        image_files.write_nrrd(folder / "whole.nrrd", values, place)
+        files = [folder / "whole.mha"]
+        for whole, end, field in ("whole.mha", ".mhd", "ElementDataFile = "), ("whole.nrrd", ".nhdr", "data file: "):
+            header = (folder / whole).read_bytes()[: -values.nbytes].decode().replace("ElementDataFile = LOCAL\n", "")
+            for name, text in ("list", listed), ("pattern", pattern):
+                files.append(folder / (name + end))
+                files[-1].write_text(header.rstrip("\n") + "\n" + field + text)
+        arguments = ["--no-rays", "--sun", "300,20", "--camera-position", "30,-50,25", "--focal-point", "6,5,4"]
+        first, *others = self.draw_each(files, *arguments)
+        self.assertGreater(numpy.ptp(first), 50)
+        for file, picture in zip(files[1:], others):
+            with self.subTest(file.name):
+                self.assertLess(abs(picture - first).mean(), 0.2)
+        part = folder / names[3]
+        for words, spoil in (
+            ("is empty", lambda: part.write_bytes(b"")), ("there is no such file", part.unlink),
+            ("no regular file", lambda: os.mkfifo(part)),
+        ):
+            spoil()
+            for file in files[1:]:
+                with self.subTest(file.name, words=words):
+                    self.fails(file, "--output", folder / "p.png", says=[f"{part.name}: ", words], timeout=20)
+        for range_ in ("1 9 0", "1 999999999 1", "1 9999999999999 1", "-5 3 1"):
+            (folder / "many.mhd").write_text((folder / "pattern.mhd").read_text().replace("5 12 1", range_))
+            self.fails(folder / "many.mhd", "--output", folder / "p.png", says=["many.mhd: says a number of files"])
+
+
 class Elevations(ProgramTest):
     ARGUMENTS = [
         "--no-rays", "--sun", "300,20", "--elevation-scale", "1", "--camera-position", "3000,-2000,1500",
@@ -400,6 +467,13 @@ class Gltf(ProgramTest):
         shutil.copy(self.folder / "a.png", self.folder / "a brick.png")
         path = self.write("space.gltf", **self.textured("a%20brick.png"))
         self.assertGreater(abs(self.draw(path) - self.draw(self.folder / "a.gltf")).max(), 20)
+
+    def test_a_picture_that_is_cut_off(self):
+        random = numpy.random.default_rng(2).integers(0, 255, (40, 40, 3)).astype("u1")
+        for name, data in ("noise.png", sample_files.png(random)), ("a.jpg", (self.folder / "a.jpg").read_bytes()):
+            (self.folder / ("cut-" + name)).write_bytes(data[: len(data) // 2])
+            path = self.write("cut.gltf", **self.textured("cut-" + name))
+            self.fails(path, "--output", "p.png", says=["cut-" + name])
 
     def test_a_missing_buffer(self):
         path = self.write("buffer.gltf", buffers=[{"byteLength": 44, "uri": "none.bin"}])
