@@ -31,11 +31,13 @@ uniform sampler2D depth;    // window depth of what is seen
 uniform vec4 depthTerms;    // see vtkGodRaysView::Pinhole
 uniform vec3 axis;          // of view
 uniform float sceneUnit;    // [m]
+uniform ivec2 corner;       // of the picture [pixels of the framebuffer]
 
 //VTK::GodRays::Terms
 // beforeScene: the air before the scene rather than the sky behind it
 // isPower: whether shown values stand for light by a power of 2.2, not by sRGB's transfer
 // shoulder: whether light stays below white rather than being clipped
+// dithered: whether noise of half a level hides that colours are rounded
 // hasDisc: whether the sun's disc may be seen
 // hasEdge: whether the atmosphere's edge may be
 // phaseBit0, phaseBit1, phaseBit2: the kind of the aerosol's phase function
@@ -66,10 +68,11 @@ vec3 Join(vec3 behind, vec3 light)
   return shoulder ? BlendShoulder(behind, light) : BlendAdd(behind, light);
 }
 
-// Light over what is behind it, as it is shown.
-vec3 Encode(vec3 behind, vec3 light)
+// Light as it is shown. Noise of less than half a level leaves colours alone that bytes can hold.
+vec3 Encode(vec3 light)
 {
-  return EncodeDisplay(Join(behind, light), isPower);
+  vec3 shown = EncodeDisplay(light, isPower);
+  return dithered ? shown + OrderedNoise(floor(gl_FragCoord.xy) - vec2(corner)) / 255.0 : shown;
 }
 
 // The scene through the air.
@@ -95,7 +98,8 @@ vec3 SceneThroughAir(vec3 ray, float slope, bool above, vec2 cell, vec3 aerosolP
   int lower = min(int(slice), slices - 2);
   vec3 light = mix(LookUp(cell, lower, aerosolPhase), LookUp(cell, lower + 1, aerosolPhase),
     slice - float(lower));
-  return Encode(DecodeDisplay(shown, isPower) * transmittance, irradiance * light * (1.0 - transmittance));
+  vec3 behind = DecodeDisplay(shown, isPower) * transmittance;
+  return Encode(Join(behind, irradiance * light * (1.0 - transmittance)));
 }
 
 void main()
@@ -126,5 +130,5 @@ void main()
   {
     disc = DiscLight(direction, ray);
   }
-  gl_FragData[0] = vec4(EncodeDisplay(BlendAdd(Join(vec3(0.0), light), disc), isPower), 1.0);
+  gl_FragData[0] = vec4(Encode(BlendAdd(Join(vec3(0.0), light), disc)), 1.0);
 }

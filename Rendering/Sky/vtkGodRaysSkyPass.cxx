@@ -118,7 +118,7 @@ struct vtkGodRaysSkyPass::Internals
   vtkGodRaysSkyObserver Observer;
   vtkGodRaysLight Sun;
   vtkGodRaysTransfer Transfer = vtkGodRaysTransfer::SRGB;
-  bool Shoulder = false;   // for the framebuffer of this frame
+  bool Bytes = false;      // of the framebuffer of this frame
   bool DrawsScene = false; // at this moment
   std::string Plan;
   std::string Complaint; // that has been made already
@@ -647,7 +647,7 @@ bool vtkGodRaysSkyPass::DrawSky(const vtkRenderState* s)
   vtkOpenGLState* state = self.Window->GetState();
   const vtkGodRaysStateKeeper keeper(state);
   const vtkGodRaysFramebuffer bound;
-  self.Shoulder = this->HighlightShoulder && bound.Formats.Color == GL_RGBA8;
+  self.Bytes = bound.Formats.Color == GL_RGBA8;
   int viewport[4];
   vtkGodRaysScene::GetViewport(s, viewport);
   if (!this->UpdateTable(self.Table, "sky: "))
@@ -674,14 +674,11 @@ bool vtkGodRaysSkyPass::DrawAir(const vtkRenderState* s)
   vtkOpenGLState* state = self.Window->GetState();
   const vtkGodRaysStateKeeper keeper(state);
   const vtkGodRaysFramebuffer bound;
-  self.Shoulder = this->HighlightShoulder && bound.Formats.Color == GL_RGBA8;
+  self.Bytes = bound.Formats.Color == GL_RGBA8;
   int viewport[4];
   vtkGodRaysScene::GetViewport(s, viewport);
-  if (!bound.Formats.Color || !bound.Formats.Depth || !this->UpdateTable(self.Air, "air: "))
-  {
-    return false;
-  }
-  if (!self.Scene.Copy(self.Window, bound, viewport, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT))
+  if (!bound.Formats.Color || !bound.Formats.Depth || !this->UpdateTable(self.Air, "air: ") ||
+    !self.Scene.Copy(self.Window, bound, viewport, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT))
   {
     return false;
   }
@@ -701,7 +698,8 @@ bool vtkGodRaysSkyPass::Draw(const int viewport[4], const int part[4], Stage sta
   const int kind = atmosphere->GetMiePhaseFunction();
   vtkShaderProgram* program = self.Quad.Begin(self.Window,
     { { "isPower", self.Transfer == vtkGodRaysTransfer::POWER }, { "beforeScene", stage == AIR },
-      { "shoulder", self.Shoulder }, { "hasDisc", stage == SKY_WITH_SUN },
+      { "shoulder", self.Bytes && this->HighlightShoulder },
+      { "dithered", self.Bytes && this->Dithering }, { "hasDisc", stage == SKY_WITH_SUN },
       { "hasEdge", stage != AIR && table.GetEdges().y < 1.0 }, { "phaseBit0", (kind & 1) != 0 },
       { "phaseBit1", (kind & 2) != 0 }, { "phaseBit2", (kind & 4) != 0 } });
   if (!program)
@@ -718,6 +716,7 @@ bool vtkGodRaysSkyPass::Draw(const int viewport[4], const int part[4], Stage sta
   const Vec3 irradiance =
     this->Exposure * GetWeights(this) * ToVec3(atmosphere->GetSunIrradiance());
   SetVector(program, "irradiance", irradiance);
+  program->SetUniform2i("corner", viewport);
   if (stage == SKY_WITH_SUN)
   {
     const float pixelSize[2] = { 2.0f / static_cast<float>(viewport[2]),
@@ -787,6 +786,7 @@ void vtkGodRaysSkyPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WhiteBalance: " << this->WhiteBalance << "\n";
   os << indent << "DisplayTransfer: " << this->DisplayTransfer << "\n";
   os << indent << "HighlightShoulder: " << (this->HighlightShoulder ? "on" : "off") << "\n";
+  os << indent << "Dithering: " << (this->Dithering ? "on" : "off") << "\n";
   os << indent << "SunDisc: " << (this->SunDisc ? "on" : "off") << "\n";
   os << indent << "AerialPerspective: " << (this->AerialPerspective ? "on" : "off") << "\n";
   os << indent << "SurfaceLight: " << (this->SurfaceLight ? "on" : "off") << "\n";

@@ -178,6 +178,16 @@ public:
 
   ///@{
   /**
+   * Set/Get whether ordered noise of half a level hides the steps of 8-bit framebuffers in gradients of the
+   * sky and of the air. Off, light is rounded. Default is on.
+   */
+  vtkSetMacro(Dithering, bool);
+  vtkGetMacro(Dithering, bool);
+  vtkBooleanMacro(Dithering, bool);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get whether the sun's disc is drawn, darker towards its limb. Its size is the sun's AngularRadius
    * at the atmosphere's SunDistance. Default is on.
    */
@@ -326,6 +336,7 @@ private:
   bool WhiteBalance = true;
   int DisplayTransfer = 0;
   bool HighlightShoulder = false;
+  bool Dithering = true;
   bool SunDisc = true;
   bool AerialPerspective = true;
   bool SurfaceLight = true;

@@ -290,6 +290,67 @@ TEST_F(GodRaysSkyPass, MakesAPicture)
   EXPECT_FALSE(IsLikeBaseline(window, "GodRaysSkyPass", 2, true));
 }
 
+// Steps of bytes are hidden in the sky and in the air before a scene: means of 8 x 8 pixels are exact.
+TEST_F(GodRaysSkyPass, HidesTheStepsOfBytes)
+{
+  constexpr int size = 8 * Size;
+  this->Window->SetSize(size, size);
+  for (const bool hasScene : { false, true })
+  {
+    this->SetView(300.0, 120.0, hasScene ? -2.0 : 12.0, 20.0);
+    this->Sky->SetExposure(1.5);
+    if (hasScene)
+    {
+      this->Renderer->AddActor(
+        MakeWall(this->Eye + 2e4 * this->Look, GetDirection(60.0, 0.0), 1e5, 0.2));
+      this->Renderer->GetActiveCamera()->SetClippingRange(1e3, 1e5);
+    }
+    this->Renderer->SetPass(this->Floats);
+    this->Window->Render();
+    std::vector<float> light(4 * size * size);
+    auto buffer =
+      vtk::TakeSmartPointer<vtkPixelBufferObject>(this->Floats->GetColorTexture()->Download());
+    unsigned int sizes[2] = { size, size };
+    vtkIdType increments[2] = { 0, 0 };
+    EXPECT_TRUE(buffer->Download2D(VTK_FLOAT, light.data(), sizes, 4, increments));
+    this->Floats->ReleaseGraphicsResources(this->Window);
+    this->Renderer->SetPass(this->Sky);
+    double worst[2] = { 0.0, 0.0 }; // error of a mean [levels]: rounded, and with noise
+    int widest[2] = { 0, 0 };       // band of one value along a column [pixels]
+    for (const bool dithers : { false, true })
+    {
+      this->Sky->SetDithering(dithers);
+      const auto shown = GetPixels(this->Window);
+      std::vector<double> sums(3 * Size * Size);
+      std::vector<int> runs(4 * size);
+      for (std::size_t i = 0; i < light.size(); ++i)
+      {
+        if (i % 4 == 3)
+        {
+          continue;
+        }
+        const double error = shown[i] - 255.0 * std::clamp(light[i], 0.0f, 1.0f);
+        ASSERT_LE(std::abs(error), dithers ? 1.0 : 0.51);
+        const std::size_t x = i / 4 % size;
+        const std::size_t y = i / 4 / size;
+        sums[3 * (y / 8 * Size + x / 8) + i % 4] += error / 64.0;
+        int& run = runs[i % (4 * size)];
+        run = y > 0 && shown[i] == shown[i - 4 * size] ? run + 1 : 1;
+        widest[dithers] = std::max(widest[dithers], run);
+      }
+      for (const double sum : sums)
+      {
+        worst[dithers] = std::max(worst[dithers], std::abs(sum));
+      }
+    }
+    std::cout << (hasScene ? "air" : "sky") << ": means are off by " << worst[0]
+              << " levels by rounding, " << worst[1] << " with noise; widest band " << widest[0]
+              << " and " << widest[1] << " pixels\n";
+    EXPECT_LT(worst[1], 0.12);
+    EXPECT_GT(worst[0], 4.0 * worst[1]);
+  }
+}
+
 TEST_F(GodRaysSkyPass, IsInItsViewportAlone)
 {
   this->Renderer->SetPass(this->Sky);
