@@ -381,7 +381,8 @@ void AddSeriesOptions(Parser& parser, Options& options)
     });
   parser.AddFlag("--animate", options.Animate, "Write a picture of each time step");
   parser.AddCall("--turntable", "COUNT",
-    "Write this many pictures, between which the camera goes about the data once",
+    "Write this many pictures, between which the camera goes about the data once; with the light, "
+    "unless that is given",
     [&options](const std::string& text)
     {
       double value = 0.0;

@@ -224,18 +224,31 @@ struct Position
 
 //------------------------------------------------------------------------------
 /**
- * About the middle of the data, and the axis that points up.
+ * Turns the camera about the middle of the data and the axis that points up, and with it a light that the
+ * program has chosen, so that each picture has rays.
  */
-void TurnCamera(vtkRenderer* renderer, const Scene& scene, double degrees)
+void TurnView(Stage& stage, double degrees)
 {
+  const Scene& scene = stage.GetScene();
   double center[3];
   scene.Bounds.GetCenter(center);
   vtkNew<vtkTransform> turn;
   turn->Translate(center);
   turn->RotateWXYZ(degrees, scene.Up.data());
   turn->Translate(-center[0], -center[1], -center[2]);
-  renderer->GetActiveCamera()->ApplyTransform(turn);
-  renderer->ResetCameraClippingRange();
+  stage.GetRenderer()->GetActiveCamera()->ApplyTransform(turn);
+  stage.GetRenderer()->ResetCameraClippingRange();
+  Viewpoint view = stage.GetOriginalView();
+  if (view.LightWasChosen)
+  {
+    turn->TransformVector(view.LightDirection.data(), view.LightDirection.data());
+    turn->TransformPoint(view.LightPosition.data(), view.LightPosition.data());
+    if (view.LampInMedium)
+    {
+      turn->TransformPoint(view.LampInMedium->data(), view.LampInMedium->data());
+    }
+    stage.TakeLight(view);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -312,7 +325,7 @@ bool DrawFrames(vtkRenderWindow* window, std::unique_ptr<Stage>& stage, Playlist
       PrintView(stage->GetScene(), stage->GetView(), renderer->GetActiveCamera());
       PrintRays(stage->GetRays(), window, stage->AreRaysOn());
     }
-    TurnCamera(renderer, stage->GetScene(), 360.0 / views);
+    TurnView(*stage, 360.0 / views);
   }
   window->RemoveRenderer(renderer);
   static std::set<std::string> told; // a film would say it again in each frame
