@@ -273,6 +273,12 @@ void vtkGodRaysPass::MoveSun(vtkRenderer* renderer, bool isBlue)
   }
 }
 
+void vtkGodRaysPass::ResetSceneSize()
+{
+  this->Internal->SceneSize.Reset();
+  this->Modified();
+}
+
 int vtkGodRaysPass::GetNumberOfLights()
 {
   return static_cast<int>(this->Internal->Lights.size());

@@ -150,6 +150,15 @@ public:
   vtkLight* PlaceSun(vtkRenderer* renderer, double x, double y);
   ///@}
 
+  /**
+   * Find anew in the next frame how large the scene is. The density of air of no known unit, where it ends,
+   * and the power and radius of lamps that nobody set follow from the bounds of the visible props. They are
+   * found once and held while one of the props is visible of which they were found: nothing that flies by
+   * changes the light of a film, and new data in place of all former ones have their own. GetPlan() tells
+   * both sizes where they differ.
+   */
+  void ResetSceneSize();
+
   /// Events of the pass.
   enum Events
   {

@@ -114,7 +114,11 @@ void vtkGodRaysPass::Render(const vtkRenderState* s)
     self.Shadows->ReleaseGraphicsResources(self.Window); // maps take tens of megabytes
   }
   self.HasShadows = reason.empty() && this->SurfaceShadows;
-  reason = reason.empty() ? this->FindReasonForNoRays(s) : reason;
+  if (reason.empty())
+  {
+    self.SceneSize.Find(renderer, self.Compositor);
+    reason = this->FindReasonForNoRays(s);
+  }
   const bool hasLayers = reason.empty();
   if (hasLayers)
   {
@@ -299,7 +303,8 @@ std::string vtkGodRaysPass::FindFault(vtkRenderer* renderer, const vtkGodRaysVie
   {
     this->Complain(" " + faultOfLight);
   }
-  const std::string obstacle = self.Effect->FindObstacle(renderer, self.Compositor, view, size);
+  const std::string obstacle =
+    self.Effect->FindObstacle(renderer, self.Compositor, self.SceneSize, view, size);
   const std::string& faultOfScene = self.Finder.GetFaultOfScene();
   return faultOfScene.empty() ? obstacle : faultOfScene;
 }
@@ -370,21 +375,21 @@ bool vtkGodRaysPass::DrawShadows(const vtkRenderState* s)
   request.MostDataShadow = this->MostDataShadow;
   vtkGodRaysMedium medium;
   if (this->Intensity > 0.0 && self.Model->CanScatter() &&
-    self.Effect->FindMedium(s->GetRenderer(), self.Compositor, view, medium))
+    self.Effect->FindMedium(s->GetRenderer(), self.SceneSize, view, medium))
   {
     request.Medium = &medium;
   }
   request.Soft = this->SoftShadows;
   request.SunAngularRadius = vtkMath::RadiansFromDegrees(this->GetSunAngularRadius());
   request.SourceRadius = this->SourceRadius;
-  double bounds[6];
-  if (vtkGodRaysGate::FindBounds(s->GetRenderer(), self.Compositor, bounds).empty() &&
-    vtkMath::AreBoundsInitialized(bounds))
+  request.Scene = &self.SceneSize;
+  const double* bounds = self.SceneSize.GetBounds();
+  if (self.SceneSize.GetFault().empty() && vtkMath::AreBoundsInitialized(bounds))
   {
     request.Diagonal = vtkBoundingBox(bounds).GetDiagonalLength();
-    for (const double bound : bounds)
+    for (int i = 0; i < 6; ++i)
     {
-      request.Away = std::max(request.Away, std::abs(bound));
+      request.Away = std::max(request.Away, std::abs(bounds[i]));
     }
   }
   const std::string fault = vtkGodRaysGate::FindFault(s->GetRenderer(), view, request.Size);
@@ -434,6 +439,7 @@ void vtkGodRaysPass::FindLights(
   finder.Transfer = self.Transfer;
   finder.Tiles = GetTiles(renderer->GetRenderWindow());
   finder.Compositor = self.Compositor;
+  finder.Scene = &self.SceneSize;
   finder.AboveAir = false;
   self.Effect->SetUp(finder);
   finder.Find(view, self.Lights, lights);
@@ -520,6 +526,7 @@ bool vtkGodRaysPass::DrawLights(
   frame.Window = self.Window;
   frame.Renderer = s->GetRenderer();
   frame.View = &view;
+  frame.Scene = &self.SceneSize;
   frame.Integrator = self.Integrator;
   frame.Occlusion = self.Occlusion;
   frame.SceneDepth = self.Scene.GetDepth();
@@ -718,7 +725,8 @@ void vtkGodRaysPass::DescribeStages(bool screen)
   Internals& self = *this->Internal;
   std::ostringstream plan;
   plan << "scene: drawn in place, geometry rendered "
-       << (this->NumberOfGeometryPasses == 1 ? "once" : "twice") << "\n";
+       << (this->NumberOfGeometryPasses == 1 ? "once" : "twice") << "\n"
+       << self.SceneSize.Describe();
   if (self.HasShadows)
   {
     plan << self.Shadows->Describe() << "\n";

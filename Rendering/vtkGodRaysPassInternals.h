@@ -22,6 +22,7 @@
 #include "vtkGodRaysPass.h"
 #include "vtkGodRaysScene.h"
 #include "vtkGodRaysSceneCopy.h"
+#include "vtkGodRaysSceneSize.h"
 #include "vtkGodRaysSum.h"
 #include "vtkGodRaysSun.h"
 #include "vtkGodRaysSunPlacer.h"
@@ -49,6 +50,7 @@ struct vtkGodRaysPass::Internals
 
   std::vector<vtkSmartPointer<vtkLight>> Lights;
   vtkGodRaysLightFinder Finder;
+  vtkGodRaysSceneSize SceneSize;
   std::vector<vtkGodRaysLight> FormerLights; // empty: memory for those of a frame
   vtkSmartPointer<vtkLight> PlacedSun;       // by PlaceSun()
   double SunStrength = 1.0;                  // intensity that it has of PlaceSun()

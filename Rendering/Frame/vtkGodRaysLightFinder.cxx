@@ -9,6 +9,7 @@
 #include "vtkGodRaysGate.h"
 #include "vtkGodRaysMath.h"
 #include "vtkGodRaysRole.h"
+#include "vtkGodRaysSceneSize.h"
 #include "vtkGodRaysView.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleVectorKey.h"
@@ -306,13 +307,10 @@ void vtkGodRaysLightFinder::SetMarch(vtkGodRaysLight& seen, const vtkGodRaysView
 // Of what is visible; 50 if nothing is, or it cannot be used.
 double vtkGodRaysLightFinder::FindDiagonal()
 {
-  double bounds[6];
-  this->FaultOfScene = vtkGodRaysGate::FindBounds(this->Renderer, this->Compositor, bounds);
-  if (!this->FaultOfScene.empty() || !vtkMath::AreBoundsInitialized(bounds))
-  {
-    return 50.0;
-  }
-  return vtkBoundingBox(bounds).GetDiagonalLength();
+  this->FaultOfScene = this->Scene->GetFault();
+  return this->FaultOfScene.empty() && vtkMath::AreBoundsInitialized(this->Scene->GetBounds())
+    ? this->Scene->GetDiagonal()
+    : 50.0;
 }
 
 // As VTK shades: from 90 degrees on there is no cone.

@@ -17,6 +17,7 @@
 #include <vector>
 
 class vtkGodRaysCompositor;
+class vtkGodRaysSceneSize;
 class vtkLight;
 class vtkRenderer;
 struct vtkGodRaysView;
@@ -45,6 +46,7 @@ public:
   bool LightsMedium = false; ///< all emitters count, wherever it is
   bool AboveAir = false;     ///< suns are as they are above the air, which dims them itself
   vtkGodRaysCompositor* Compositor = nullptr; ///< of a scene on several processes
+  const vtkGodRaysSceneSize* Scene = nullptr;
 
   /**
    * The lights, and the props tagged LIGHT, of which any light may fall into the layer.

@@ -27,8 +27,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the optical depth, in green, across the diagonal of the bounds of all visible props, that the
-   * medium has while WorldUnitInMeters is 0: coefficients are then scaled as a whole. 0 takes them as they
+   * Set/Get the optical depth, in green, across the diagonal of the bounds of all visible props, as
+   * vtkGodRaysPass::ResetSceneSize() says, that the medium has while WorldUnitInMeters is 0: coefficients are
+   * then scaled as a whole. 0 takes them as they
    * are, per scene unit. ApplyPreset() sets one; to change a coefficient, or to set the visibility, sets 0.
    * Pictures are most believable from 0.1 to 1. Valid range: [0, 100]. Default is 0 [no unit].
    */

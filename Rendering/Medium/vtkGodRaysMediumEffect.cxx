@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysMediumEffect.h"
 
-#include "vtkBoundingBox.h"
-#include "vtkCamera.h"
 #include "vtkGodRaysAtmosphereModel.h"
 #include "vtkGodRaysCompositor.h"
 #include "vtkGodRaysGate.h"
@@ -13,23 +11,13 @@
 #include "vtkGodRaysMediumIntegrator.h"
 #include "vtkGodRaysMediumModel.h"
 #include "vtkGodRaysMediumNumbers.h"
+#include "vtkGodRaysSceneSize.h"
 #include "vtkGodRaysTimers.h"
 #include "vtkGodRaysVerification.h"
 #include "vtkGodRaysView.h"
-#include "vtkRenderer.h"
 
 #include <algorithm>
 #include <sstream>
-
-namespace
-{
-/// Of bounds, 0 if nothing is in them.
-double GetDiagonal(const double bounds[6])
-{
-  const vtkBoundingBox box(bounds);
-  return box.IsValid() ? box.GetDiagonalLength() : 0.0;
-}
-}
 
 vtkGodRaysMediumEffect::vtkGodRaysMediumEffect(vtkGodRaysMediumModel* model)
   : Model(model)
@@ -37,7 +25,8 @@ vtkGodRaysMediumEffect::vtkGodRaysMediumEffect(vtkGodRaysMediumModel* model)
 }
 
 std::string vtkGodRaysMediumEffect::FindObstacle(vtkRenderer* renderer,
-  vtkGodRaysCompositor* compositor, const vtkGodRaysView& view, const int size[2])
+  vtkGodRaysCompositor* compositor, const vtkGodRaysSceneSize& scene, const vtkGodRaysView& view,
+  const int size[2])
 {
   vtkGodRaysVolumeGrid::Numbers numbers;
   numbers.Scale = this->Model->GetDataScale();
@@ -46,15 +35,14 @@ std::string vtkGodRaysMediumEffect::FindObstacle(vtkRenderer* renderer,
   numbers.Asymmetry = this->Model->GetDataAsymmetry();
   numbers.Resolution = this->Model->GetDataResolution();
   std::string fault = this->Data.Take(renderer, compositor, numbers);
-  double bounds[6];
-  fault = fault.empty() ? vtkGodRaysGate::FindBounds(renderer, compositor, bounds) : fault;
+  fault = fault.empty() ? scene.GetFault() : fault;
   if (!fault.empty())
   {
     return fault;
   }
   vtkGodRaysView::Pinhole pinhole;
   return view.GetPinhole(size, pinhole)
-    ? vtkGodRaysGate::FindFault(this->GetMedium(renderer, view, bounds), view)
+    ? vtkGodRaysGate::FindFault(this->GetMedium(renderer, scene, view), view)
     : "the picture is tilted against the axis of view, or its pixels are oblong, in which light in "
       "a medium cannot be evaluated. Use a projection matrix without that, a window of "
       "another shape under a vtkDepthOfFieldPass, or a vtkGodRaysRadialModel";
@@ -66,10 +54,9 @@ bool vtkGodRaysMediumEffect::HasOwnProps(vtkRenderer* renderer) const
 }
 
 vtkGodRaysMedium vtkGodRaysMediumEffect::GetMedium(
-  vtkRenderer* renderer, const vtkGodRaysView& view, const double bounds[6]) const
+  vtkRenderer* renderer, const vtkGodRaysSceneSize& scene, const vtkGodRaysView& view) const
 {
-  return this->Model->GetMedium(
-    view.WorldToView, renderer->GetActiveCamera()->GetClippingRange()[1], GetDiagonal(bounds));
+  return this->Model->GetMedium(view.WorldToView, scene.GetFarDepth(renderer), scene.GetDiagonal());
 }
 
 bool vtkGodRaysMediumEffect::DimsScene() const
@@ -90,12 +77,10 @@ void vtkGodRaysMediumEffect::SetUp(
   request.Dims = false;
 }
 
-bool vtkGodRaysMediumEffect::FindMedium(vtkRenderer* renderer, vtkGodRaysCompositor* compositor,
+bool vtkGodRaysMediumEffect::FindMedium(vtkRenderer* renderer, const vtkGodRaysSceneSize& scene,
   const vtkGodRaysView& view, vtkGodRaysMedium& medium) const
 {
-  double bounds[6];
-  vtkGodRaysGate::FindBounds(renderer, compositor, bounds);
-  medium = this->GetMedium(renderer, view, bounds);
+  medium = this->GetMedium(renderer, scene, view);
   return this->DimsScene();
 }
 
@@ -114,13 +99,11 @@ void vtkGodRaysMediumEffect::Begin(const Frame& frame)
   this->SeenDepth = hasSeen ? frame.SceneDepth : occluders;
   this->Depths.Begin(
     frame.Window, *frame.View, occluders, this->SeenDepth == occluders ? nullptr : this->SeenDepth);
-  double bounds[6];
-  vtkGodRaysGate::FindBounds(frame.Renderer, frame.Compositor, bounds);
-  this->Medium = this->GetMedium(frame.Renderer, *frame.View, bounds);
+  this->Medium = this->GetMedium(frame.Renderer, *frame.Scene, *frame.View);
   const vtkGodRaysMedium::Component& air = this->Medium.Components[0];
   this->SceneDepth = this->Medium.HasExponentialDensity()
     ? 0.0
-    : GetDiagonal(bounds) * (air.Scattering[1] + air.Absorption[1]);
+    : frame.Scene->GetDiagonal() * (air.Scattering[1] + air.Absorption[1]);
   this->HiddenLamps = 0;
   this->Data.Begin();
   this->Diffuse.Begin();
@@ -233,9 +216,8 @@ bool vtkGodRaysMediumEffect::FindDiffuse(
   }
   if (this->LightsToCome == 0)
   {
-    double bounds[6];
-    vtkGodRaysGate::FindBounds(frame.Renderer, frame.Compositor, bounds);
-    this->Diffuse.Find(request, bounds, this->Data.GetGrids(), this->Data.GetVersion(), estimates);
+    this->Diffuse.Find(
+      request, frame.Scene->GetBounds(), this->Data.GetGrids(), this->Data.GetVersion(), estimates);
   }
   return true;
 }

@@ -26,7 +26,7 @@ public:
   explicit vtkGodRaysMediumEffect(vtkGodRaysMediumModel* model);
 
   std::string FindObstacle(vtkRenderer* renderer, vtkGodRaysCompositor* compositor,
-    const vtkGodRaysView& view, const int size[2]) override;
+    const vtkGodRaysSceneSize& scene, const vtkGodRaysView& view, const int size[2]) override;
   bool HasOwnProps(vtkRenderer* renderer) const override;
   const std::vector<vtkProp*>& GetOwnProps() const override { return this->Data.GetProps(); }
   bool SumsShownValues() const override { return false; }
@@ -35,7 +35,7 @@ public:
   void SetUp(vtkGodRaysLightFinder& finder) const override;
   void SetUp(
     vtkGodRaysOcclusionPass::Request& request, vtkGodRaysIntegrator* integrator) const override;
-  bool FindMedium(vtkRenderer* renderer, vtkGodRaysCompositor* compositor,
+  bool FindMedium(vtkRenderer* renderer, const vtkGodRaysSceneSize& scene,
     const vtkGodRaysView& view, vtkGodRaysMedium& medium) const override;
   void Begin(const Frame& frame) override;
   bool DrawLight(const Frame& frame, const vtkGodRaysLight& light) override;
@@ -51,7 +51,7 @@ public:
 
 private:
   vtkGodRaysMedium GetMedium(
-    vtkRenderer* renderer, const vtkGodRaysView& view, const double bounds[6]) const;
+    vtkRenderer* renderer, const vtkGodRaysSceneSize& scene, const vtkGodRaysView& view) const;
 
   bool IsInGround(const vtkGodRaysLight& light) const; // of a planet
   vtkGodRaysMediumIntegrator::Request MakeRequest(const Frame& frame, const vtkGodRaysLight& light);

@@ -26,8 +26,8 @@ vtkGodRaysRadialEffect::vtkGodRaysRadialEffect(vtkGodRaysRadialSumModel* model)
 {
 }
 
-std::string vtkGodRaysRadialEffect::FindObstacle(
-  vtkRenderer*, vtkGodRaysCompositor*, const vtkGodRaysView&, const int[2])
+std::string vtkGodRaysRadialEffect::FindObstacle(vtkRenderer*, vtkGodRaysCompositor*,
+  const vtkGodRaysSceneSize&, const vtkGodRaysView&, const int[2])
 {
   return "";
 }

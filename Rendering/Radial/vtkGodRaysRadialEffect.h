@@ -24,7 +24,7 @@ public:
   explicit vtkGodRaysRadialEffect(vtkGodRaysRadialSumModel* model);
 
   std::string FindObstacle(vtkRenderer* renderer, vtkGodRaysCompositor* compositor,
-    const vtkGodRaysView& view, const int size[2]) override;
+    const vtkGodRaysSceneSize& scene, const vtkGodRaysView& view, const int size[2]) override;
   bool SumsShownValues() const override;
   bool DimsScene() const override { return false; }
   bool ReadsSceneDepth() const override { return false; }

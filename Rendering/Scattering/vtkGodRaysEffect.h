@@ -21,6 +21,7 @@
 class vtkGodRaysCompositor;
 class vtkGodRaysIntegrator;
 class vtkGodRaysLightFinder;
+class vtkGodRaysSceneSize;
 class vtkGodRaysSunPlacer;
 class vtkGodRaysSum;
 class vtkGodRaysTimers;
@@ -43,6 +44,7 @@ public:
     vtkOpenGLRenderWindow* Window = nullptr;
     vtkRenderer* Renderer = nullptr;
     const vtkGodRaysView* View = nullptr;
+    const vtkGodRaysSceneSize* Scene = nullptr;
     vtkGodRaysIntegrator* Integrator = nullptr; ///< one that supports the model
     vtkGodRaysOcclusionPass* Occlusion = nullptr;
     vtkTextureObject* SceneDepth = nullptr;     ///< window depths of the picture
@@ -83,7 +85,7 @@ public:
    * scattered; whether Begin() reads the scene's depth.
    */
   virtual std::string FindObstacle(vtkRenderer* renderer, vtkGodRaysCompositor* compositor,
-    const vtkGodRaysView& view, const int size[2]) = 0;
+    const vtkGodRaysSceneSize& scene, const vtkGodRaysView& view, const int size[2]) = 0;
   virtual bool SumsShownValues() const = 0;
   virtual bool DimsScene() const = 0;
   virtual bool ReadsSceneDepth() const = 0;
@@ -120,7 +122,7 @@ public:
    * Find the medium that light comes through in a view. Returns false if there is none.
    */
   virtual bool FindMedium(
-    vtkRenderer*, vtkGodRaysCompositor*, const vtkGodRaysView&, vtkGodRaysMedium&) const
+    vtkRenderer*, const vtkGodRaysSceneSize&, const vtkGodRaysView&, vtkGodRaysMedium&) const
   {
     return false;
   }

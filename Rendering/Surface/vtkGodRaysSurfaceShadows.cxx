@@ -10,6 +10,7 @@
 #include "vtkGodRaysMedium.h"
 #include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysQuad.h"
+#include "vtkGodRaysSceneSize.h"
 #include "vtkGodRaysSurfaceShadowsFS.h"
 #include "vtkGodRaysView.h"
 #include "vtkGodRaysVolumeHaze.h"
@@ -113,7 +114,7 @@ double GetRadius(const vtkGodRaysSurfaceShadows::Request& request, const vtkGodR
     return light.IsInfinite() ? std::tan(request.SunAngularRadius) : request.SourceRadius;
   }
   const double focus[3] = { 0.0, 0.0, request.Renderer->GetActiveCamera()->GetDistance() };
-  return std::min(0.02 * request.Diagonal,
+  return std::min(0.02 * request.Scene->GetDiagonal(),
     0.1 * std::sqrt(vtkMath::Distance2BetweenPoints(light.Position, focus)));
 }
 
@@ -160,6 +161,7 @@ void vtkGodRaysSurfaceShadows::FindLights(
   }
   this->Finder.Renderer = request.Renderer;
   this->Finder.Compositor = request.Compositor;
+  this->Finder.Scene = request.Scene;
   this->Finder.LightsMedium = true; // wherever they are: behind the eye, too
   this->Finder.Find(*request.View, shining, lights);
   const auto castsNone = [&](const vtkGodRaysLight& light)

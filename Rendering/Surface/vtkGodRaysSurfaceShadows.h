@@ -36,6 +36,7 @@
 #include <vector>
 
 class vtkGodRaysCompositor;
+class vtkGodRaysSceneSize;
 class vtkOpenGLRenderWindow;
 class vtkProp;
 class vtkRenderer;
@@ -63,9 +64,10 @@ public:
     std::vector<vtkLight*> WithoutShadows; ///< lights that cast none
     double SunAngularRadius = 0.0;         ///< of lights that are infinitely far [radians]
     double SourceRadius = 0.0; ///< of others [scene units]; 0: as the scene's size suggests
-    double Diagonal = 0.0;     ///< of the scene
-    double Away = 0.0;         ///< how far it reaches from the origin
-    bool Soft = false;         ///< whether shadows are as soft as these say
+    const vtkGodRaysSceneSize* Scene = nullptr;
+    double Diagonal = 0.0; ///< of the scene
+    double Away = 0.0;     ///< how far it reaches from the origin
+    bool Soft = false;     ///< whether shadows are as soft as these say
     double MostDataShadow =
       1.0; ///< part of a light that shadows take from props coloured by scalars
     vtkGodRaysCompositor* Compositor = nullptr;

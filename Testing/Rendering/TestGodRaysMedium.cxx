@@ -19,6 +19,7 @@
 #include "vtkProperty.h"
 
 #include <cmath>
+#include <random>
 
 using namespace GodRaysTesting;
 
@@ -432,6 +433,90 @@ TEST_F(GodRaysMedium, ComputesWhatTheSceneNeeds)
   EXPECT_TRUE(Says(this->Rays->GetPlan(), "3 airlights of a directional light"))
     << this->Rays->GetPlan();
 }
+
+// Air whose density, and lamps whose power, are found from the visible props, in random scenes.
+class GodRaysSceneSize : public ::testing::TestWithParam<int>
+{
+protected:
+  GodRaysSceneSize()
+  {
+    this->Random.seed(this->GetParam());
+    this->Rays->SetAutomaticExposure(false);
+    this->Rays->SetModel(this->Model);
+    this->Model->SetOpticalDepth(0.6);
+    for (int i = 0; i < 6; ++i)
+    {
+      this->Renderer->AddActor(MakeBox({ this->Draw(-3.0, 3.0), this->Draw(-2.0, 2.0), -1.0 },
+        { this->Draw(0.2, 1.0), this->Draw(0.2, 1.0), this->Draw(0.2, 1.0) }, { 0.8, 0.4, 0.2 }));
+    }
+    this->Rays->AddLight(this->GetParam() % 2
+        ? MakeLamplight({ this->Draw(-2.0, 2.0), this->Draw(-2.0, 2.0), -2.5 })
+        : MakeSun({ this->Draw(-0.5, 0.5), this->Draw(-0.3, 0.3), -1.0 }));
+    this->Rays->SetSourceRadius(this->GetParam() % 4 == 1 ? 0.0 : 0.05);
+    this->Rays->Attach(this->Renderer);
+  }
+
+  double Draw(double low, double high)
+  {
+    return std::uniform_real_distribution<double>(low, high)(this->Random);
+  }
+
+  std::vector<unsigned char> Render()
+  {
+    this->Renderer->ResetCameraClippingRange();
+    return GetPixels(this->Scene.Window);
+  }
+
+  std::mt19937 Random;
+  Messages VTKMessages{ true };
+  Stage Scene;
+  vtkGodRaysPass* Rays = this->Scene.Rays;
+  vtkRenderer* Renderer = this->Scene.Renderer;
+  vtkNew<vtkGodRaysHomogeneousModel> Model;
+};
+
+// Something that appears, moves and vanishes beside the picture changes nothing in it.
+TEST_P(GodRaysSceneSize, StaysWhenSomethingFliesByFarAway)
+{
+  const auto before = this->Render();
+  EXPECT_FALSE(Says(this->Rays->GetPlan(), "size:"));
+  const double angle = this->Draw(-0.4, 0.4);
+  const double away = this->Draw(50.0, 500.0);
+  auto bird = MakeBox({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 });
+  this->Renderer->AddActor(bird);
+  for (const double part : { 1.0, 0.6, 2.0 })
+  {
+    bird->SetPosition(part * away * std::cos(angle), part * away * std::sin(angle), -0.3 * away);
+    // But for edges of shadows, whose map reaches to what casts them.
+    EXPECT_LT(CountDifferentPixels(before, this->Render(), 2), before.size() / 4 / 100);
+    EXPECT_TRUE(Says(this->Rays->GetPlan(), "ResetSceneSize()")) << this->Rays->GetPlan();
+  }
+  this->Rays->ResetSceneSize(); // the control
+  EXPECT_GT(CountDifferentPixels(before, this->Render(), 2), before.size() / 4 / 10);
+  this->Rays->ResetSceneSize();
+  bird->VisibilityOff();
+  EXPECT_EQ(before, this->Render());
+}
+
+// Data in place of all former data are as they are in a new window.
+TEST_P(GodRaysSceneSize, IsFoundAnewWhenDataAreExchanged)
+{
+  const auto before = this->Render();
+  const double scale = this->Draw(5.0, 50.0);
+  std::vector<unsigned char> pictures[2];
+  auto box = MakeBox({ 0.0, 0.0, -0.5 * scale }, { 0.3 * scale, 0.3 * scale, 0.1 * scale });
+  for (int i = 0; i < 2; ++i)
+  {
+    this->Renderer->RemoveAllViewProps();
+    this->Renderer->AddActor(box);
+    pictures[i] = this->Render();
+    this->Rays->ResetSceneSize();
+  }
+  EXPECT_EQ(pictures[0], pictures[1]);
+  EXPECT_NE(pictures[0], before);
+}
+
+INSTANTIATE_TEST_SUITE_P(Random, GodRaysSceneSize, ::testing::Range(0, 8));
 
 TEST(GodRaysHomogeneousModel, RefusesWhatIsNoMedium)
 {

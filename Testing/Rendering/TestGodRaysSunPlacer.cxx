@@ -446,6 +446,7 @@ TEST_F(GodRaysSunPlacer, LampInAir_AnyScale_LooksTheSame)
     }
     camera->SetPosition(scale * eye[0], scale * eye[1], scale * eye[2]);
     this->Renderer->ResetCameraClippingRange();
+    this->Rays->ResetSceneSize();
     this->Rays->PlaceSun(this->Renderer);
     this->Scene.Window->Render();
     vtkLight* lamp = this->Rays->GetLight(0);
