@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGodRaysProjection.h"
 
+#include "vtkActor.h"
 #include "vtkBillboardTextActor3D.h"
 #include "vtkFrustumCoverageCuller.h"
+#include "vtkGodRaysOpenGL.h"
 #include "vtkGodRaysView.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -11,6 +13,7 @@
 #include "vtkOpenGLCamera.h"
 #include "vtkPolyData.h"
 #include "vtkPropCollection.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 
 namespace
@@ -94,6 +97,20 @@ std::vector<vtkProp*> vtkGodRaysProjection::FindSeen(std::vector<vtkProp*> props
   static_cast<vtkCuller*>(culler)->Cull(this->Renderer, props.data(), count, initialized);
   props.resize(count);
   return props;
+}
+
+// Drawn twice, each time with the other faces culled: a change of the property would be one of the scene.
+void vtkGodRaysProjection::DrawBothSides(vtkProp* prop, vtkRenderer* renderer)
+{
+  prop->RenderOpaqueGeometry(renderer);
+  auto actor = vtkActor::SafeDownCast(prop);
+  if (actor &&
+    (actor->GetProperty()->GetBackfaceCulling() || actor->GetProperty()->GetFrontfaceCulling()))
+  {
+    glFrontFace(GL_CW);
+    prop->RenderOpaqueGeometry(renderer);
+    glFrontFace(GL_CCW);
+  }
 }
 
 bool vtkGodRaysProjection::IsUndrawnBillboard(vtkProp* prop)

@@ -39,6 +39,11 @@ public:
   std::vector<vtkProp*> FindSeen(std::vector<vtkProp*> props) const;
 
   /**
+   * Draws what is opaque of a prop, with the faces that it culls: they are left out for the eye alone.
+   */
+  static void DrawBothSides(vtkProp* prop, vtkRenderer* renderer);
+
+  /**
    * Whether a prop is a billboard that its renderer has not drawn yet. VTK takes it for a point and draws
    * none whose point is outside the picture; once a layer had drawn it, VTK would show text that reaches
    * inside.

@@ -176,7 +176,7 @@ bool vtkGodRaysShadowMap::RenderProps(const vtkGodRaysMediumIntegrator::Request&
     {
       for (vtkProp* prop : seen)
       {
-        prop->RenderOpaqueGeometry(request.Renderer);
+        vtkGodRaysProjection::DrawBothSides(prop, request.Renderer);
       }
     });
 }

@@ -16,6 +16,8 @@
 #include "vtkCamera.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 
 #include <cmath>
@@ -432,6 +434,35 @@ TEST_F(GodRaysMedium, ComputesWhatTheSceneNeeds)
   this->Scene.Window->Render();
   EXPECT_TRUE(Says(this->Rays->GetPlan(), "3 airlights of a directional light"))
     << this->Rays->GetPlan();
+}
+
+// Opaque faces that are culled for the eye cast the shadows that they cast when they are drawn.
+TEST_F(GodRaysMedium, CulledFacesCastShadows)
+{
+  for (const std::array<double, 4>& light :
+    { std::array<double, 4>{ 0.2, 0.3, -1.0, 0.0 }, { 0.5, 0.2, -3.0, 1.0 } })
+  {
+    this->Renderer->RemoveAllViewProps();
+    this->SetLight(light);
+    const double open = GetMean(this->GetScattering());
+    vtkNew<vtkPlaneSource> plane; // an open surface, which has a front that the eye sees
+    plane->SetOrigin(-1.5, -1.0, 0.0);
+    plane->SetPoint1(1.0, -1.0, 0.0);
+    plane->SetPoint2(-1.5, 1.5, 0.0);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(plane->GetOutputPort());
+    vtkNew<vtkActor> wall;
+    wall->SetMapper(mapper);
+    this->Renderer->AddActor(wall);
+    const double whole = GetMean(this->GetScattering());
+    EXPECT_LT(whole, 0.99 * open);
+    wall->GetProperty()->BackfaceCullingOn();
+    EXPECT_EQ(GetMean(this->GetScattering()), whole) << "the light sees its back";
+    // What is not drawn ends no view ray: it is seen through, and casts its shadow.
+    wall->GetProperty()->BackfaceCullingOff();
+    wall->GetProperty()->FrontfaceCullingOn();
+    EXPECT_LT(GetMean(this->GetScattering()), open);
+  }
 }
 
 // Air whose density, and lamps whose power, are found from the visible props, in random scenes.
