@@ -215,8 +215,10 @@ class Properties:
             for (value, _, _), text in zip(choices, texts):
                 ElementTree.SubElement(domain, "Entry", {"text": text.strip(), "value": str(value)})
             return [domain]
-        found = re.search(r"\bValid range: \[([^],]+), ([^],]+)\](, and 0)?", parameter.text)
-        ends = parameter.limits or (["0" if found[3] else found[1], found[2]] if found else [])
+        useful, found = (re.search(rf"\b{each} range: \[([^],]+), ([^],]+)\](, and 0)?", parameter.text)
+            for each in ("Useful", "Valid"))  # sliders go over the former; any valid number may be typed
+        ends = [*useful.groups()[:2]] if useful else parameter.limits or (
+            ["0" if found[3] else found[1], found[2]] if found else [])
         ends = [hints.pop(each) for each in ("min", "max")] if "min" in hints else [
             show(self.evaluate(each)) for each in ends]
         if not ends and "of any length" in parameter.text:
@@ -233,7 +235,7 @@ class Properties:
         comment = re.sub(rf"^(?:Set/Get|Set) |, {ENUM}", "", parameter.text)
         text = ""
         for sentence in re.split(r"(?<=\.)\s+(?=[A-Z0-9(]|vtk)", comment[:1].upper() + comment[1:]):
-            if re.match(r"Valid |Any finite|Defaults?\b|Others are|Any other", sentence):
+            if re.match(r"Valid |Useful |Any finite|Defaults?\b|Others are|Any other", sentence):
                 continue
             sentence = self.translate(sentence)
             if not text and not sentence:

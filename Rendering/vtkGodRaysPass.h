@@ -216,7 +216,7 @@ public:
   ///@{
   /**
    * Set/Get the factor on all rays [no unit]. 0 draws the scene straight through.
-   * Valid range: [0, 1e4]. Default is 1.
+   * Valid range: [0, 1e4]. Useful range: [0, 4]. Default is 1.
    */
   void SetIntensity(double intensity);
   vtkGetMacro(Intensity, double);

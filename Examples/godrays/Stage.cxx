@@ -413,12 +413,13 @@ void Stage::SetExposure(double factor)
 //------------------------------------------------------------------------------
 std::vector<Stage::Parameter> Stage::GetParameters() const
 {
+  // Each quarter of a slider changes pictures: beyond these ends of decay and glow, hardly anything does.
   std::vector<Parameter> found = { { "intensity", 0.0, 3.0, this->Rays->GetIntensity() } };
   if (auto* look = vtkGodRaysRadialSumModel::SafeDownCast(this->Rays->GetModel()))
   {
     found.push_back({ "density", 0.0, 1.0, look->GetDensity() });
-    found.push_back({ "decay", 0.9, 1.0, look->GetDecay() });
-    found.push_back({ "glow", 0.0, 1.0, this->Rays->GetBackgroundGlow() });
+    found.push_back({ "decay", 0.94, 1.0, look->GetDecay() });
+    found.push_back({ "glow", 0.0, 0.5, this->Rays->GetBackgroundGlow() });
   }
   else if (auto* medium = vtkGodRaysHomogeneousModel::SafeDownCast(this->Rays->GetModel());
            medium && medium->GetWorldUnitInMeters() == 0.0)

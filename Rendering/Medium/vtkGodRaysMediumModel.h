@@ -108,7 +108,7 @@ public:
   ///@{
   /**
    * Set/Get what the extinction of volumes with the role MEDIUM is times: above 1, data are denser than
-   * their opacity says. Valid range: [0, 1e9]. Default is 1 [no unit].
+   * their opacity says. Valid range: [0, 1e9]. Useful range: [0, 10]. Default is 1 [no unit].
    */
   void SetDataScale(double scale);
   vtkGetMacro(DataScale, double);

@@ -135,9 +135,9 @@ public:
   ///@{
   /**
    * Set/Get the factor from radiance [the unit of the atmosphere's SunIrradiance/sr] to linear light, of
-   * which 1 is as bright as the window shows; see WhiteBalance. Valid range: [0, 1e30]. Default is 4: the
-   * sky of a clear day is bright, and white things in the sun are too bright to be shown, as on a photograph
-   * of the sky.
+   * which 1 is as bright as the window shows; see WhiteBalance. Valid range: [0, 1e30]. Useful range:
+   * [0, 20]. Default is 4: the sky of a clear day is bright, and white things in the sun are too bright to be
+   * shown, as on a photograph of the sky.
    */
   void SetExposure(double exposure);
   vtkGetMacro(Exposure, double);

@@ -81,6 +81,15 @@ class Entries(unittest.TestCase):
         self.assertEqual(found.find("DoubleRangeDomain").attrib, {"name": "range", "min": "0", "max": "0.5"})
         self.assertEqual(found.findtext("Documentation"), "How much of the fire Spawn Rate leaves out [fraction].")
 
+    def test_sliders_go_over_the_useful_range(self):
+        self.assertEqual(self.write().stderr, "")
+        for file, name, ends in (("GodRaysParts", "Intensity", ("0", "4")), ("GodRaysParts", "Exposure", ("0", "20")),
+                ("GodRaysModels", "DataScale", ("0", "10"))):
+            for found in ElementTree.parse(self.written / f"{file}.xml").findall(f".//*[@name='{name}']"):
+                domain = found.find("DoubleRangeDomain")
+                self.assertEqual((domain.get("min"), domain.get("max")), ends, name)
+                self.assertNotIn("range", found.findtext("Documentation"))
+
     def test_what_a_header_does_not_say_is_an_error_with_place_and_remedy(self):
         for old, new, message in (
             ("Valid range: [0, 1e9]. Default is 1500.", "Default is 1500.",
