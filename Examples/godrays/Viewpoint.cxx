@@ -172,7 +172,7 @@ private:
   void ChooseSide()
   {
     constexpr double enough = 0.6; // of the largest part of the picture that a view covers
-    constexpr double fromBehind = 0.92;
+    constexpr double fromBehind = 0.97;
     struct View
     {
       vtkSmartPointer<vtkCamera> Camera;
