@@ -33,7 +33,7 @@ constexpr double BiasOfDiagonal = 0.002;
 constexpr unsigned int Samples = 32;
 // With 0.9 plain surfaces change by a mean CIELAB difference of 10. On colours 0.35 keeps that below 4,
 // with the rim light.
-constexpr double StrengthOnPlain = 0.6;
+constexpr double StrengthOnPlain = 0.45;
 constexpr double StrengthOnColors = 0.35;
 
 // OpenGL's names

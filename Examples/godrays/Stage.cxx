@@ -33,7 +33,7 @@ namespace
 constexpr double SunRadius = 0.6;
 constexpr double SkyExposure = 2.5; // a white wall in the sun is about as bright as can be shown
 // of a light from the eye; 1 is VTK's headlight, which shows colours as they are without rays
-constexpr double FillOfPlain = 0.9;
+constexpr double FillOfPlain = 0.96;
 constexpr double FillOfColors = 1.0;
 // as vtkGodRaysPass::PlaceSun() has them
 constexpr Vector3 WarmSun = { 1.0, 0.85, 0.62 };
