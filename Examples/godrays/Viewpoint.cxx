@@ -171,8 +171,8 @@ private:
    */
   void ChooseSide()
   {
-    constexpr double enough = 0.6; // of the largest part of the picture that a view covers
-    constexpr double fromBehind = 0.97;
+    constexpr double enough = 0.64; // of the largest part of the picture that a view covers
+    constexpr double fromBehind = 0.975;
     struct View
     {
       vtkSmartPointer<vtkCamera> Camera;
