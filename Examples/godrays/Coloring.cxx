@@ -156,7 +156,7 @@ bool Coloring::TellsNothing(const ColorArray& choice) const
   const Options& options = this->Settings;
   const auto found = this->Ranges.find(choice.GetName());
   return found != this->Ranges.end() && found->second[0] == found->second[1] && !options.Range &&
-    options.Scalars.empty() && options.Colormap.empty();
+    options.Scalars.empty() && options.Colormap.empty() && options.Colors.empty();
 }
 
 //------------------------------------------------------------------------------
