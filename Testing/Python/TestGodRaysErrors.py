@@ -100,7 +100,7 @@ class Properties(unittest.TestCase):
 
     def test_documentation_is_that_of_c(self):
         pass_ = godrays.vtkGodRaysPass
-        self.assertIn("Valid range: [0, 1e4]. Default is 1.", pass_.intensity.__doc__)
+        self.assertIn("Valid range: [0, 1e4]. Useful range: [0, 4]. Default is 1.", pass_.intensity.__doc__)
         self.assertIn("Defaults are 0.75 and 3.6", pass_.background_glow_falloff.__doc__)  # a group's second
         for function in (godrays.enable, godrays.shadows, godrays.sky, godrays.scatter, godrays.tone_map):
             for keyword, parameter in inspect.signature(function).parameters.items():
