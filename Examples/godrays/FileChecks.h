@@ -38,7 +38,7 @@ void CheckNrrd(const std::string& path);
 /// Of .byu, VTK reads for ever where polygons do not end.
 void CheckByu(const std::string& path);
 
-/// Of a PNG, whatever its name is, VTK ends the program where it was cut off.
+/// Refuses a PNG that was cut off, whatever its name is: VTK ends the program there.
 void CheckPng(const std::string& path);
 
 /// Of .pnm and its like, VTK reads for ever in a header that ends.

@@ -85,7 +85,7 @@ void ApplyMaterial(const Material& material, vtkActor* actor)
     texture && texture->GetInput() && texture->GetInput()->GetNumberOfScalarComponents() % 2 == 0;
   if (isMask || (IsOpaque(&material) && hasAlpha))
   {
-    // What is cut off is so in each pass that draws the actor, those of shadows and rays, too.
+    // The cut applies in each pass that draws the actor, those of shadows and rays, too.
     constexpr double least = 1e-6;
     const std::string cutoff =
       std::to_string(isMask ? material.AlphaCutoff / std::max(factor[3], least) : 0.0);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkGodRays authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What vtkGodRaysSkyPass costs: the tables of Documentation/Evidence/Sky.md.
+// Measures the cost of vtkGodRaysSkyPass, for the tables of Documentation/Evidence/Sky.md.
 
 #include "Device.h"
 #include "Rounds.h"

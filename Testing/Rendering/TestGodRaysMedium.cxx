@@ -458,7 +458,7 @@ TEST_F(GodRaysMedium, CulledFacesCastShadows)
     EXPECT_LT(whole, 0.99 * open);
     wall->GetProperty()->BackfaceCullingOn();
     EXPECT_EQ(GetMean(this->GetScattering()), whole) << "the light sees its back";
-    // What is not drawn ends no view ray: it is seen through, and casts its shadow.
+    // A face that is not drawn ends no view ray: it is seen through, and casts its shadow.
     wall->GetProperty()->BackfaceCullingOff();
     wall->GetProperty()->FrontfaceCullingOn();
     EXPECT_LT(GetMean(this->GetScattering()), open);
